@@ -1,0 +1,22 @@
+# Installs pliant::core for find_package(pliant): the archive, the headers of core/ under include/pliant and the package.
+get_property(fetched GLOBAL PROPERTY PLIANT_FETCHED)
+if("Eigen3" IN_LIST fetched OR "fmt" IN_LIST fetched)
+  message(STATUS "install: left out, for an installed pliant::core needs Eigen and fmt installed too")
+  return()
+endif()
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pliant)
+
+install(TARGETS pliant_core EXPORT pliantTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT pliant_core)
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION include/pliant COMPONENT pliant_core FILES_MATCHING PATTERN "*.h")
+install(EXPORT pliantTargets NAMESPACE pliant:: DESTINATION ${package_dir} COMPONENT pliant_core)
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/pliantConfig.cmake.in ${PROJECT_BINARY_DIR}/package/pliantConfig.cmake
+  INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/pliantConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(
+  FILES ${PROJECT_BINARY_DIR}/package/pliantConfig.cmake ${PROJECT_BINARY_DIR}/package/pliantConfigVersion.cmake
+  DESTINATION ${package_dir}
+  COMPONENT pliant_core)

@@ -1,0 +1,37 @@
+// Measures of strain, made from the displacement gradient H(i, j) = du_i/dX_j (dimensionless) [Bonet2008 §4.5].
+#pragma once
+#include <pliant/math/types.h>
+
+namespace pliant {
+
+// Cauchy (small) strain: (H + H^T) / 2. It is linear in the displacement, and not zero for a finite rotation.
+template <int Dim>
+Mat<Dim> cauchy_strain(const Mat<Dim>& displacement_gradient) {
+    return 0.5 * (displacement_gradient + displacement_gradient.transpose());
+}
+
+// Number of different components of a symmetric tensor: 3 in the plane, 6 in space.
+template <int Dim>
+inline constexpr int voigt_size = Dim * (Dim + 1) / 2;
+
+// A strain as a column, order xx, yy, xy or xx, yy, zz, yz, xz, xy, with engineering shear gamma = 2 strain_ij.
+template <int Dim>
+Vec<voigt_size<Dim>> voigt_strain(const Mat<Dim>& strain) {
+    if constexpr (Dim == 2)
+        return {strain(0, 0), strain(1, 1), 2 * strain(0, 1)};
+    else
+        return {strain(0, 0), strain(1, 1), strain(2, 2), 2 * strain(1, 2), 2 * strain(0, 2), 2 * strain(0, 1)};
+}
+
+// The stress tensor of a Voigt column in the same order (without the factor 2).
+template <int Dim>
+Mat<Dim> tensor_from_voigt_stress(const Vec<voigt_size<Dim>>& s) {
+    Mat<Dim> stress;
+    if constexpr (Dim == 2)
+        stress << s[0], s[2], s[2], s[1];
+    else
+        stress << s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2];
+    return stress;
+}
+
+}  // namespace pliant

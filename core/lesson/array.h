@@ -1,0 +1,65 @@
+// Named arrays: what a lesson's state consists of, and what it shows.
+#pragma once
+#include <pliant/math/types.h>
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+// What the entries of an array belong to.
+enum class On { node, edge, face, cell, element, particle };
+enum class Rank { scalar, vector, tensor };
+
+std::string_view name_of(On on);
+std::string_view name_of(Rank rank);
+
+// A part of the state: the numbers that, with the parameters, define "now" between two steps. Save, restore, step back, compare,
+// replay and the NaN check follow from the list of them. `view` gives the numbers where they live.
+struct StateArray {
+    std::string_view name, unit;
+    std::function<std::span<Real>()> view;
+};
+
+// A quantity to show, in rows of `components` numbers per node, cell, ...: 1 for a scalar; 2 or 3 for a vector; for a tensor
+// dim × dim numbers row by row (4 or 9).
+struct Field {
+    std::string_view name, symbol = "", unit = "";
+    On on = On::node;
+    Rank rank = Rank::scalar;
+    int components = 1;
+    std::function<std::span<const Real>()> view;
+    std::string_view help = "";
+    // Beyond this magnitude the run has blown up and is stopped; no bound when empty.
+    std::function<Real()> bound{};
+    // Does the present scene compute it? always, when empty.
+    std::function<bool()> used{};
+
+    Index size() const { return static_cast<Index>(view().size()) / components; }
+    bool in_use() const { return !used || used(); }
+};
+
+// The components of a row by name: {""}, {"x", "y"}, {"xx", "xy", ...}.
+std::vector<std::string> component_names(const Field& field);
+
+// One number per row: the component, or with component = -1 the value of a scalar, the length of a vector, the Frobenius norm of
+// a tensor.
+void row_values(const Field& field, int component, std::vector<Real>& values);
+Real row_value(const Field& field, Index row, int component);
+
+// A state array over any Eigen matrix or std::vector<Real> that outlives it.
+template <class Storage>
+StateArray state_array(std::string_view name, std::string_view unit, Storage& storage) {
+    return {name, unit, [&storage] { return std::span<Real>(storage.data(), static_cast<std::size_t>(storage.size())); }};
+}
+
+// A view for a Field over any Eigen matrix or std::vector<Real> that outlives it.
+template <class Storage>
+std::function<std::span<const Real>()> view_of(const Storage& storage) {
+    return [&storage] { return std::span<const Real>(storage.data(), static_cast<std::size_t>(storage.size())); };
+}
+
+}  // namespace pliant

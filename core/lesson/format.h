@@ -1,0 +1,21 @@
+// Numbers as people read them, and as programs read them back.
+#pragma once
+#include <pliant/math/types.h>
+
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+// "412.3 kPa", "0.05", "1.2e-07 m²/s": a value with its unit, SI-prefixed where the unit takes a prefix, else scientific when
+// very large or small. `digits` counts significant digits. An empty unit means dimensionless. A value that is not finite
+// reads "undefined".
+std::string format_quantity(Real value, std::string_view unit, int digits = 4);
+
+// The shortest decimal text that reads back as exactly this number.
+std::string format_exact(Real value);
+
+// "in s", "in Pa" or, without a unit, "dimensionless": for tables and messages.
+std::string_view unit_or_dimensionless(std::string_view unit);
+
+}  // namespace pliant

@@ -1,0 +1,142 @@
+// The lesson contract. A lesson declares its parameters, state, fields, stages, probes, lines, assumptions and conserved quantities
+// as data; sliders, command-line flags, scene files, plots, documentation and tests follow from these declarations alone.
+//
+// The Runner is the only one that advances a lesson: it runs the stages of a step in their order, one pass at a time if asked.
+#pragma once
+#include <pliant/lesson/array.h>
+#include <pliant/lesson/parameter.h>
+#include <pliant/lesson/scene.h>
+#include <pliant/math/types.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+// A pause point inside one time step.
+//
+// A stage runs once, unless `again` is given: then `run` is one pass of an inner loop (a Newton iteration, a solver sweep), and
+// after each pass `again` tells whether another one follows. With `loop_from` the loop goes back to that earlier stage instead,
+// so that several stages form one loop body. `begin` runs before the first pass and `end` after the last.
+struct Stage {
+    std::string_view name;          // key: "advection"
+    std::string_view formula = "";  // what it evaluates, in symbols
+    std::string_view source = "";   // lecture, paper, section, equation
+    std::function<void()> run;
+    std::vector<std::string_view> reads{}, writes{};  // names of fields
+    std::function<bool()> active{};                   // a term that the scene lacks is not run; always active when empty
+    std::function<bool()> again{};
+    std::string_view loop_from = "";
+    std::function<void()> begin{}, end{};
+
+    bool in_use() const { return !active || active(); }
+};
+
+// A number to watch. `value` is empty where the quantity is not defined (a slope through one point). `exact` is the closed form at
+// time t, where one exists.
+struct Probe {
+    std::string_view name, symbol = "", unit = "", help = "";
+    std::function<std::optional<Real>()> value;
+    std::function<std::optional<Real>(Real t)> exact{};
+};
+
+// A curve sampled now: a field along a line, or one measured quantity against another.
+struct Curve {
+    std::vector<Real> position, value;
+};
+struct Line {
+    std::string_view name, unit = "", position_name = "", position_unit = "", help = "";
+    std::function<void(Curve&)> sample;
+    std::function<void(Curve&)> reference{};   // exact, or published, values to draw beside it
+    std::string_view reference_name = "exact";
+    bool reference_points = false;             // draw the reference as points (a table) rather than as a curve
+    std::function<bool()> used{};
+
+    bool in_use() const { return !used || used(); }
+};
+
+// A condition under which the model or the method is valid: value ≤ limit. `broken` says what goes wrong beyond the limit.
+struct Assumption {
+    std::string_view name, unit = "";
+    std::function<Real()> value, limit;
+    std::string_view formula = "", broken = "";
+    std::function<bool()> used{};
+
+    bool in_use() const { return !used || used(); }
+};
+
+enum class Law { constant, never_grows, zero };
+
+// A probe that should obey a law while `expected` says so. `tolerance` is in the unit of the probe.
+struct Conserved {
+    std::string_view probe;
+    Law law = Law::constant;
+    std::function<Real()> tolerance;
+    std::function<bool()> expected{};
+};
+
+// A person's hand in the scene: something picked (index < 0: a place, not a thing) at `from`, now drawn to `to`, in metres.
+struct Pull {
+    Index index = -1;
+    Vec<3> from = Vec<3>::Zero(), to = Vec<3>::Zero();
+};
+
+class Lesson {
+public:
+    // First, since parameters join it as they are made.
+    std::vector<Parameter*> parameters;
+    std::vector<StateArray> state;
+    std::vector<Field> fields;
+    std::vector<Stage> stages;
+    std::vector<Probe> probes;
+    std::vector<Line> lines;
+    std::vector<Assumption> assumptions;
+    std::vector<Conserved> conserved;
+
+    Lesson() = default;
+    Lesson(const Lesson&) = delete;
+    Lesson& operator=(const Lesson&) = delete;
+    virtual ~Lesson() = default;
+
+    // 2 or 3, of the picture.
+    virtual int dimension() const = 0;
+
+    // Refuses combinations of parameters that are each legal alone. Throws Refused.
+    virtual void check() const {}
+
+    // The initial state, from the parameters alone: two resets give equal bits. Every field in use has its size and finite numbers
+    // afterwards.
+    virtual void reset() = 0;
+
+    // Size of a step in s; 0 for a static lesson, whose step is one whole solve.
+    virtual Real time_step() const = 0;
+
+    // Nothing changes any more: a static lesson after its solve, a body that lies still.
+    virtual bool at_rest() const { return false; }
+
+    // The picture of now, coloured by scene.colour_by.
+    virtual void draw(Scene& scene) const = 0;
+
+    // What can be pulled; empty when nothing can.
+    virtual std::optional<On> can_pull() const { return std::nullopt; }
+    // Takes effect in the steps that follow, until released (empty).
+    virtual void pull(const std::optional<Pull>&) {}
+
+    // The limit that was exceeded and what to do: "Δt = 0.01 s is above the stability limit 2/ω = 0.004 s: lower time_step or ...".
+    virtual std::string blow_up_hint() const { return ""; }
+
+    // The field that the picture is coloured by at first; "" for none.
+    virtual ColourBy first_colours() const { return {}; }
+    // The probes and lines that a lecturer would show first, at most three.
+    virtual std::vector<std::string_view> first_plots() const { return {}; }
+
+    Parameter& parameter(std::string_view key) const;    // throws Refused, with the nearest known key
+    const Field& field(std::string_view name) const;     // throws Refused, likewise; names fields in use
+    const Probe& probe(std::string_view name) const;     // throws Refused, likewise
+    const Field* find_field(std::string_view name) const;  // null when there is none
+};
+
+}  // namespace pliant

@@ -1,0 +1,113 @@
+// A parameter is declared once, as a member of its lesson, and joins that lesson by itself. Sliders, command-line flags, scene
+// files, documentation and tests all follow from the declaration.
+#pragma once
+#include <pliant/math/error.h>
+#include <pliant/math/types.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+class Lesson;
+
+enum class Kind { number, whole, choice, toggle };
+enum class Scale { linear, log };     // of the slider
+enum class Effect { live, rebuild };  // live: from the next step on; rebuild: the lesson starts again
+
+struct Interval {
+    Real min = 0, max = 1;
+    bool open_min = false, open_max = false;  // open: the end itself is not accepted
+    bool contains(Real value) const;
+    std::string text() const;  // "(-1, 0.5)", "[0, 10]"
+};
+
+// One of the values of a choice: its key in scene files and its name on the screen.
+struct Option {
+    std::string_view key, label;
+};
+
+struct ParameterInfo {
+    std::string_view key, symbol = "", unit = "", help = "";
+    Real initial = 0;
+    Interval useful{};                   // what the slider spans
+    std::optional<Interval> accepted{};  // what the solver accepts; `useful` when not given
+    Scale scale = Scale::linear;
+    Effect effect = Effect::live;
+    std::function<bool()> used{};  // does the present scene use it? always, when empty
+    Kind kind = Kind::number;
+    std::vector<Option> options{};
+};
+
+class Parameter {
+public:
+    Parameter(Lesson& owner, ParameterInfo info);
+    Parameter(const Parameter&) = delete;
+    Parameter& operator=(const Parameter&) = delete;
+
+    const ParameterInfo info;
+
+    // A choice counts its options from 0; a switch is 0 or 1.
+    Real value() const { return value_; }
+    bool used() const { return !info.used || info.used(); }
+    const Interval& accepted() const { return info.accepted ? *info.accepted : info.useful; }
+
+    // Throws Refused, naming key, value, unit and accepted range, unless the value is finite, in range and, for a whole number,
+    // a choice or a switch, whole. The value is then unchanged.
+    void set(Real value);
+    void check(Real value) const;
+
+    // From text as a person writes it: a number, "true/false/on/off", or the key of an option. Throws Refused.
+    Real parse(std::string_view text) const;
+    // As parse reads it back, to the bit.
+    std::string text() const { return text(value_); }
+    std::string text(Real value) const;
+
+    std::string_view option_key() const { return info.options[static_cast<std::size_t>(value_)].key; }
+
+private:
+    Real value_;
+};
+
+// A real number.
+class Number : public Parameter {
+public:
+    Number(Lesson& owner, ParameterInfo declared) : Parameter(owner, std::move(declared)) {}
+    operator Real() const { return value(); }
+};
+
+// A whole number.
+class Whole : public Parameter {
+public:
+    Whole(Lesson& owner, ParameterInfo declared);
+    operator Index() const { return static_cast<Index>(value()); }
+};
+
+// On or off.
+class Switch : public Parameter {
+public:
+    Switch(Lesson& owner, ParameterInfo declared);
+    operator bool() const { return value() != 0; }
+};
+
+// One of several named options, read as an enumeration whose values count from 0 in the same order.
+template <class Enum>
+class Choice : public Parameter {
+public:
+    Choice(Lesson& owner, ParameterInfo declared, std::vector<Option> options)
+        : Parameter(owner, with_options(std::move(declared), std::move(options))) {}
+    operator Enum() const { return static_cast<Enum>(static_cast<int>(value())); }
+
+private:
+    static ParameterInfo with_options(ParameterInfo declared, std::vector<Option> options) {
+        declared.kind = Kind::choice;
+        declared.useful = {0, static_cast<Real>(options.size()) - 1};
+        declared.options = std::move(options);
+        return declared;
+    }
+};
+
+}  // namespace pliant

@@ -1,0 +1,151 @@
+// The only code that advances a lesson: the window, the headless picture, the command line, the tests and the studies all go
+// through it.
+#pragma once
+#include <pliant/lesson/history.h>
+#include <pliant/lesson/lesson.h>
+#include <pliant/lesson/registry.h>
+#include <pliant/math/error.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pliant {
+
+// Where a run stands: `step` whole steps done, and `passes` passes into the next one. passes = 0: between two steps.
+struct Place {
+    Index step = 0;
+    Index passes = 0;
+    auto operator<=>(const Place&) const = default;
+};
+
+// Wall time and counted work of a stage since the last reset.
+struct StageCost {
+    Real total_ms = 0, last_ms = 0;  // last: of its latest whole execution
+    Index runs = 0, passes = 0;
+};
+
+enum class Holds { yes, no, not_expected };
+
+// Something that happens at the start of a given step: recorded, it makes a played run repeatable.
+struct Event {
+    Index step = 0;
+    std::vector<std::pair<std::string, std::string>> assign{};  // parameter key, value as text
+    std::optional<Pull> pull{};
+    bool release = false;
+};
+
+class Runner {
+public:
+    using Assignments = std::vector<std::pair<std::string, std::string>>;  // key, value as text
+
+    // Makes the lesson, applies the assignments and resets it. history_bytes caps what is stored for stepping back; the starts of
+    // this step and of the one before are always kept. Throws Refused.
+    explicit Runner(const LessonEntry& entry, const Assignments& assignments = {}, std::size_t history_bytes = 64u << 20);
+
+    const LessonInfo& info() const { return entry_->info; }
+    const Lesson& lesson() const { return *lesson_; }
+
+    // --- parameters and the hand ---
+    // Inside a step a live parameter takes effect when the next step starts; a rebuild one resets. Throws Refused, and then nothing
+    // has changed.
+    void assign(const Assignments& assignments);
+    void assign(std::string_view key, Real value);
+    // The value that the parameter has, or will have from the next step on.
+    Real wanted(const Parameter& parameter) const;
+    void pull(const std::optional<Pull>& pull);
+    const std::optional<Pull>& pulled() const { return pull_; }
+    void set_events(std::vector<Event> events);
+    const std::vector<Event>& events() const { return events_; }
+
+    // Initial state from the parameters alone.
+    void reset();
+
+    // --- forward ---
+    // Each throws Diverged when a stage fails or writes a number that is not finite or beyond its bound. The state is then that of
+    // the start of the step, and `failure` tells what happened.
+    void step_pass();
+    void step_stage();
+    void step();
+    void steps(Index count);
+
+    // --- back ---
+    // Restores a stored state and replays to the wanted place; false when it is no longer stored.
+    bool pass_back();
+    bool stage_back();
+    bool step_back();
+    bool go_to(Place place);
+    const History& history() const { return history_; }
+
+    // --- where we are ---
+    Place place() const { return {step_, passes_}; }
+    bool inside_step() const { return passes_ > 0; }
+    // The stages that the present scene uses, in order.
+    const std::vector<const Stage*>& stages() const { return active_; }
+    // Index in stages() of the stage that runs next, and the passes of it done so far.
+    std::size_t next_stage() const { return stage_; }
+    Index passes_in_stage() const { return stage_passes_; }
+    // Index in stages() of the stage that ran last, if any has.
+    std::optional<std::size_t> last_stage() const { return last_stage_; }
+    Real time() const;       // s, of the last whole step
+    Real time_step() const { return lesson_->time_step(); }
+    bool is_static() const { return lesson_->time_step() == 0; }
+    const std::optional<Failure>& failure() const { return failure_; }
+
+    // --- what it costs, and whether it holds ---
+    const StageCost& cost(std::size_t stage) const { return costs_[stage]; }  // index in lesson().stages
+    Real step_ms() const { return step_ms_; }                                 // of the latest whole step
+    // Empty where undefined. Throws Diverged when it is not finite.
+    std::optional<Real> value(const Probe& probe) const;
+    std::optional<Real> exact(const Probe& probe) const;
+    Holds holds(std::size_t conserved) const;  // index in lesson().conserved
+    Real drift(std::size_t conserved) const;   // distance from what the law demands, in the unit of the probe
+
+private:
+    using Values = std::vector<std::pair<Parameter*, Real>>;
+
+    Values parse(const Assignments& assignments) const;
+    void write(const Values& values);  // all or, when the lesson refuses them, none
+    void write_or_reset(const Values& values);
+    void apply_events();
+    void start_fresh();
+    void collect_active();
+    void renew_references();
+    void update_references();
+
+    void begin_step();
+    void end_step();
+    void run_pass(const Stage& stage);
+    void finish_stage(const Stage& stage, bool loop);
+    void guard(const Stage& stage) const;
+    [[noreturn]] void fail(Failure failure);
+
+    void store_snapshot();
+    void restore(const Snapshot& snapshot);
+    bool restore_start(Index step);
+    std::size_t number(const Stage& stage) const { return static_cast<std::size_t>(&stage - lesson_->stages.data()); }
+
+    const LessonEntry* entry_;
+    std::unique_ptr<Lesson> lesson_;
+    std::vector<const Stage*> active_;
+    std::vector<StageCost> costs_;
+    Values pending_;
+    std::vector<Event> events_;
+    std::optional<Pull> pull_;
+    std::optional<Failure> failure_;
+    History history_;
+    bool replaying_ = false;
+
+    Index step_ = 0, passes_ = 0, stage_passes_ = 0;
+    std::size_t stage_ = 0;
+    std::optional<std::size_t> last_stage_;
+    std::vector<Index> stage_ends_, previous_ends_;  // passes done at the end of each stage, of the present and the latest whole step
+    Index base_step_ = 0;                            // the time step has been base_dt_ since this step,
+    Real base_time_ = 0, base_dt_ = 0;               // which began at base_time_
+    Real step_ms_ = 0, running_ms_ = 0, stage_ms_ = 0;
+    std::vector<std::optional<Real>> references_;  // what each conserved quantity was when its law began to hold
+};
+
+}  // namespace pliant

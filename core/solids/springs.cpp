@@ -1,0 +1,171 @@
+#include <pliant/math/error.h>
+#include <pliant/solids/springs.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+std::string name(Index s, const Spring& spring) { return fmt::format("spring {} (nodes {} and {})", s, spring.i, spring.j); }
+
+void require_not_negative(const std::string& of, const char* what, Real value, const char* unit) {
+    if (!(value >= 0) || !std::isfinite(value)) throw Refused(of + ": " + what, value, unit, "a finite number >= 0");
+}
+
+void require_valid(Index s, const Spring& spring, Index node_count) {
+    for (const Index node : {spring.i, spring.j})
+        if (node < 0 || node >= node_count)
+            throw Refused(fmt::format("{}: node {} does not exist, there are {} nodes", name(s, spring), node, node_count));
+    if (spring.i == spring.j) throw Refused(name(s, spring) + ": joins a node to itself");
+    require_not_negative(name(s, spring), "rest_length", spring.rest_length, "m");
+    require_not_negative(name(s, spring), "stiffness", spring.stiffness, "N/m");
+    require_not_negative(name(s, spring), "damping", spring.damping, "N s/m");
+}
+
+void require_no_duplicates(const std::vector<Spring>& springs) {
+    std::vector<std::array<Index, 3>> sorted;  // smaller node, larger node, spring
+    sorted.reserve(springs.size());
+    for (const Spring& spring : springs)
+        sorted.push_back({std::min(spring.i, spring.j), std::max(spring.i, spring.j), static_cast<Index>(sorted.size())});
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t n = 1; n < sorted.size(); ++n)
+        if (sorted[n][0] == sorted[n - 1][0] && sorted[n][1] == sorted[n - 1][1])
+            throw Refused(fmt::format("{}: joins the same nodes as spring {}",
+                                      name(sorted[n][2], springs[static_cast<std::size_t>(sorted[n][2])]), sorted[n - 1][2]));
+}
+
+void require_run(Index first, Index count, Index size) {
+    if (first < 0 || count < 0 || first > size - count)
+        throw Refused(fmt::format("springs {} to {} do not exist: there are {} springs", first, first + count - 1, size));
+}
+
+// Calls visit(s, i, j) for every spring.
+template <class Visit>
+void for_each(const Springs& springs, Visit visit) {
+    const auto* nodes = springs.nodes();
+    for (Index s = 0; s < springs.size(); ++s) visit(s, Index(nodes[s][0]), Index(nodes[s][1]));
+}
+
+}  // namespace
+
+Springs::Springs(Index node_count, const std::vector<Spring>& springs)
+    : node_count_(node_count), rest_length_(springs.size()), stiffness_(springs.size()), damping_(springs.size()) {
+    nodes_.reserve(springs.size());
+    for (Index s = 0; s < static_cast<Index>(springs.size()); ++s) {
+        const Spring& spring = springs[static_cast<std::size_t>(s)];
+        require_valid(s, spring, node_count);
+        nodes_.push_back({static_cast<std::int32_t>(spring.i), static_cast<std::int32_t>(spring.j)});
+        rest_length_[s] = spring.rest_length;
+        stiffness_[s] = spring.stiffness;
+        damping_[s] = spring.damping;
+    }
+    require_no_duplicates(springs);
+}
+
+void Springs::set_stiffness(Index first, Index count, Real stiffness) {
+    require_run(first, count, size());
+    require_not_negative("springs", "stiffness", stiffness, "N/m");
+    stiffness_.segment(first, count).setConstant(stiffness);
+}
+
+void Springs::set_damping(Index first, Index count, Real damping) {
+    require_run(first, count, size());
+    require_not_negative("springs", "damping", damping, "N s/m");
+    damping_.segment(first, count).setConstant(damping);
+}
+
+template <int Dim>
+void append_springs(PointsIn<Dim> points, const std::vector<std::array<Index, 2>>& pairs, Real stiffness, Real damping,
+                    std::vector<Spring>& springs) {
+    springs.reserve(springs.size() + pairs.size());
+    for (const auto& [i, j] : pairs) springs.push_back({i, j, (points.col(j) - points.col(i)).norm(), stiffness, damping});
+}
+
+template <int Dim>
+void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f) {
+    const Real* rest_length = springs.rest_length().data();
+    const Real* stiffness = springs.stiffness().data();
+    for_each(springs, [&](Index s, Index i, Index j) {
+        const Vec<Dim> x_ij = x.col(j) - x.col(i);
+        const Real length = x_ij.norm();
+        const Vec<Dim> force = (length > 0 ? stiffness[s] * (length - rest_length[s]) / length : 0) * x_ij;
+        f.col(i) += force;
+        f.col(j) -= force;
+    });
+}
+
+template <int Dim>
+Real spring_energy(const Springs& springs, PointsIn<Dim> x) {
+    Real energy = 0;
+    for_each(springs, [&](Index s, Index i, Index j) {
+        const Real elongation = (x.col(j) - x.col(i)).norm() - springs.rest_length()[s];
+        energy += 0.5 * springs.stiffness()[s] * elongation * elongation;
+    });
+    return energy;
+}
+
+template <int Dim>
+void add_damping_forces(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, PointsIn<Dim> v, PointsOut<Dim> f) {
+    if (mode == SpringDamping::none) return;
+    for_each(springs, [&](Index s, Index i, Index j) {
+        Vec<Dim> force = springs.damping()[s] * (v.col(j) - v.col(i));
+        if (mode == SpringDamping::projected) {
+            const Vec<Dim> x_ij = x.col(j) - x.col(i);
+            const Real length_squared = x_ij.squaredNorm();
+            force = (length_squared > 0 ? force.dot(x_ij) / length_squared : 0) * x_ij;
+        }
+        f.col(i) += force;
+        f.col(j) -= force;
+    });
+}
+
+template <int Dim>
+Real damping_power(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, PointsIn<Dim> v) {
+    if (mode == SpringDamping::none) return 0;
+    Real power = 0;
+    for_each(springs, [&](Index s, Index i, Index j) {
+        const Vec<Dim> v_ij = v.col(j) - v.col(i);
+        Real speed_squared = v_ij.squaredNorm();
+        if (mode == SpringDamping::projected) {
+            const Vec<Dim> x_ij = x.col(j) - x.col(i);
+            const Real length_squared = x_ij.squaredNorm(), along = v_ij.dot(x_ij);
+            speed_squared = length_squared > 0 ? along * along / length_squared : 0;
+        }
+        power += springs.damping()[s] * speed_squared;
+    });
+    return power;
+}
+
+template <int Dim>
+void spring_tension(const Springs& springs, PointsIn<Dim> x, Eigen::Ref<VecX> tension) {
+    for_each(springs, [&](Index s, Index i, Index j) {
+        tension[s] = springs.stiffness()[s] * ((x.col(j) - x.col(i)).norm() - springs.rest_length()[s]);
+    });
+}
+
+template <int Dim>
+void spring_strain(const Springs& springs, PointsIn<Dim> x, Eigen::Ref<VecX> strain) {
+    for_each(springs, [&](Index s, Index i, Index j) {
+        const Real rest = springs.rest_length()[s];
+        strain[s] = rest > 0 ? ((x.col(j) - x.col(i)).norm() - rest) / rest : 0;
+    });
+}
+
+#define PLIANT_INSTANTIATE(Dim)                                                                                               \
+    template void append_springs<Dim>(PointsIn<Dim>, const std::vector<std::array<Index, 2>>&, Real, Real,                    \
+                                      std::vector<Spring>&);                                                                  \
+    template void add_spring_forces<Dim>(const Springs&, PointsIn<Dim>, PointsOut<Dim>);                                      \
+    template Real spring_energy<Dim>(const Springs&, PointsIn<Dim>);                                                          \
+    template void add_damping_forces<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>, PointsOut<Dim>);       \
+    template Real damping_power<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>);                            \
+    template void spring_tension<Dim>(const Springs&, PointsIn<Dim>, Eigen::Ref<VecX>);                                       \
+    template void spring_strain<Dim>(const Springs&, PointsIn<Dim>, Eigen::Ref<VecX>);
+
+PLIANT_INSTANTIATE(2)
+PLIANT_INSTANTIATE(3)
+#undef PLIANT_INSTANTIATE
+
+}  // namespace pliant
