@@ -8,6 +8,8 @@ function(pliant_find_or_fetch package target repository tag)
   find_package(${package} ${ARGN} CONFIG QUIET)
   if(NOT TARGET ${target})
     message(STATUS "${package}: not on this system, building ${tag}")
+    set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # the settings below and of the caller hold in older projects too
+    set(BUILD_TESTING OFF)
     FetchContent_Declare(${package} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW ON)
     FetchContent_MakeAvailable(${package})
     set_property(GLOBAL APPEND PROPERTY PLIANT_FETCHED ${package})
@@ -26,7 +28,6 @@ endfunction()
 
 # ---- The core ----
 set(EIGEN_BUILD_DOC OFF)
-set(EIGEN_BUILD_TESTING OFF)
 pliant_find_or_fetch(Eigen3 Eigen3::Eigen https://gitlab.com/libeigen/eigen.git 3.4.0 3.4)
 pliant_find_or_fetch(fmt fmt::fmt https://github.com/fmtlib/fmt.git 9.1.0)
 pliant_find_or_fetch(nlohmann_json nlohmann_json::nlohmann_json https://github.com/nlohmann/json.git v3.11.2 3.11)
@@ -47,6 +48,5 @@ endif()
 
 if(PLIANT_BUILD_BENCHMARKS)
   set(BENCHMARK_ENABLE_TESTING OFF)
-  set(BENCHMARK_ENABLE_INSTALL OFF)
   pliant_find_or_fetch(benchmark benchmark::benchmark https://github.com/google/benchmark.git v1.7.1)
 endif()

@@ -1,7 +1,10 @@
 # Installs pliant::core for find_package(pliant): the archive, the headers of core/ under include/pliant and the package.
+# PLIANT_INSTALLABLE tells the tests whether there is anything to install.
 get_property(fetched GLOBAL PROPERTY PLIANT_FETCHED)
-if("Eigen3" IN_LIST fetched OR "fmt" IN_LIST fetched)
-  message(STATUS "install: left out, for an installed pliant::core needs Eigen and fmt installed too")
+set(PLIANT_INSTALLABLE ON CACHE INTERNAL "")
+if("Eigen3" IN_LIST fetched OR "fmt" IN_LIST fetched OR "nlohmann_json" IN_LIST fetched)
+  message(STATUS "install: left out, for an installed pliant::core needs Eigen, fmt and nlohmann_json installed too")
+  set(PLIANT_INSTALLABLE OFF CACHE INTERNAL "")
   return()
 endif()
 

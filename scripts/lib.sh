@@ -16,7 +16,8 @@ fail() {
     exit "$code"
 }
 
-# logged WHAT COMMAND...: runs COMMAND, whose output is shown only if it fails or if somebody is watching.
+# logged WHAT COMMAND...: runs COMMAND, whose output is shown only if it fails or if somebody is watching. Of a failure the
+# last $lines lines are shown, 2000 unless set.
 logged() {
     local what=$1 log start=$SECONDS
     shift
@@ -25,7 +26,7 @@ logged() {
     else
         log=$(mktemp "${TMPDIR:-/tmp}/pliant.XXXXXX")
         if ! "$@" >"$log" 2>&1 </dev/null; then
-            cat "$log" >&2
+            tail -n "${lines:-2000}" "$log" >&2
             rm -f "$log"
             return 1
         fi
@@ -73,8 +74,10 @@ install_packages() {
         fi
         as_root=(sudo "${as_root[@]}")
     fi
-    if ! logged "reading the package lists" "${as_root[@]}" "${apt[@]}" update ||
-        ! logged "installing" "${as_root[@]}" "${apt[@]}" install --yes --no-install-recommends "$@"; then
+    local lines=10
+    # One source of several that does not answer need not matter; what does matter fails in the next line.
+    logged "reading the package lists" "${as_root[@]}" "${apt[@]}" update || true
+    if ! logged "installing" "${as_root[@]}" "${apt[@]}" install --yes --no-install-recommends "$@"; then
         fail "$machine_lacks" "could not be installed. By hand: apt-get update && apt-get install --no-install-recommends $*"
     fi
     packages_changed=yes
@@ -120,6 +123,7 @@ Dir::State::status "/var/lib/dpkg/status";
 Dir::Cache "$folder/cache";
 Acquire::Languages "none";
 APT::Sandbox::User "root";
+APT::Update::Error-Mode "any";
 CONF
     APT_CONFIG=$folder/apt.conf apt-get -q update
 }
@@ -127,7 +131,7 @@ CONF
 # get_pinned NAME VERSION SUITE TYPE: puts the package into .deps/NAME unless it is there. An interrupted run leaves nothing
 # that a later one would take for complete.
 get_pinned() {
-    local name=$1 version=$2 suite=$3 type=$4 work
+    local name=$1 version=$2 suite=$3 type=$4 work lines=10
     [[ -f $deps/$name/.version && $(<"$deps/$name/.version") == "$version" ]] && return 0
     if [[ ! -r $debian_keyring ]] || ! command -v apt-get >/dev/null; then
         say "not a Debian system: CMake downloads $name by its pinned tag"
@@ -202,7 +206,7 @@ configure() {
 build() {
     local preset=$1
     shift
-    [[ -e $root/build/$preset/bin ]] || say "building; the first time takes a few minutes"
+    [[ -e $root/build/$preset/.ninja_log ]] || say "building; the first time takes a few minutes"
     logged "building" cmake --build "$root/build/$preset" --parallel "$(getconf _NPROCESSORS_ONLN)" --target "$@" ||
         fail 1 "could not be built"
 }

@@ -12,7 +12,7 @@ Mat<Dim> cauchy_strain(const Mat<Dim>& displacement_gradient) {
 
 // Number of different components of a symmetric tensor: 3 in the plane, 6 in space.
 template <int Dim>
-inline constexpr int voigt_size = Dim * (Dim + 1) / 2;
+inline constexpr int voigt_size = Dim*(Dim + 1) / 2;
 
 // A strain as a column, order xx, yy, xy or xx, yy, zz, yz, xz, xy, with engineering shear gamma = 2 strain_ij.
 template <int Dim>
@@ -32,6 +32,18 @@ Mat<Dim> tensor_from_voigt_stress(const Vec<voigt_size<Dim>>& s) {
     else
         stress << s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2];
     return stress;
+}
+
+// A tensor per element: Dim × Dim numbers per column.
+template <int Dim>
+using Tensors = Eigen::Matrix<Real, Dim * Dim, Eigen::Dynamic>;
+template <int Dim>
+Eigen::Map<Mat<Dim>> tensor(Tensors<Dim>& tensors, Index i) {
+    return Eigen::Map<Mat<Dim>>(tensors.col(i).data());
+}
+template <int Dim>
+Eigen::Map<const Mat<Dim>> tensor(const Tensors<Dim>& tensors, Index i) {
+    return Eigen::Map<const Mat<Dim>>(tensors.col(i).data());
 }
 
 }  // namespace pliant

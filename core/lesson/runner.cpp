@@ -80,6 +80,15 @@ void Runner::write_or_reset(const Values& values) {
     }
 }
 
+void Runner::load(const Assignments& assignments) {
+    Values values;
+    for (Parameter* p : lesson_->parameters) values.emplace_back(p, p->info.initial);
+    for (const auto& value : parse(assignments)) values.push_back(value);
+    pending_.clear();
+    write(values);
+    reset();
+}
+
 Real Runner::wanted(const Parameter& parameter) const {
     for (auto it = pending_.rbegin(); it != pending_.rend(); ++it)
         if (it->first == &parameter) return it->second;
@@ -215,8 +224,15 @@ void Runner::step() {
     while (step_ == before);
 }
 
-void Runner::steps(Index count) {
-    for (Index i = 0; i < count; ++i) step();
+void Runner::run_to_stage(std::string_view name) {
+    const auto is_wanted = [&](const Stage* s) { return s->name == name; };
+    if (std::ranges::none_of(active_, is_wanted)) {
+        std::vector<std::string_view> known;
+        for (const Stage* s : active_) known.push_back(s->name);
+        throw Refused(fmt::format("no stage '{}' runs with these parameters; there are: {}", name, fmt::join(known, ", ")));
+    }
+    do step_stage();
+    while (!is_wanted(active_[*last_stage_]));
 }
 
 // Looks at what a stage wrote: the first number that is not finite, or beyond the bound of its field, ends the run.

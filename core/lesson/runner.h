@@ -53,6 +53,8 @@ public:
     // has changed.
     void assign(const Assignments& assignments);
     void assign(std::string_view key, Real value);
+    // As a scene does: these values, every other parameter at its initial one, then a reset.
+    void load(const Assignments& assignments);
     // The value that the parameter has, or will have from the next step on.
     Real wanted(const Parameter& parameter) const;
     void pull(const std::optional<Pull>& pull);
@@ -69,7 +71,8 @@ public:
     void step_pass();
     void step_stage();
     void step();
-    void steps(Index count);
+    // To the end of the next execution of this stage. Throws Refused for a stage that the scene does not run.
+    void run_to_stage(std::string_view name);
 
     // --- back ---
     // Restores a stored state and replays to the wanted place; false when it is no longer stored.
@@ -93,6 +96,8 @@ public:
     Real time_step() const { return lesson_->time_step(); }
     bool is_static() const { return lesson_->time_step() == 0; }
     const std::optional<Failure>& failure() const { return failure_; }
+    // For what is found to be wrong outside a stage: a probe that is not finite, a rest that is never reached.
+    void note_failure(const Failure& failure) { failure_ = failure; }
 
     // --- what it costs, and whether it holds ---
     const StageCost& cost(std::size_t stage) const { return costs_[stage]; }  // index in lesson().stages

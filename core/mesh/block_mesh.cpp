@@ -82,7 +82,7 @@ CellCut<Dim> alternating_cut(bool mirrored) {
 }
 
 template <int Dim>
-void check(const Block<Dim>& block) {
+void check(const BlockShape<Dim>& block) {
     Real nodes = 1, simplices = Dim == 2 ? 2 : 6;
     for (int k = 0; k < Dim; ++k) {
         const auto axis = static_cast<std::size_t>(k);
@@ -96,12 +96,13 @@ void check(const Block<Dim>& block) {
         simplices *= block.cells[axis];
     }
     if (std::max(nodes, simplices) > std::numeric_limits<int>::max() / 4)
-        throw Refused(fmt::format("a block of {} elements is too large: at most {}", simplices, std::numeric_limits<int>::max() / 4));
+        throw Refused(
+            fmt::format("a block of {} elements is too large: at most {}", simplices, std::numeric_limits<int>::max() / 4));
 }
 
 // Number of the node at a position in the lattice.
 template <int Dim>
-int node_at(const Block<Dim>& block, const Corner<Dim>& position) {
+int node_at(const BlockShape<Dim>& block, const Corner<Dim>& position) {
     int node = 0;
     for (std::size_t k = Dim; k-- > 0;) node = node * (block.cells[k] + 1) + position[k];
     return node;
@@ -122,7 +123,7 @@ void for_each_position(const std::array<int, Dim>& counts, Visit visit) {
 }
 
 template <int Dim>
-Points<Dim> lattice_points(const Block<Dim>& block) {
+Points<Dim> lattice_points(const BlockShape<Dim>& block) {
     std::array<int, Dim> counts = block.cells;
     for (int& count : counts) ++count;
     Points<Dim> points(Dim, node_at<Dim>(block, block.cells) + 1);
@@ -138,7 +139,7 @@ Points<Dim> lattice_points(const Block<Dim>& block) {
 }
 
 template <int Dim>
-typename SimplexMesh<Dim>::Simplices cut_cells(const Block<Dim>& block) {
+typename SimplexMesh<Dim>::Simplices cut_cells(const BlockShape<Dim>& block) {
     const bool alternate = block.split == CellSplit::alternating;
     const std::array<CellCut<Dim>, 2> cuts = {alternate ? alternating_cut<Dim>(false) : diagonal_cut<Dim>(),
                                               alternate ? alternating_cut<Dim>(true) : diagonal_cut<Dim>()};
@@ -162,7 +163,7 @@ typename SimplexMesh<Dim>::Simplices cut_cells(const Block<Dim>& block) {
 
 // A node lies on a face of the box by its position in the lattice, not by comparing rounded coordinates.
 template <int Dim>
-void name_faces(const Block<Dim>& block, SimplexMesh<Dim>& mesh) {
+void name_faces(const BlockShape<Dim>& block, SimplexMesh<Dim>& mesh) {
     std::array<int, Dim> counts = block.cells;
     for (int& count : counts) ++count;
     for (std::size_t axis = 0; axis < Dim; ++axis)
@@ -187,14 +188,14 @@ void name_faces(const Block<Dim>& block, SimplexMesh<Dim>& mesh) {
 }  // namespace
 
 template <int Dim>
-SimplexMesh<Dim> block_mesh(const Block<Dim>& block) {
+SimplexMesh<Dim> block_mesh(const BlockShape<Dim>& block) {
     check<Dim>(block);
     SimplexMesh<Dim> mesh(lattice_points<Dim>(block), cut_cells<Dim>(block));
     name_faces<Dim>(block, mesh);
     return mesh;
 }
 
-template SimplexMesh<2> block_mesh(const Block<2>&);
-template SimplexMesh<3> block_mesh(const Block<3>&);
+template SimplexMesh<2> block_mesh(const BlockShape<2>&);
+template SimplexMesh<3> block_mesh(const BlockShape<3>&);
 
 }  // namespace pliant

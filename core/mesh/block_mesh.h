@@ -16,7 +16,7 @@ enum class CellSplit {
 };
 
 template <int Dim>
-struct Block {
+struct BlockShape {
     Vec<Dim> size = Vec<Dim>::Ones();    // m, each > 0
     std::array<int, Dim> cells{};        // along each axis, each >= 1
     Vec<Dim> origin = Vec<Dim>::Zero();  // m, the corner with the smallest coordinates
@@ -26,6 +26,6 @@ struct Block {
 // Nodes count fastest along x, then y, then z; simplices cell by cell in the same order. The node and facet sets "x_min",
 // "x_max", "y_min", ... are the faces of the box. Throws Refused when a size or a count is out of range.
 template <int Dim>
-SimplexMesh<Dim> block_mesh(const Block<Dim>& block);
+SimplexMesh<Dim> block_mesh(const BlockShape<Dim>& block);
 
 }  // namespace pliant

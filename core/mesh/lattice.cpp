@@ -47,7 +47,7 @@ std::vector<std::array<Index, Dim>> directions(int axes) {
 }  // namespace
 
 template <int Dim>
-Lattice<Dim>::Lattice(const Cells& cells, const Vec<Dim>& spacing, const Vec<Dim>& origin)
+NodeLattice<Dim>::NodeLattice(const Cells& cells, const Vec<Dim>& spacing, const Vec<Dim>& origin)
     : cells_(cells), spacing_(spacing), origin_(origin) {
     stride_[0] = 1;
     for (int axis = 0; axis < Dim; ++axis) {
@@ -59,21 +59,21 @@ Lattice<Dim>::Lattice(const Cells& cells, const Vec<Dim>& spacing, const Vec<Dim
 }
 
 template <int Dim>
-Index Lattice<Dim>::node(const Cells& position) const {
+Index NodeLattice<Dim>::node(const Cells& position) const {
     Index number = 0;
     for (int axis = 0; axis < Dim; ++axis) number += position[axis] * stride_[axis];
     return number;
 }
 
 template <int Dim>
-typename Lattice<Dim>::Cells Lattice<Dim>::position(Index node) const {
+typename NodeLattice<Dim>::Cells NodeLattice<Dim>::position(Index node) const {
     Cells position;
     for (int axis = 0; axis < Dim; ++axis) position[axis] = node / stride_[axis] % (cells_[axis] + 1);
     return position;
 }
 
 template <int Dim>
-Points<Dim> Lattice<Dim>::points() const {
+Points<Dim> NodeLattice<Dim>::points() const {
     Points<Dim> points(Dim, node_count());
     for (Index n = 0; n < node_count(); ++n) {
         const Cells at = position(n);
@@ -83,7 +83,7 @@ Points<Dim> Lattice<Dim>::points() const {
 }
 
 template <int Dim>
-std::vector<NodePair> Lattice<Dim>::pairs(const std::vector<Cells>& offsets) const {
+std::vector<NodePair> NodeLattice<Dim>::pairs(const std::vector<Cells>& offsets) const {
     std::vector<NodePair> found;
     found.reserve(static_cast<std::size_t>(node_count()) * offsets.size());
     for (Index n = 0; n < node_count(); ++n) {
@@ -103,33 +103,34 @@ std::vector<NodePair> Lattice<Dim>::pairs(const std::vector<Cells>& offsets) con
 }
 
 template <int Dim>
-std::vector<NodePair> Lattice<Dim>::structural() const {
+std::vector<NodePair> NodeLattice<Dim>::structural() const {
     return pairs(directions<Dim>(1));
 }
 
 template <int Dim>
-std::vector<NodePair> Lattice<Dim>::face_diagonals() const {
+std::vector<NodePair> NodeLattice<Dim>::face_diagonals() const {
     return pairs(directions<Dim>(2));
 }
 
 template <int Dim>
-std::vector<NodePair> Lattice<Dim>::body_diagonals() const {
+std::vector<NodePair> NodeLattice<Dim>::body_diagonals() const {
     return pairs(directions<Dim>(3));
 }
 
 template <int Dim>
-std::vector<NodePair> Lattice<Dim>::bending() const {
+std::vector<NodePair> NodeLattice<Dim>::bending() const {
     std::vector<Cells> offsets = directions<Dim>(1);
     for (Cells& offset : offsets)
         for (Index& component : offset) component *= 2;
     return pairs(offsets);
 }
 
-std::vector<NodeTriple> surface_triangles(const Lattice<3>& lattice) {
+std::vector<NodeTriple> surface_triangles(const NodeLattice<3>& lattice) {
     const auto& cells = lattice.cells();
     for (int axis = 0; axis < 3; ++axis)
         if (cells[axis] < 1)
-            throw Refused(fmt::format("cells[{}]", axis), Real(cells[axis]), "", "at least 1 cell, for a body that has a surface");
+            throw Refused(fmt::format("cells[{}]", axis), Real(cells[axis]), "",
+                          "at least 1 cell, for a body that has a surface");
 
     std::vector<NodeTriple> triangles;
     for (int normal = 0; normal < 3; ++normal) {
@@ -138,7 +139,7 @@ std::vector<NodeTriple> surface_triangles(const Lattice<3>& lattice) {
             for (Index j = 0; j < cells[w]; ++j)
                 for (Index i = 0; i < cells[u]; ++i) {
                     const auto corner = [&](Index du, Index dw) {
-                        Lattice<3>::Cells at;
+                        NodeLattice<3>::Cells at;
                         at[normal] = layer, at[u] = i + du, at[w] = j + dw;
                         return lattice.node(at);
                     };
@@ -153,7 +154,7 @@ std::vector<NodeTriple> surface_triangles(const Lattice<3>& lattice) {
     return triangles;
 }
 
-template class Lattice<2>;
-template class Lattice<3>;
+template class NodeLattice<2>;
+template class NodeLattice<3>;
 
 }  // namespace pliant

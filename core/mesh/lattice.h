@@ -12,14 +12,14 @@ using NodePair = std::array<Index, 2>;
 using NodeTriple = std::array<Index, 3>;
 
 template <int Dim>
-class Lattice {
+class NodeLattice {
 public:
     using Cells = std::array<Index, Dim>;
 
     // cells: cells along each axis, 0 for a single layer of nodes; spacing: edge lengths of one cell, m; origin: the corner
     // with the smallest coordinates, m. Throws Refused when a count is negative or too large, a spacing is not positive, or
     // a number is not finite.
-    Lattice(const Cells& cells, const Vec<Dim>& spacing, const Vec<Dim>& origin = Vec<Dim>::Zero());
+    NodeLattice(const Cells& cells, const Vec<Dim>& spacing, const Vec<Dim>& origin = Vec<Dim>::Zero());
 
     const Cells& cells() const { return cells_; }
     Index node_count() const { return stride_[Dim]; }
@@ -46,6 +46,6 @@ private:
 };
 
 // Boundary of a block as triangles that wind anticlockwise when seen from outside. Throws Refused when an axis has no cells.
-std::vector<NodeTriple> surface_triangles(const Lattice<3>& lattice);
+std::vector<NodeTriple> surface_triangles(const NodeLattice<3>& lattice);
 
 }  // namespace pliant

@@ -68,13 +68,15 @@ const std::vector<Index>& find_set(const Sets& sets, std::string_view kind, std:
     if (found != sets.end()) return found->second;
     std::vector<std::string_view> known;
     for (const auto& [key, set] : sets) known.push_back(key);
-    throw Refused(fmt::format("the mesh has no {} set '{}'; it has: {}", kind, name, known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+    throw Refused(fmt::format("the mesh has no {} set '{}'; it has: {}", kind, name,
+                              known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
 std::vector<Index> checked_set(std::string_view kind, const std::string& name, std::vector<Index> members, Index count) {
     for (const Index i : members)
         if (i < 0 || i >= count)
-            throw Refused(fmt::format("{} set '{}' names {} {}, but the mesh has {} of them, counted from 0", kind, name, kind, i, count));
+            throw Refused(
+                fmt::format("{} set '{}' names {} {}, but the mesh has {} of them, counted from 0", kind, name, kind, i, count));
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
     return members;
@@ -83,7 +85,8 @@ std::vector<Index> checked_set(std::string_view kind, const std::string& name, s
 }  // namespace
 
 template <int Dim>
-SimplexMesh<Dim>::SimplexMesh(Points<Dim> points, Simplices simplices) : points_(std::move(points)), simplices_(std::move(simplices)) {
+SimplexMesh<Dim>::SimplexMesh(Points<Dim> points, Simplices simplices)
+    : points_(std::move(points)), simplices_(std::move(simplices)) {
     check_nodes();
     measure();
     collect_boundary();
@@ -92,15 +95,18 @@ SimplexMesh<Dim>::SimplexMesh(Points<Dim> points, Simplices simplices) : points_
 template <int Dim>
 void SimplexMesh<Dim>::check_nodes() const {
     for (Index n = 0; n < node_count(); ++n)
-        if (!points_.col(n).allFinite()) throw Refused(fmt::format("node {} of the mesh has a coordinate that is not a finite number", n));
+        if (!points_.col(n).allFinite())
+            throw Refused(fmt::format("node {} of the mesh has a coordinate that is not a finite number", n));
 
     std::vector<char> used(static_cast<std::size_t>(node_count()), 0);
     for (Index e = 0; e < simplex_count(); ++e) {
         const Eigen::Matrix<int, Dim + 1, 1> corners = simplices_.col(e);
         for (int a = 0; a <= Dim; ++a) {
             if (corners[a] < 0 || corners[a] >= node_count())
-                throw Refused(fmt::format("element {} names node {}, but the mesh has {} nodes, counted from 0", e, corners[a], node_count()));
-            if ((corners.array() == corners[a]).count() > 1) throw Refused(fmt::format("element {} names node {} twice", e, corners[a]));
+                throw Refused(fmt::format("element {} names node {}, but the mesh has {} nodes, counted from 0", e, corners[a],
+                                          node_count()));
+            if ((corners.array() == corners[a]).count() > 1)
+                throw Refused(fmt::format("element {} names node {} twice", e, corners[a]));
             used[static_cast<std::size_t>(corners[a])] = 1;
         }
     }
@@ -146,8 +152,8 @@ void SimplexMesh<Dim>::collect_boundary() {
         std::size_t next = i + 1;
         while (next < all.size() && all[next].sorted == all[i].sorted) ++next;
         if (next - i > 2)
-            throw Refused(fmt::format("elements {}, {} and {} share one facet (nodes {}); at most two may", all[i].simplex, all[i + 1].simplex,
-                                      all[i + 2].simplex, fmt::join(all[i].sorted, ", ")));
+            throw Refused(fmt::format("elements {}, {} and {} share one facet (nodes {}); at most two may", all[i].simplex,
+                                      all[i + 1].simplex, all[i + 2].simplex, fmt::join(all[i].sorted, ", ")));
         if (next - i == 1) boundary.push_back(all[i]);
         i = next;
     }
@@ -163,8 +169,8 @@ void SimplexMesh<Dim>::collect_boundary() {
         const auto& facet = boundary[f];
         const auto column = static_cast<Index>(f);
         for (int a = 0; a < Dim; ++a) facets_(a, column) = facet.outward[static_cast<std::size_t>(a)];
-        // Leaving out an odd corner turns the order of the others round in 3D, leaving out an even one in 2D.
-        if ((facet.opposite % 2 == 1) == (Dim == 3)) std::swap(facets_(0, column), facets_(1, column));
+        // Leaving out an odd corner turns the others round: they would be seen from inside.
+        if (facet.opposite % 2 == 1) std::swap(facets_(0, column), facets_(1, column));
         facet_areas_.col(column) = -Dim * volumes_[facet.simplex] * gradients(facet.simplex).col(facet.opposite);
         facet_simplices_.push_back(facet.simplex);
     }

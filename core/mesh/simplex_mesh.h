@@ -12,7 +12,6 @@ namespace pliant {
 template <int Dim>
 class SimplexMesh {
 public:
-    static constexpr int corners = Dim + 1;
     using Simplices = Eigen::Matrix<int, Dim + 1, Eigen::Dynamic>;  // node numbers, one column per simplex
     using Facets = Eigen::Matrix<int, Dim, Eigen::Dynamic>;         // node numbers, one column per boundary facet
     using Gradients = Eigen::Matrix<Real, Dim, Dim + 1>;            // one column per corner, 1/m
@@ -37,7 +36,8 @@ public:
     // Gradient of the linear field with the given values (Dim × nodes) at the nodes: H(i, j) = d(values_i)/dX_j.
     Mat<Dim> field_gradient(Index simplex, const Points<Dim>& values) const;
 
-    // The boundary: facets that belong to one simplex alone, sorted by that simplex. Area vectors point outward, m^(Dim-1).
+    // The boundary: facets that belong to one simplex alone, sorted by that simplex; anticlockwise when seen from outside (in 2D:
+    // with the inside to their left). Area vectors point outward, m^(Dim-1).
     Index facet_count() const { return facets_.cols(); }
     const Facets& facets() const { return facets_; }
     const Points<Dim>& facet_areas() const { return facet_areas_; }

@@ -42,13 +42,6 @@ void require_run(Index first, Index count, Index size) {
         throw Refused(fmt::format("springs {} to {} do not exist: there are {} springs", first, first + count - 1, size));
 }
 
-// Calls visit(s, i, j) for every spring.
-template <class Visit>
-void for_each(const Springs& springs, Visit visit) {
-    const auto* nodes = springs.nodes();
-    for (Index s = 0; s < springs.size(); ++s) visit(s, Index(nodes[s][0]), Index(nodes[s][1]));
-}
-
 }  // namespace
 
 Springs::Springs(Index node_count, const std::vector<Spring>& springs)
@@ -88,29 +81,32 @@ template <int Dim>
 void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f) {
     const Real* rest_length = springs.rest_length().data();
     const Real* stiffness = springs.stiffness().data();
-    for_each(springs, [&](Index s, Index i, Index j) {
+    for (Index s = 0, count = springs.size(); s < count; ++s) {
+        const Index i = springs.i(s), j = springs.j(s);
         const Vec<Dim> x_ij = x.col(j) - x.col(i);
         const Real length = x_ij.norm();
         const Vec<Dim> force = (length > 0 ? stiffness[s] * (length - rest_length[s]) / length : 0) * x_ij;
         f.col(i) += force;
         f.col(j) -= force;
-    });
+    }
 }
 
 template <int Dim>
 Real spring_energy(const Springs& springs, PointsIn<Dim> x) {
     Real energy = 0;
-    for_each(springs, [&](Index s, Index i, Index j) {
+    for (Index s = 0, count = springs.size(); s < count; ++s) {
+        const Index i = springs.i(s), j = springs.j(s);
         const Real elongation = (x.col(j) - x.col(i)).norm() - springs.rest_length()[s];
         energy += 0.5 * springs.stiffness()[s] * elongation * elongation;
-    });
+    }
     return energy;
 }
 
 template <int Dim>
 void add_damping_forces(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, PointsIn<Dim> v, PointsOut<Dim> f) {
     if (mode == SpringDamping::none) return;
-    for_each(springs, [&](Index s, Index i, Index j) {
+    for (Index s = 0, count = springs.size(); s < count; ++s) {
+        const Index i = springs.i(s), j = springs.j(s);
         Vec<Dim> force = springs.damping()[s] * (v.col(j) - v.col(i));
         if (mode == SpringDamping::projected) {
             const Vec<Dim> x_ij = x.col(j) - x.col(i);
@@ -119,14 +115,15 @@ void add_damping_forces(const Springs& springs, SpringDamping mode, PointsIn<Dim
         }
         f.col(i) += force;
         f.col(j) -= force;
-    });
+    }
 }
 
 template <int Dim>
 Real damping_power(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, PointsIn<Dim> v) {
     if (mode == SpringDamping::none) return 0;
     Real power = 0;
-    for_each(springs, [&](Index s, Index i, Index j) {
+    for (Index s = 0, count = springs.size(); s < count; ++s) {
+        const Index i = springs.i(s), j = springs.j(s);
         const Vec<Dim> v_ij = v.col(j) - v.col(i);
         Real speed_squared = v_ij.squaredNorm();
         if (mode == SpringDamping::projected) {
@@ -135,33 +132,35 @@ Real damping_power(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, 
             speed_squared = length_squared > 0 ? along * along / length_squared : 0;
         }
         power += springs.damping()[s] * speed_squared;
-    });
+    }
     return power;
 }
 
 template <int Dim>
 void spring_tension(const Springs& springs, PointsIn<Dim> x, Eigen::Ref<VecX> tension) {
-    for_each(springs, [&](Index s, Index i, Index j) {
+    for (Index s = 0, count = springs.size(); s < count; ++s) {
+        const Index i = springs.i(s), j = springs.j(s);
         tension[s] = springs.stiffness()[s] * ((x.col(j) - x.col(i)).norm() - springs.rest_length()[s]);
-    });
+    }
 }
 
 template <int Dim>
 void spring_strain(const Springs& springs, PointsIn<Dim> x, Eigen::Ref<VecX> strain) {
-    for_each(springs, [&](Index s, Index i, Index j) {
+    for (Index s = 0, count = springs.size(); s < count; ++s) {
+        const Index i = springs.i(s), j = springs.j(s);
         const Real rest = springs.rest_length()[s];
         strain[s] = rest > 0 ? ((x.col(j) - x.col(i)).norm() - rest) / rest : 0;
-    });
+    }
 }
 
-#define PLIANT_INSTANTIATE(Dim)                                                                                               \
-    template void append_springs<Dim>(PointsIn<Dim>, const std::vector<std::array<Index, 2>>&, Real, Real,                    \
-                                      std::vector<Spring>&);                                                                  \
-    template void add_spring_forces<Dim>(const Springs&, PointsIn<Dim>, PointsOut<Dim>);                                      \
-    template Real spring_energy<Dim>(const Springs&, PointsIn<Dim>);                                                          \
-    template void add_damping_forces<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>, PointsOut<Dim>);       \
-    template Real damping_power<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>);                            \
-    template void spring_tension<Dim>(const Springs&, PointsIn<Dim>, Eigen::Ref<VecX>);                                       \
+#define PLIANT_INSTANTIATE(Dim)                                                                                         \
+    template void append_springs<Dim>(PointsIn<Dim>, const std::vector<std::array<Index, 2>>&, Real, Real,              \
+                                      std::vector<Spring>&);                                                            \
+    template void add_spring_forces<Dim>(const Springs&, PointsIn<Dim>, PointsOut<Dim>);                                \
+    template Real spring_energy<Dim>(const Springs&, PointsIn<Dim>);                                                    \
+    template void add_damping_forces<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>, PointsOut<Dim>); \
+    template Real damping_power<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>);                      \
+    template void spring_tension<Dim>(const Springs&, PointsIn<Dim>, Eigen::Ref<VecX>);                                 \
     template void spring_strain<Dim>(const Springs&, PointsIn<Dim>, Eigen::Ref<VecX>);
 
 PLIANT_INSTANTIATE(2)

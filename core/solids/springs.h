@@ -18,14 +18,13 @@ template <int Dim>
 using PointsOut = Eigen::Ref<Points<Dim>>;
 
 struct Spring {
-    Index i, j;          // nodes
-    Real rest_length;    // m, >= 0
-    Real stiffness;      // N/m, >= 0
-    Real damping = 0;    // N s/m, >= 0
+    Index i, j;        // nodes
+    Real rest_length;  // m, >= 0
+    Real stiffness;    // N/m, >= 0
+    Real damping = 0;  // N s/m, >= 0
 };
 
-// Springs in contiguous arrays, in the order in which they were given; valid once made. Nets run fastest when the springs are
-// sorted by their first node.
+// Springs in contiguous arrays, in the order in which they were given; valid once made.
 class Springs {
 public:
     Springs() = default;

@@ -18,15 +18,19 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --component pliant_core)
 
-# Headers, and nothing but headers.
+# Headers and nothing but headers are installed, and they find all that they include.
+set(every_header "")
 file(GLOB_RECURSE installed RELATIVE ${WORK}/prefix/include ${WORK}/prefix/include/*)
 foreach(file IN LISTS installed)
   if(NOT file MATCHES "^pliant/.*\\.h$")
     message(FATAL_ERROR "include/${file} is installed and is no header of the core")
   endif()
+  string(APPEND every_header "#include <${file}>\n")
 endforeach()
+file(WRITE ${WORK}/every_header.cpp "${every_header}")
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
+  -DEVERY_HEADER=${WORK}/every_header.cpp
   -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+#include <pliant/fluids/fluid_regions.h>
+#include <pliant/math/error.h>
+
+#include <cmath>
+
+namespace pliant {
+
+template <int Dim>
+FluidRegions<Dim>::FluidRegions(const StaggeredGrid<Dim>& grid) : grid_(grid) {
+    if (grid.has_solids())
+        label_cells();
+    else
+        cells_ = {grid.cells().size()};
+}
+
+// Numbers the regions in the order of their first cells.
+template <int Dim>
+void FluidRegions<Dim>::label_cells() {
+    const Lattice<Dim>& lattice = grid_.cells();
+    label_.assign(static_cast<std::size_t>(lattice.size()), -1);
+    std::vector<Index> open_ends;
+    for (Index seed = 0; seed < lattice.size(); ++seed) {
+        if (!grid_.is_fluid(seed) || label_[seed] >= 0) continue;
+        const auto region = static_cast<Index>(cells_.size());
+        cells_.push_back(0);
+        label_[seed] = region;
+        open_ends.push_back(seed);
+        while (!open_ends.empty()) {
+            const Index cell = open_ends.back();
+            open_ends.pop_back();
+            ++cells_[region];
+            for (int k = 0; k < 2 * Dim; ++k) {
+                const Index next = lattice.neighbour(lattice.coordinates(cell), k / 2, k % 2 == 0 ? -1 : 1);
+                if (next < 0 || !grid_.is_fluid(next) || label_[next] >= 0) continue;
+                label_[next] = region;
+                open_ends.push_back(next);
+            }
+        }
+    }
+}
+
+template <int Dim>
+void FluidRegions<Dim>::remove_means(VecX& values) const {
+    if (label_.empty()) {
+        values.array() -= values.mean();
+        return;
+    }
+    std::vector<Real> mean(cells_.size(), 0);
+    for (Index c = 0; c < values.size(); ++c)
+        if (label_[c] >= 0) mean[label_[c]] += values[c];
+    for (std::size_t r = 0; r < mean.size(); ++r) mean[r] /= static_cast<Real>(cells_[r]);
+    for (Index c = 0; c < values.size(); ++c) values[c] = label_[c] >= 0 ? values[c] - mean[label_[c]] : 0;
+}
+
+template <int Dim>
+void FluidRegions<Dim>::check_flux(const FaceField<Dim>& velocity) const {
+    constexpr Real rounding = 1e-10;  // of the flux through all prescribed faces, far above what summing them costs
+    std::vector<Real> net(cells_.size(), 0), gross(cells_.size(), 0);
+    const Real area = grid_.cell_volume() / grid_.dx();
+    for (int a = 0; a < Dim; ++a) {
+        for (Index face : grid_.closed_faces(a)) {
+            for (int side = 0; side < 2; ++side) {
+                const Index cell = grid_.cell_beside(a, face, side);
+                if (cell < 0 || !grid_.is_fluid(cell)) continue;
+                const Real inward = (side == 1 ? 1 : -1) * area * velocity[a][face];
+                net[region_of(cell)] += inward;
+                gross[region_of(cell)] += std::abs(inward);
+            }
+        }
+    }
+    for (std::size_t r = 0; r < net.size(); ++r) {
+        if (std::abs(net[r]) <= rounding * gross[r]) continue;
+        Failure failure;
+        failure.field = "velocity";
+        failure.what = fmt::format(
+            "the walls let a net {:.6g} m^{}/s flow into a closed region of {} cells: no incompressible flow and no pressure "
+            "exist",
+            net[r], Dim, cells_[r]);
+        failure.limit =
+            fmt::format("inflow must equal outflow to {:.0e} of the {:.6g} m^{}/s that cross the walls", rounding, gross[r], Dim);
+        throw Diverged(failure);
+    }
+}
+
+template class FluidRegions<2>;
+template class FluidRegions<3>;
+
+}  // namespace pliant

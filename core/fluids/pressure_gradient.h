@@ -1,0 +1,10 @@
+#pragma once
+#include <pliant/fluids/staggered_grid.h>
+
+namespace pliant {
+
+// velocity −= scale (p above − p below) / Δx on every open face, where p holds one value per cell [Bridson2007 §4.3.1].
+template <int Dim>
+void subtract_gradient(const StaggeredGrid<Dim>& grid, const VecX& p, Real scale, FaceField<Dim>& velocity);
+
+}  // namespace pliant

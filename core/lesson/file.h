@@ -1,0 +1,14 @@
+// Whole files in and out.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+// Throws Refused naming the path and the reason.
+std::string read_file(const std::string& path);
+
+// Writes beside the file and renames, so that nothing half-written is ever left under the name. Throws Refused likewise.
+void write_file(const std::string& path, std::string_view contents);
+
+}  // namespace pliant

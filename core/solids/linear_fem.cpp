@@ -1,0 +1,116 @@
+#include <pliant/math/error.h>
+#include <pliant/solids/linear_fem.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace pliant {
+namespace {
+
+template <int Dim>
+void check_materials(const std::vector<Lame>& materials, Index elements) {
+    if (static_cast<Index>(materials.size()) != elements)
+        throw Refused(fmt::format("{} materials do not fit {} elements", materials.size(), elements));
+    for (std::size_t e = 0; e < materials.size(); ++e) {
+        const auto [lambda, mu] = materials[e];
+        if (!(mu > 0) || !(Dim * lambda + 2 * mu > 0) || !std::isfinite(lambda) || !std::isfinite(mu))
+            throw Refused(fmt::format(
+                "element {} has lambda = {} Pa and mu = {} Pa: give finite values with mu > 0 and {} lambda + 2 mu > 0", e,
+                lambda, mu, Dim));
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+LinearFem<Dim>::LinearFem(const SimplexMesh<Dim>& mesh, const Lame& material)
+    : LinearFem(mesh, std::vector<Lame>(static_cast<std::size_t>(mesh.simplex_count()), material)) {}
+
+template <int Dim>
+LinearFem<Dim>::LinearFem(const SimplexMesh<Dim>& mesh, std::vector<Lame> materials)
+    : mesh_(&mesh), assembly_(mesh.simplices(), mesh.node_count()), stiffness_(assembly_.pattern()) {
+    set_materials(std::move(materials));
+}
+
+template <int Dim>
+void LinearFem<Dim>::set_material(const Lame& material) {
+    set_materials(std::vector<Lame>(static_cast<std::size_t>(mesh_->simplex_count()), material));
+}
+
+template <int Dim>
+void LinearFem<Dim>::set_materials(std::vector<Lame> materials) {
+    check_materials<Dim>(materials, mesh_->simplex_count());
+    materials_ = std::move(materials);
+    assemble();
+}
+
+template <int Dim>
+void LinearFem<Dim>::assemble() {
+    std::fill_n(stiffness_.valuePtr(), static_cast<std::size_t>(stiffness_.nonZeros()), 0.0);
+    for (Index e = 0; e < mesh_->simplex_count(); ++e) assembly_.add(e, element_stiffness(e), stiffness_);
+}
+
+template <int Dim>
+typename LinearFem<Dim>::ElementMatrix LinearFem<Dim>::element_stiffness(Index element) const {
+    const typename SimplexMesh<Dim>::Gradients g = mesh_->gradients(element);
+    const Real lambda = material(element).lambda * mesh_->volumes()[element];
+    const Real mu = material(element).mu * mesh_->volumes()[element];
+    ElementMatrix K;
+    for (int a = 0; a < corners; ++a)
+        for (int b = 0; b <= a; ++b) {
+            const Real diagonal = mu * g.col(a).dot(g.col(b));
+            for (int i = 0; i < Dim; ++i)
+                for (int j = 0; j < Dim; ++j) {
+                    const Real entry = lambda * g(i, a) * g(j, b) + mu * g(i, b) * g(j, a) + (i == j ? diagonal : 0);
+                    K(Dim * a + i, Dim * b + j) = K(Dim * b + j, Dim * a + i) = entry;
+                }
+        }
+    return K;
+}
+
+template <int Dim>
+Mat<Dim> LinearFem<Dim>::element_strain(Index element, const Points<Dim>& displacement) const {
+    return cauchy_strain<Dim>(mesh_->field_gradient(element, displacement));
+}
+
+template <int Dim>
+Mat<Dim> LinearFem<Dim>::element_stress(Index element, const Points<Dim>& displacement) const {
+    return hooke_stress<Dim>(material(element), element_strain(element, displacement));
+}
+
+template <int Dim>
+void LinearFem<Dim>::strain(const Points<Dim>& displacement, Tensors<Dim>& strain) const {
+    strain.resize(Dim * Dim, mesh_->simplex_count());
+    for (Index e = 0; e < mesh_->simplex_count(); ++e) tensor<Dim>(strain, e) = element_strain(e, displacement);
+}
+
+template <int Dim>
+void LinearFem<Dim>::stress(const Points<Dim>& displacement, Tensors<Dim>& stress) const {
+    stress.resize(Dim * Dim, mesh_->simplex_count());
+    for (Index e = 0; e < mesh_->simplex_count(); ++e) tensor<Dim>(stress, e) = element_stress(e, displacement);
+}
+
+template <int Dim>
+void LinearFem<Dim>::internal_force(const Points<Dim>& displacement, Points<Dim>& force) const {
+    force.setZero(Dim, mesh_->node_count());
+    for (Index e = 0; e < mesh_->simplex_count(); ++e) {
+        const Mat<Dim> stress = mesh_->volumes()[e] * element_stress(e, displacement);
+        const auto g = mesh_->gradients(e);
+        for (int a = 0; a < corners; ++a) force.col(mesh_->simplices()(a, e)).noalias() += stress * g.col(a);
+    }
+}
+
+template <int Dim>
+Real LinearFem<Dim>::strain_energy(const Points<Dim>& displacement) const {
+    Real energy = 0;
+    for (Index e = 0; e < mesh_->simplex_count(); ++e)
+        energy += mesh_->volumes()[e] * hooke_energy_density<Dim>(material(e), element_strain(e, displacement));
+    return energy;
+}
+
+template class LinearFem<2>;
+template class LinearFem<3>;
+
+}  // namespace pliant

@@ -1,0 +1,119 @@
+#include <pliant/solids/springs_frequency.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pliant {
+namespace {
+
+// How many times over a spring acts on a node: by the motion of the node itself, and by its partner's unless that is fixed.
+template <int Dim>
+Real weight(const DiagonalMass& mass, Index partner) {
+    for (int c = 0; c < Dim; ++c)
+        if (!mass.fixed(Dim * partner + c)) return 2;
+    return 1;
+}
+
+// Largest eigenvalue over the nodes of block_n / m_n. blocks: Dim x Dim N.
+template <int Dim>
+Real largest_rate(const DiagonalMass& mass, const Eigen::Matrix<Real, Dim, Eigen::Dynamic>& blocks) {
+    Real largest = 0;
+    for (Index n = 0; n < blocks.cols() / Dim; ++n) {
+        const Real inverse_mass = mass.inverse().template segment<Dim>(Dim * n).maxCoeff();
+        if (inverse_mass == 0) continue;
+        const Mat<Dim> block = blocks.template middleCols<Dim>(Dim * n);
+        const Real norm = Eigen::SelfAdjointEigenSolver<Mat<Dim>>(block, Eigen::EigenvaluesOnly).eigenvalues()[Dim - 1];
+        largest = std::max(largest, norm * inverse_mass);
+    }
+    return largest;
+}
+
+template <int Dim>
+Mat<Dim> stiffness_block(const Vec<Dim>& x_ij, Real rest, Real k) {
+    const Real length = x_ij.norm();
+    if (length == 0) return (rest == 0 ? k : 0) * Mat<Dim>::Identity();
+    const Vec<Dim> n = x_ij / length;
+    const Real across = std::max(Real(0), (length - rest) / length);
+    return k * ((1 - across) * (n * n.transpose()) + across * Mat<Dim>::Identity());
+}
+
+template <int Dim>
+Mat<Dim> damping_block(const Vec<Dim>& x_ij, SpringDamping mode, Real damping) {
+    if (mode == SpringDamping::none) return Mat<Dim>::Zero();
+    if (mode == SpringDamping::naive) return damping * Mat<Dim>::Identity();
+    const Real length_squared = x_ij.squaredNorm();
+    if (length_squared == 0) return Mat<Dim>::Zero();
+    return damping / length_squared * x_ij * x_ij.transpose();
+}
+
+}  // namespace
+
+template <int Dim>
+SpringRates spring_rate_bounds(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x) {
+    using Blocks = Eigen::Matrix<Real, Dim, Eigen::Dynamic>;
+    Blocks stiffness = Blocks::Zero(Dim, Dim * springs.node_count()), damping = stiffness;
+    SpringRates rates;
+    rates.relaxation_time = mode == SpringDamping::none ? 0 : std::numeric_limits<Real>::infinity();
+    for (Index s = 0; s < springs.size(); ++s) {
+        const Index i = springs.i(s), j = springs.j(s);
+        const Real k = springs.stiffness()[s], d = springs.damping()[s];
+        const Vec<Dim> x_ij = x.col(j) - x.col(i);
+        const Mat<Dim> k_block = stiffness_block<Dim>(x_ij, springs.rest_length()[s], k),
+                       d_block = damping_block<Dim>(x_ij, mode, d);
+        for (const auto& [node, partner] : {std::array<Index, 2>{i, j}, std::array<Index, 2>{j, i}}) {
+            stiffness.template middleCols<Dim>(Dim * node) += weight<Dim>(mass, partner) * k_block;
+            damping.template middleCols<Dim>(Dim * node) += weight<Dim>(mass, partner) * d_block;
+        }
+        if (k > 0) rates.relaxation_time = std::min(rates.relaxation_time, d / k);
+    }
+    rates.omega = std::sqrt(largest_rate<Dim>(mass, stiffness));
+    rates.damping = largest_rate<Dim>(mass, damping);
+    return rates;
+}
+
+template <int Dim>
+Real highest_spring_frequency(const Springs& springs, const DiagonalMass& mass, PointsIn<Dim> x, int iterations) {
+    // The direction vectors are scaled by the roots of the masses, which makes the matrix symmetric.
+    const VecX inverse_root = mass.inverse().cwiseSqrt();
+    VecX direction(mass.size()), scaled(mass.size()), result(mass.size());
+    for (Index d = 0; d < direction.size(); ++d) direction[d] = std::cos(1 + Real(d) * Real(d));
+    Real omega_squared = 0;
+    for (int n = 0; n < iterations; ++n) {
+        const Real norm = direction.norm();
+        if (norm == 0) return 0;
+        direction /= norm;
+        scaled = inverse_root.cwiseProduct(direction);
+        result.setZero();
+        for (Index s = 0; s < springs.size(); ++s) {
+            const Index i = springs.i(s), j = springs.j(s);
+            const Vec<Dim> u = scaled.template segment<Dim>(Dim * i) - scaled.template segment<Dim>(Dim * j);
+            const Vec<Dim> force =
+                stiffness_block<Dim>(x.col(j) - x.col(i), springs.rest_length()[s], springs.stiffness()[s]) * u;
+            result.template segment<Dim>(Dim * i) += force;
+            result.template segment<Dim>(Dim * j) -= force;
+        }
+        result.array() *= inverse_root.array();
+        omega_squared = direction.dot(result);
+        direction = result;
+    }
+    return std::sqrt(std::max(omega_squared, Real(0)));
+}
+
+Real stability_limit(Scheme scheme, const SpringRates& rates) {
+    if (scheme == Scheme::explicit_euler) {
+        const Real infinite = std::numeric_limits<Real>::infinity();
+        if (rates.omega == 0) return rates.damping > 0 ? 2 / rates.damping : infinite;
+        return std::min(rates.relaxation_time, rates.damping > 0 ? 2 / rates.damping : 0);
+    }
+    return stability_limit(scheme, rates.omega, rates.omega > 0 ? rates.damping / (2 * rates.omega) : 0);
+}
+
+template SpringRates spring_rate_bounds<2>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<2>);
+template SpringRates spring_rate_bounds<3>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<3>);
+template Real highest_spring_frequency<2>(const Springs&, const DiagonalMass&, PointsIn<2>, int);
+template Real highest_spring_frequency<3>(const Springs&, const DiagonalMass&, PointsIn<3>, int);
+
+}  // namespace pliant

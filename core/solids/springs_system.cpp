@@ -1,0 +1,75 @@
+#include <pliant/solids/point_masses.h>
+#include <pliant/solids/springs_system.h>
+
+namespace pliant {
+namespace {
+
+template <int Dim>
+Eigen::Map<const Points<Dim>> points(ConstDofs dofs) {
+    return {dofs.data(), Dim, dofs.size() / Dim};
+}
+
+}  // namespace
+
+template <int Dim>
+void add_external_forces(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<Dim> x, PointsOut<Dim> f) {
+    for (Index n = 0; n < f.cols(); ++n) f.col(n) += mass[n] * load.gravity;
+    if (load.pull.active()) f.col(load.pull.node) += load.pull.force(x.col(load.pull.node));
+}
+
+template <int Dim>
+Real external_energy(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<Dim> x) {
+    const Real pull = load.pull.active() ? load.pull.energy(x.col(load.pull.node)) : 0;
+    return gravitational_energy<Dim>(mass, load.gravity, x) + pull;
+}
+
+template <int Dim>
+SpringSystem<Dim>::SpringSystem(const Springs& springs, const VecX& mass) : springs_(springs), mass_(mass), matrix_(springs) {}
+
+template <int Dim>
+Real SpringSystem<Dim>::potential(ConstDofs x) const {
+    return spring_energy<Dim>(springs_, points<Dim>(x)) + external_energy<Dim>(load, mass_, points<Dim>(x));
+}
+
+template <int Dim>
+Real SpringSystem<Dim>::dissipation(ConstDofs v) const {
+    return 0.5 * damping_power<Dim>(springs_, damping, points<Dim>(start_), points<Dim>(v));
+}
+
+template <int Dim>
+void SpringSystem<Dim>::force(ConstDofs x, ConstDofs v, Dofs f) const {
+    f.setZero();
+    Eigen::Map<Points<Dim>> forces(f.data(), Dim, f.size() / Dim);
+    add_spring_forces<Dim>(springs_, points<Dim>(x), forces);
+    add_damping_forces<Dim>(springs_, damping, points<Dim>(start_), points<Dim>(v), forces);
+    add_external_forces<Dim>(load, mass_, points<Dim>(x), forces);
+}
+
+template <int Dim>
+const SparseMatrix& SpringSystem<Dim>::stiffness(ConstDofs x, Real velocity_rate, Curvature curvature) {
+    matrix_.set_zero();
+    matrix_.add_stiffness(springs_, points<Dim>(x),
+                          curvature == Curvature::exact ? SpringCurvature::exact : SpringCurvature::positive);
+    matrix_.add_damping(springs_, damping, points<Dim>(start_), velocity_rate);
+    if (load.pull.active()) matrix_.add_at_node(load.pull.node, load.pull.stiffness * Mat<Dim>::Identity());
+    return matrix_.matrix();
+}
+
+template <int Dim>
+Real SpringSystem<Dim>::length_scale(ConstDofs x) const {
+    const Real mean = springs_.size() ? springs_.rest_length().mean() : 0;
+    if (mean > 0 || x.size() == 0) return mean;
+    const auto at = points<Dim>(x);
+    return (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
+}
+
+#define PLIANT_INSTANTIATE(Dim)                                                                                   \
+    template void add_external_forces<Dim>(const ExternalLoad<Dim>&, const VecX&, PointsIn<Dim>, PointsOut<Dim>); \
+    template Real external_energy<Dim>(const ExternalLoad<Dim>&, const VecX&, PointsIn<Dim>);                     \
+    template class SpringSystem<Dim>;
+
+PLIANT_INSTANTIATE(2)
+PLIANT_INSTANTIATE(3)
+#undef PLIANT_INSTANTIATE
+
+}  // namespace pliant

@@ -1,0 +1,174 @@
+#include <pliant/math/error.h>
+#include <pliant/time/implicit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pliant {
+namespace {
+
+constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+constexpr Real sufficient_decrease = 1e-4;
+constexpr int unproved_steps = 5;
+
+std::vector<char> fixed_flags(const DiagonalMass& mass) {
+    std::vector<char> fixed(static_cast<std::size_t>(mass.size()));
+    for (Index d = 0; d < mass.size(); ++d) fixed[static_cast<std::size_t>(d)] = mass.fixed(d);
+    return fixed;
+}
+
+Real largest(const VecX& values) { return values.size() ? values.lpNorm<Eigen::Infinity>() : 0; }
+
+}  // namespace
+
+ImplicitSolver::ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options)
+    : system_(system), mass_(mass), options_(options), model_(fixed_flags(mass)) {
+    for (VecX* values : {&x_, &v_, &residual_, &direction_, &trial_, &scratch_}) values->setZero(mass.size());
+}
+
+void ImplicitSolver::begin(ConstDofs x) {
+    system_.begin_step(x);
+    iterations_ = unproved_ = 0;
+    converged_ = false;
+    residual_norm_ = last_step_ = 0;
+
+    // Fixed degrees of freedom move as the form predicts, and never again.
+    x_ = x;
+    for (Index d = 0; d < x_.size(); ++d)
+        if (mass_.fixed(d)) x_[d] = form_.acceleration_origin[d];
+    trial_ = form_.acceleration_origin;
+    keep_bounds(x_);
+    keep_bounds(trial_);
+    length_ = system_.length_scale(x_);
+    if (potential(trial_) <= potential(x_)) x_.swap(trial_);
+    v_ = form_.velocity_rate * (x_ - form_.velocity_origin);
+    if (!std::isfinite(potential(x_))) fail("the step starts with an energy that is not finite");
+}
+
+Real ImplicitSolver::potential(const VecX& x) {
+    scratch_ = x - form_.acceleration_origin;
+    const Real inertia = 0.5 * form_.acceleration_rate * scratch_.cwiseAbs2().dot(mass_.mass());
+    scratch_ = form_.velocity_rate * (x - form_.velocity_origin);
+    return inertia + system_.dissipation(scratch_) / form_.velocity_rate + system_.potential(x);
+}
+
+void ImplicitSolver::keep_bounds(VecX& x) const {
+    if (form_.lower_bound.size() == 0) return;
+    for (Index d = 0; d < x.size(); ++d)
+        if (!mass_.fixed(d) && x[d] < form_.lower_bound[d]) x[d] = form_.lower_bound[d];
+}
+
+void ImplicitSolver::evaluate_residual() {
+    system_.force(x_, v_, residual_);
+    residual_ = form_.acceleration_rate * mass_.mass().cwiseProduct(x_ - form_.acceleration_origin) - residual_;
+    residual_norm_ = 0;
+    for (Index d = 0; d < residual_.size(); ++d) {
+        if (mass_.fixed(d)) residual_[d] = 0;
+        const bool pressed = form_.lower_bound.size() > 0 && x_[d] <= form_.lower_bound[d] && residual_[d] > 0;
+        if (!pressed) residual_norm_ = std::max(residual_norm_, std::abs(residual_[d]));
+    }
+}
+
+void ImplicitSolver::find_direction() {
+    room_.resize(form_.lower_bound.size());
+    if (room_.size() > 0) room_ = form_.lower_bound - x_;
+    // The exact second derivatives converge fastest; where they are not positive definite, Newton's direction need not lead
+    // downhill, and the positive ones take their place.
+    for (const auto curvature : {SecondOrderSystem::Curvature::exact, SecondOrderSystem::Curvature::positive}) {
+        model_.set_matrix(system_.stiffness(x_, form_.velocity_rate, curvature));
+        model_.add_diagonal(form_.acceleration_rate, mass_.mass());
+        if (model_.minimise(residual_, room_, direction_)) return;
+    }
+    fail("the matrix of the Newton iteration could not be factorised");
+}
+
+bool ImplicitSolver::at_rounding_level() const {
+    // Positions are known to their rounding, and so is a force only to its stiffness times that.
+    const Real rounding = 16 * epsilon * largest(x_);
+    for (Index d = 0; d < residual_.size(); ++d)
+        if (!(std::abs(residual_[d] - model_.multiplier()[d]) <= rounding * model_.diagonal(d))) return false;
+    return true;
+}
+
+bool ImplicitSolver::step_is_small() const {
+    // The potential changes with the square of the step: below the root of the rounding it says nothing about it.
+    return largest(direction_) <= std::sqrt(epsilon) * std::max(length_, largest(x_));
+}
+
+void ImplicitSolver::take_guarded_step() {
+    if (unproved_ == 0) {
+        reference_.x = x_;
+        reference_.direction = direction_;
+        reference_.residual = residual_;
+        reference_.potential = potential(x_);
+    }
+    trial_ = x_ + direction_;
+    keep_bounds(trial_);
+    const Real reached = potential(trial_);
+    if (lower_than_reference(trial_, reached)) {
+        unproved_ = 0;
+    } else if (std::isfinite(reached) && unproved_ < unproved_steps) {
+        ++unproved_;
+    } else {
+        search_from_reference();
+        unproved_ = 0;
+    }
+    last_step_ = (trial_ - x_).cwiseAbs().maxCoeff();
+    x_.swap(trial_);
+}
+
+// Armijo's condition, along the path that the bounds cut off.
+bool ImplicitSolver::lower_than_reference(const VecX& x, Real reached) {
+    scratch_ = x - reference_.x;
+    return reached <= reference_.potential + sufficient_decrease * reference_.residual.dot(scratch_);
+}
+
+void ImplicitSolver::search_from_reference() {
+    for (Real fraction = 0.5; fraction > epsilon; fraction /= 2) {
+        trial_ = reference_.x + fraction * reference_.direction;
+        keep_bounds(trial_);
+        if (lower_than_reference(trial_, potential(trial_))) return;
+    }
+    fail("no step along the Newton direction lowers the potential");
+}
+
+void ImplicitSolver::iterate() {
+    evaluate_residual();
+    if (!residual_.allFinite()) fail("the residual is not finite");
+    if (residual_norm_ == 0) {
+        converged_ = true;
+        return;
+    }
+    find_direction();
+    if (step_is_small()) {
+        last_step_ = largest(direction_);
+        converged_ = last_step_ <= options_.relative_step * length_ || at_rounding_level();
+        x_ += direction_;
+        keep_bounds(x_);
+    } else {
+        take_guarded_step();
+    }
+    v_ = form_.velocity_rate * (x_ - form_.velocity_origin);
+    ++iterations_;
+}
+
+void ImplicitSolver::finish(Dofs x, Dofs v) const {
+    if (!converged_) fail("Newton's method did not converge");
+    x = x_;
+    for (Index d = 0; d < v.size(); ++d)
+        if (!mass_.fixed(d)) v[d] = v_[d];
+}
+
+void ImplicitSolver::fail(const std::string& what) const {
+    Failure failure;
+    failure.what = fmt::format("{} after {} iterations: residual {:.6g} N, last step {:.6g} m", what, iterations_, residual_norm_,
+                               last_step_);
+    failure.limit = fmt::format("accepted: at most {} iterations, and a last step of at most {:.6g} m", options_.max_iterations,
+                                options_.relative_step * length_);
+    throw Diverged(failure);
+}
+
+}  // namespace pliant

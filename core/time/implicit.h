@@ -1,0 +1,106 @@
+// Newton's method for implicit time steps of systems whose elastic forces have a potential.
+#pragma once
+#include <pliant/time/bounded_quadratic.h>
+#include <pliant/time/integrators.h>
+
+#include <string>
+
+namespace pliant {
+
+// What an implicit step needs to know of a system: forces f(x, v) = -grad U(x) - C v with a symmetric, positive semidefinite
+// damping matrix C. Where C depends on the positions, its value at the start of the step is used for the whole of the step:
+// the damping is then linear in v and the step has a potential, at an error of the order of dt.
+class SecondOrderSystem {
+public:
+    virtual ~SecondOrderSystem() = default;
+
+    // Freezes what the step takes from its start.
+    virtual void begin_step(ConstDofs x) = 0;
+    virtual Real potential(ConstDofs x) const = 0;                   // U, J
+    virtual Real dissipation(ConstDofs v) const = 0;                 // 1/2 v . C v, W
+    virtual void force(ConstDofs x, ConstDofs v, Dofs f) const = 0;  // N
+
+    // Second derivatives of the potential: as they are, or made positive semidefinite.
+    enum class Curvature { exact, positive };
+    // grad grad U(x) + velocity_rate C, N/m, symmetric, both triangles stored. Every call refills the values of one matrix,
+    // whose pattern never changes and holds every diagonal entry.
+    virtual const SparseMatrix& stiffness(ConstDofs x, Real velocity_rate, Curvature curvature) = 0;
+
+    // A length that counts as large for this system, m: Newton's steps are measured against it.
+    virtual Real length_scale(ConstDofs x) const = 0;
+};
+
+struct NewtonOptions {
+    Real relative_step = 1e-9;  // converged when a full step moves no degree of freedom by more, in length scales
+    int max_iterations = 100;
+};
+
+// Solves an ImplicitForm by minimising the incremental potential
+//   Phi(x) = 1/2 a_rate |x - a_origin|_M^2 + U(x) + 1/2 v . C v / v_rate,
+// whose gradient is the residual M a_rate (x - a_origin) - f(x, v), by Newton's method. Each pass factorises the sparse matrix
+// anew; its pattern is analysed once. Passes can be run one by one: begin(), iterate() while again(), finish().
+//
+// Full steps may raise the potential for a few passes, as long as it is then lower than before: turning a stiff spring costs a
+// detour over its stretching (the Maratos effect). If it is not, the solver goes back and searches along the line for a step
+// that lowers it [Nocedal2006 §15.6, watchdog; §3.1, backtracking].
+//
+// A form with lower bounds is minimised over the positions that keep them: so is the quadratic model of every iteration.
+class ImplicitSolver {
+public:
+    // Both must outlive the solver.
+    ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options = {});
+
+    // The form to be filled by a scheme before begin().
+    ImplicitForm& form() { return form_; }
+
+    // Starts at the form's prediction or at x, the positions of the start of the step: where the potential is lower.
+    void begin(ConstDofs x);
+    // One Newton iteration. Throws Diverged when no step along its direction lowers the potential.
+    void iterate();
+    bool converged() const { return converged_; }
+    bool again() const { return !converged_ && iterations_ < options_.max_iterations; }
+    // Replaces x and v of the start of the step by the solution; fixed degrees of freedom keep their velocity. Throws Diverged,
+    // with iterations and residual, when it has not converged.
+    void finish(Dofs x, Dofs v) const;
+
+    int iterations() const { return iterations_; }
+    int factorisations() const { return model_.factorisations(); }  // since the solver was made
+    Real residual() const { return residual_norm_; }                // largest free component before the last iteration, N
+    // Force with which its lower bound holds a degree of freedom, N, >= 0.
+    Real reaction(Index dof) const { return model_.multiplier()[dof]; }
+    Real last_step() const { return last_step_; }  // largest component of the last iteration's step, m
+    const VecX& position() const { return x_; }    // the current iterate, m
+    const VecX& velocity() const { return v_; }    // its velocity, m/s
+
+private:
+    Real potential(const VecX& x);
+    void evaluate_residual();
+    void keep_bounds(VecX& x) const;
+    void find_direction();
+    bool step_is_small() const;
+    bool at_rounding_level() const;
+    void take_guarded_step();
+    void search_from_reference();
+    bool lower_than_reference(const VecX& x, Real reached);
+    [[noreturn]] void fail(const std::string& what) const;
+
+    // Where the last run of full steps started.
+    struct Reference {
+        VecX x, direction, residual;
+        Real potential = 0;
+    };
+
+    SecondOrderSystem& system_;
+    const DiagonalMass& mass_;
+    NewtonOptions options_;
+    ImplicitForm form_;
+    VecX x_, v_, residual_, direction_, room_, trial_, scratch_;
+    BoundedQuadratic model_;
+    Reference reference_;
+    int unproved_ = 0;  // full steps since the reference
+    bool converged_ = false;
+    int iterations_ = 0;
+    Real length_ = 0, residual_norm_ = 0, last_step_ = 0;
+};
+
+}  // namespace pliant

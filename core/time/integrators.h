@@ -1,0 +1,34 @@
+// Time integrators of M a = f(x, v) with a diagonal mass matrix, written once for every such system. Degrees of freedom are one
+// long vector (see mass.h); a fixed degree of freedom keeps its velocity. Notation: dt time step s, x m, v m/s, f N.
+//
+// An explicit scheme is a function of the force at the start of the step, so that a caller can evaluate forces and integrate
+// as separate stages. An implicit scheme is the ImplicitForm that it gives to an ImplicitSolver (implicit.h).
+#pragma once
+#include <pliant/time/mass.h>
+
+namespace pliant {
+
+// Throws Refused unless dt is positive and finite.
+void require_time_step(Real dt);
+
+// Forward Euler: x += dt v, then v += dt M^-1 f, with v of the start in the first [Nealen2006 §2.3].
+void explicit_euler(Real dt, const DiagonalMass& mass, ConstDofs f, Dofs x, Dofs v);
+
+// Semi-implicit (symplectic) Euler: v += dt M^-1 f, then x += dt v with the new v [Hairer2006 §I.1.2].
+void semi_implicit_euler(Real dt, const DiagonalMass& mass, ConstDofs f, Dofs x, Dofs v);
+
+// What an implicit scheme asks for: the positions x with
+//   M acceleration_rate (x - acceleration_origin) = f(x, v),   v = velocity_rate (x - velocity_origin).
+// Backward differentiation, the implicit midpoint rule and Newmark's schemes all have this form with other rates and origins.
+struct ImplicitForm {
+    Real velocity_rate = 0;      // 1/s
+    Real acceleration_rate = 0;  // 1/s^2
+    VecX velocity_origin;        // m
+    VecX acceleration_origin;    // m: where a body that no force acts on would be, and where a fixed one is
+    VecX lower_bound;            // m: no position goes below; empty when there is no bound
+};
+
+// Implicit (backward) Euler: v' = v + dt M^-1 f(x', v'), x' = x + dt v'. The solution's x and v are those of the new time.
+void implicit_euler(Real dt, ConstDofs x, ConstDofs v, ImplicitForm& form);
+
+}  // namespace pliant

@@ -1,0 +1,221 @@
+#include "moduli.h"
+
+#include <pliant/lesson/format.h>
+#include <pliant/math/line_fit.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace pliant::moduli {
+namespace {
+
+// The block may be a thin plate or a long bar, but its cells must not become needles.
+constexpr Real largest_aspect = 1000;
+
+}  // namespace
+
+ModuliLesson::ModuliLesson()
+    : test(*this, {.key = "test", .help = "what the machine does to the block", .effect = Effect::rebuild},
+           {{"tension", "tension: Y"}, {"shear", "shear: G"}, {"pressure", "pressure: B"}}),
+      youngs_modulus(*this, {.key = "youngs_modulus",
+                             .symbol = "Y",
+                             .unit = "Pa",
+                             .help = "stress per strain in tension; rubber 1 MPa, steel 200 GPa",
+                             .initial = 1e6,
+                             .useful = {1e3, 1e12},
+                             .accepted = Interval{1e-6, 1e18},
+                             .scale = Scale::log,
+                             .effect = Effect::rebuild}),
+      poisson_ratio(*this,
+                    {.key = "poisson_ratio",
+                     .symbol = "ν",
+                     .help = "narrowing over lengthening; 0.5 would be incompressible, below 0 the block widens when pulled",
+                     .initial = 0.3,
+                     .useful = {-0.5, 0.49},
+                     .accepted = Interval{-1, 0.5, true, true},
+                     .effect = Effect::rebuild}),
+      load(*this, {.key = "load",
+                   .symbol = "σ",
+                   .unit = "Pa",
+                   .help = "force per area of the pull, the shear or the pressure at the end of the test",
+                   .initial = 2e4,
+                   .useful = {0, 1e5},
+                   .accepted = Interval{-1e15, 1e15},
+                   .effect = Effect::rebuild}),
+      length(*this, {.key = "length",
+                     .symbol = "L",
+                     .unit = "m",
+                     .help = "of the block, along x",
+                     .initial = 0.2,
+                     .useful = {0.02, 2},
+                     .accepted = Interval{1e-9, 1e9},
+                     .scale = Scale::log,
+                     .effect = Effect::rebuild}),
+      width(*this, {.key = "width",
+                    .symbol = "w",
+                    .unit = "m",
+                    .help = "of the block, along y and z",
+                    .initial = 0.1,
+                    .useful = {0.01, 1},
+                    .accepted = Interval{1e-9, 1e9},
+                    .scale = Scale::log,
+                    .effect = Effect::rebuild}),
+      resolution(
+          *this,
+          {.key = "resolution",
+           .symbol = "n",
+           .help = "cells across the width, of 5 tetrahedra each; along the length as many as keep them cubes, at most 4 n",
+           .initial = 4,
+           .useful = {1, 8},
+           .accepted = Interval{1, 16},
+           .effect = Effect::rebuild}),
+      load_levels(*this, {.key = "load_levels",
+                          .symbol = "m",
+                          .help = "loads between none and the full one, each solved and measured",
+                          .initial = 5,
+                          .useful = {1, 10},
+                          .accepted = Interval{1, 100},
+                          .effect = Effect::rebuild}),
+      tolerance(*this, {.key = "tolerance",
+                        .symbol = "τ",
+                        .help = "conjugate gradients stop when |f − K u| ≤ τ |f|",
+                        .initial = 1e-12,
+                        .useful = {1e-13, 1e-1},
+                        .accepted = Interval{1e-15, 0.9},
+                        .scale = Scale::log,
+                        .effect = Effect::rebuild}),
+      magnification(*this, {.key = "magnification",
+                            .help = "of the drawn deformation, the numbers are not touched; 0 chooses one",
+                            .initial = 0,
+                            .useful = {0, 100},
+                            .accepted = Interval{0, 1e12}}) {
+    declare_fields();
+    declare_stages();
+    declare_probes();
+    declare_lines();
+    declare_checks();
+}
+
+void ModuliLesson::check() const {
+    material();
+    const Real aspect = length / width;
+    if (aspect > largest_aspect || aspect < 1 / largest_aspect)
+        throw Refused(fmt::format("length = {} m and width = {} m do not go together: give a length / width in [{}, {}]",
+                                  Real(length), Real(width), 1 / largest_aspect, largest_aspect));
+}
+
+void ModuliLesson::reset() {
+    specimen_ = std::make_unique<Specimen>(test, material(), SpecimenSize{length, width, static_cast<int>(Index(resolution))});
+    const SparseMatrix& K = specimen_->problem().system().matrix();
+    solver_ = std::make_unique<ConjugateGradients>(K.rows(), product_with(K), incomplete_cholesky_preconditioner(K),
+                                                   ConjugateGradients::Settings{tolerance});
+    right_side_ = first_guess_ = VecX::Zero(K.rows());
+
+    for (Points<3>* nodal : {&displacement_, &reaction_, &load_force_, &residual_force_})
+        nodal->setZero(3, specimen_->mesh().node_count());
+    for (Tensors<3>* tensors : {&strain_, &stress_}) tensors->setZero(9, specimen_->mesh().simplex_count());
+    strains_ = stresses_ = VecX::Zero(load_levels + 1);
+    level_.setZero();
+    iterations_.setZero();
+    residual_.setZero();
+}
+
+// ------------------------------------------------------------------------------------------------------------ stages
+
+void ModuliLesson::declare_stages() {
+    stages = {{.name = "apply_load",
+               .formula = "f_a = ∫ N_a t dA,  t = (k/m) σ n",
+               .source = "traction spread over the nodes by their shape functions [Hughes2000 §2.9]",
+               .run = [this] { apply_load(); },
+               .reads = {},
+               .writes = {"load"}},
+              {.name = "solve",
+               .formula = "K u = f:  u ← u + α p,  α = r·z / p·Kp",
+               .source = "conjugate gradients, preconditioned with incomplete Cholesky [Shewchuk1994 §B3]",
+               .run = [this] { solve_pass(); },
+               .reads = {"load", "displacement"},
+               .writes = {"displacement", "residual", "reaction"},
+               .again = [this] { return solver_->running(); },
+               .begin = [this] { begin_solve(); },
+               .end = [this] { end_solve(); }},
+              {.name = "strain_and_stress",
+               .formula = "ε = ½ (∇u + ∇uᵀ),  σ = λ tr(ε) I + 2 μ ε",
+               .source = "lecture: strain and stress, Hooke's law",
+               .run = [this] { strain_and_stress(); },
+               .reads = {"displacement"},
+               .writes = {"strain", "stress"}},
+              {.name = "fit_modulus",
+               .formula = "modulus = slope of stress over strain:  Y = (F/A)/(ΔL/L),  G = (F/A)/(ΔL/L),  B = −ΔP/(ΔV/V)",
+               .source = "lecture: Young's, shear and bulk modulus (which prints B without the sign)",
+               .run = [this] { fit_modulus(); },
+               .reads = {"displacement", "reaction"},
+               .writes = {},
+               .again = [this] { return level() < load_levels; },
+               .loop_from = "apply_load"}};
+}
+
+// The next load; the full one stays.
+void ModuliLesson::apply_load() {
+    level_[0] = static_cast<Real>(std::min<Index>(level() + 1, load_levels));
+    load_force_ = applied() * specimen_->unit_load();
+}
+
+// Starts from the displacement under the load before.
+void ModuliLesson::begin_solve() {
+    const StaticProblem<3>& problem = specimen_->problem();
+    problem.right_side(load_force_, right_side_);
+    problem.system().reduce(displacement_.reshaped(), first_guess_);
+    solver_->begin(right_side_, first_guess_);
+}
+
+void ModuliLesson::solve_pass() {
+    const Index before = solver_->iterations();
+    solver_->iterate();
+    iterations_[0] += static_cast<Real>(solver_->iterations() - before);
+    residual_[0] = solver_->residual();
+    specimen_->problem().displacement(solver_->x(), displacement_);
+    specimen_->problem().spread(solver_->residual_vector(), residual_force_);
+}
+
+void ModuliLesson::end_solve() {
+    // A residual that rounding keeps above the tolerance is told by an assumption; running out of iterations is a failure.
+    if (solver_->status() == ConjugateGradients::Status::capped) solver_->require_convergence();
+    specimen_->problem().reaction(displacement_, load_force_, reaction_);
+}
+
+void ModuliLesson::strain_and_stress() {
+    specimen_->body().strain(displacement_, strain_);
+    specimen_->body().stress(displacement_, stress_);
+}
+
+void ModuliLesson::fit_modulus() {
+    strains_[level()] = specimen_->strain(displacement_);
+    stresses_[level()] = specimen_->support_force(reaction_) / specimen_->area();
+}
+
+std::optional<Real> ModuliLesson::measured_modulus() const {
+    const auto points = static_cast<std::size_t>(level() + 1);
+    const auto fit = fit_line({strains_.data(), points}, {stresses_.data(), points});
+    if (!fit) return std::nullopt;
+    return test == Test::pressure ? -fit->slope : fit->slope;
+}
+
+// What is left of all loads and support forces together.
+Real ModuliLesson::force_imbalance() const { return (applied() * specimen_->unit_load() + reaction_).rowwise().sum().norm(); }
+
+std::string ModuliLesson::blow_up_hint() const {
+    return fmt::format(
+        "The body is linear and cannot blow up; the solver met Rayleigh quotients {} apart: lower resolution or poisson_ratio, "
+        "or raise tolerance",
+        format_quantity(solver_ ? solver_->condition_seen() : 1, ""));
+}
+
+const Registration<ModuliLesson> registration{
+    {.id = "elasticity/moduli",
+     .title = "Young's, shear and bulk modulus",
+     .summary = "Pull, shear and squeeze a block of tetrahedra, and read its three moduli off the slope.",
+     .demo_steps = 1}};
+
+}  // namespace pliant::moduli

@@ -1,0 +1,81 @@
+// Virtual tension, shear and pressure tests that measure the three moduli of a soft block.
+#pragma once
+#include "specimen.h"
+
+#include <pliant/lesson/registry.h>
+
+#include <memory>
+#include <optional>
+
+namespace pliant::moduli {
+
+// A static lesson: one step is the whole test, from no load to the full one.
+class ModuliLesson final : public Lesson {
+public:
+    ModuliLesson();
+
+    int dimension() const override { return 3; }
+    void check() const override;
+    void reset() override;
+    Real time_step() const override { return 0; }
+    bool at_rest() const override { return level() == load_levels; }
+    void draw(Scene& scene) const override;
+    std::string blow_up_hint() const override;
+    ColourBy first_colours() const override { return {"displacement", 0}; }
+    std::vector<std::string_view> first_plots() const override { return {"stress_strain", "displacement"}; }
+
+private:
+    Choice<Test> test;
+    Number youngs_modulus, poisson_ratio, load;
+    Number length, width;
+    Whole resolution, load_levels;
+    Number tolerance, magnification;
+
+    void declare_fields();
+    void declare_stages();
+    void declare_probes();
+    void declare_lines();
+    void declare_checks();
+
+    // --- the stages ---
+    void apply_load();
+    void begin_solve();
+    void solve_pass();
+    void end_solve();
+    void strain_and_stress();
+    void fit_modulus();
+
+    IsotropicModuli material() const { return IsotropicModuli::from_young_poisson(youngs_modulus, poisson_ratio); }
+    Index level() const { return static_cast<Index>(level_[0]); }
+    // Stress that is applied now [Pa].
+    Real applied() const { return load * level_[0] / static_cast<Real>(load_levels); }
+    std::optional<Real> measured_modulus() const;
+    Real force_imbalance() const;
+
+    // --- the picture (moduli_picture.cpp) ---
+    Real drawn_magnification() const;
+    Vec<3> drawn(const Vec<3>& X, const Vec<3>& u) const { return X + drawn_magnification() * u; }
+    Vec<3> drawn_exact(const Vec<3>& X) const { return drawn(X, specimen_->exact_displacement(applied(), X)); }
+    void draw_body(Scene& scene) const;
+    void draw_supports(Scene& scene) const;
+    void draw_tension(Scene& scene) const;
+    void draw_shear(Scene& scene) const;
+    void draw_pressure(Scene& scene) const;
+    void write_notes(Scene& scene) const;
+
+    using One = Eigen::Matrix<Real, 1, 1>;
+
+    std::unique_ptr<Specimen> specimen_;
+    std::unique_ptr<ConjugateGradients> solver_;
+    VecX right_side_, first_guess_;
+
+    // What defines now: displacement and support forces [m, N], measured points, loads done, iterations spent, residual left.
+    Points<3> displacement_, reaction_;
+    VecX strains_, stresses_;
+    One level_, iterations_, residual_;
+    // What the stages make of it: nodal load [N], b - K u [N], strain, stress [Pa].
+    Points<3> load_force_, residual_force_;
+    Tensors<3> strain_, stress_;
+};
+
+}  // namespace pliant::moduli

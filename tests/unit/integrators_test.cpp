@@ -1,0 +1,210 @@
+// The three Euler schemes on one spring. Reference figures: amplification factors and stability limits of the schemes on the
+// damped oscillator, Hairer, Lubich & Wanner 2006 §I.1 and the classical root conditions.
+#include "spring_body.h"
+
+#include <pliant/math/error.h>
+
+#include <Eigen/Eigenvalues>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/generators/catch_generators_range.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include <limits>
+#include <numbers>
+
+using namespace pliant;
+using namespace pliant::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr Scheme all_schemes[] = {Scheme::explicit_euler, Scheme::semi_implicit_euler, Scheme::implicit_euler};
+
+Real radius(Scheme scheme, Real omega, Real zeta, Real dt) {
+    return SpringOscillator(omega, zeta).step_matrix(scheme, dt).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+// Distance of the state (x, v/omega) from the exact undamped one at t = 1 s, released at x = 1 m.
+Real state_error(Scheme scheme, Real omega, int steps) {
+    SpringOscillator body(omega, 0);
+    body.position() = 1;
+    body.run(scheme, 1.0 / steps, steps);
+    return std::hypot(body.position() - std::cos(omega), body.velocity() / omega + std::sin(omega));
+}
+
+}  // namespace
+
+TEST_CASE("amplification per step of the undamped oscillator", "[integrators]") {
+    struct Row {
+        Real dt, explicit_euler, semi_implicit_euler, implicit_euler;
+    };
+    const Row row = GENERATE(Row{0.1, 1.414214, 1.0, 0.707107}, Row{0.21, 2.32594, 1.87733, 0.42993});
+    // Below 2/omega the two eigenvalues of semi-implicit Euler are conjugate on the unit circle.
+    CHECK_THAT(radius(Scheme::explicit_euler, 10, 0, row.dt), WithinAbs(row.explicit_euler, 5e-6));
+    CHECK_THAT(radius(Scheme::semi_implicit_euler, 10, 0, row.dt), WithinAbs(row.semi_implicit_euler, 5e-6));
+    CHECK_THAT(radius(Scheme::implicit_euler, 10, 0, row.dt), WithinAbs(row.implicit_euler, 5e-6));
+}
+
+TEST_CASE("the predicted amplification is the one of the real step", "[integrators]") {
+    const Scheme scheme = GENERATE(from_range(all_schemes));
+    const Real zeta = GENERATE(0.0, 0.1, 0.7, 1.0, 3.0);
+    const Real dt = GENERATE(0.003, 0.05, 0.15, 0.4);
+    // A double eigenvalue answers to a change of the matrix by its square root.
+    CHECK_THAT(amplification(scheme, 10, zeta, dt), WithinRel(radius(scheme, 10, zeta, dt), 2e-7));
+}
+
+TEST_CASE("amplitude after 1000 steps at omega dt = 0.1", "[integrators]") {
+    const auto amplitude = [](Scheme scheme) {
+        SpringOscillator body(10, 0);
+        body.position() = 1;
+        body.run(scheme, 0.01, 1000);
+        return std::hypot(body.position(), body.velocity() / 10);
+    };
+    CHECK_THAT(amplitude(Scheme::explicit_euler), WithinRel(144.7728, 1e-6));
+    CHECK_THAT(amplitude(Scheme::implicit_euler), WithinRel(0.00690737, 1e-6));
+    CHECK_THAT(amplitude(Scheme::semi_implicit_euler), WithinAbs(1, 0.06));
+}
+
+TEST_CASE("semi-implicit Euler oscillates at sin(w' dt/2) = w dt/2", "[integrators]") {
+    const Real omega = 10, dt = 0.05;
+    const auto eigenvalues = SpringOscillator(omega, 0).step_matrix(Scheme::semi_implicit_euler, dt).eigenvalues().eval();
+    const Real measured = std::abs(std::arg(eigenvalues[0])) / dt;
+    CHECK_THAT(measured / omega, WithinAbs(1.0107210, 5e-8));
+    CHECK_THAT(std::sin(measured * dt / 2), WithinRel(omega * dt / 2, 1e-12));
+}
+
+TEST_CASE("all three schemes converge at first order in the global state", "[integrators]") {
+    const Scheme scheme = GENERATE(from_range(all_schemes));
+    Real previous = state_error(scheme, 2, 250);
+    for (const int steps : {500, 1000, 2000}) {
+        const Real error = state_error(scheme, 2, steps);
+        CHECK_THAT(std::log2(previous / error), WithinAbs(1, 0.05));
+        previous = error;
+    }
+}
+
+TEST_CASE("the energy error of semi-implicit Euler stays bounded and of first order", "[integrators]") {
+    const auto worst = [](Real dt) {
+        SpringOscillator body(10, 0);
+        body.position() = 1;
+        const Real start = body.energy();
+        Real largest = 0;
+        for (int n = 0; n < 20000; ++n) {
+            body.step(Scheme::semi_implicit_euler, dt);
+            largest = std::max(largest, std::abs(body.energy() / start - 1));
+        }
+        return largest;
+    };
+    // x^2 + (v/w)^2 - w dt x (v/w) is conserved exactly, so the energy wanders by a factor 1/(1 - w dt/2) at most.
+    CHECK(worst(0.01) < 0.05 / 0.95 + 1e-9);
+    CHECK_THAT(std::log2(worst(0.01) / worst(0.005)), WithinAbs(1, 0.1));
+}
+
+TEST_CASE("stability limits of the damped schemes bracket the real ones", "[integrators]") {
+    const Real zeta = GENERATE(0.1, 0.5, 1.0);
+    const Real reference = zeta == 0.1 ? 0.1809975 : zeta == 0.5 ? 0.1236068 : 0.0828427;
+    const Real semi_implicit = stability_limit(Scheme::semi_implicit_euler, 10, zeta);
+    CHECK_THAT(semi_implicit, WithinAbs(reference, 5e-8));
+    CHECK(radius(Scheme::semi_implicit_euler, 10, zeta, 0.999 * semi_implicit) < 1);
+    CHECK(radius(Scheme::semi_implicit_euler, 10, zeta, 1.001 * semi_implicit) > 1);
+
+    const Real forward = stability_limit(Scheme::explicit_euler, 10, zeta);
+    CHECK_THAT(forward, WithinRel(2 * zeta / 10, 1e-14));
+    CHECK(radius(Scheme::explicit_euler, 10, zeta, 0.999 * forward) < 1);
+    CHECK(radius(Scheme::explicit_euler, 10, zeta, 1.001 * forward) > 1);
+}
+
+TEST_CASE("an overdamped oscillator has limits too", "[integrators]") {
+    const Scheme scheme = GENERATE(Scheme::explicit_euler, Scheme::semi_implicit_euler);
+    const Real zeta = GENERATE(1.5, 20.0);
+    const Real limit = stability_limit(scheme, 10, zeta);
+    CHECK(radius(scheme, 10, zeta, 0.999 * limit) < 1);
+    CHECK(radius(scheme, 10, zeta, 1.001 * limit) > 1);
+}
+
+TEST_CASE("undamped: forward Euler grows at every time step, semi-implicit Euler from 2/omega on", "[integrators]") {
+    for (const Real dt : {1e-4, 1e-2, 1.0}) CHECK(radius(Scheme::explicit_euler, 10, 0, dt) > 1);
+    CHECK(stability_limit(Scheme::explicit_euler, 10, 0) == 0);
+
+    const auto amplitude = [](Real omega_dt, int steps) {
+        SpringOscillator body(10, 0);
+        body.position() = 1;
+        body.run(Scheme::semi_implicit_euler, omega_dt / 10, steps);
+        return std::hypot(body.position(), body.velocity() / 10);
+    };
+    CHECK(amplitude(1.99, 10000) < 50);
+    CHECK(amplitude(2.01, 400) > 1e30);
+}
+
+TEST_CASE("implicit Euler multiplies the amplitude by 1/sqrt(1 + (w dt)^2) at every time step", "[integrators]") {
+    const Real omega_dt = GENERATE(1e-3, 1.0, 1e3, 1e6);
+    SpringOscillator body(10, 0);
+    body.position() = 1;
+    body.step(Scheme::implicit_euler, omega_dt / 10);
+    const Real amplitude = std::hypot(body.position(), body.velocity() / 10);
+    CHECK_THAT(amplitude, WithinRel(1 / std::hypot(1, omega_dt), 1e-9));
+}
+
+TEST_CASE("implicit Euler brings a strongly dragged mass to rest without reversing it", "[integrators]") {
+    // c dt / m = 2 zeta omega dt = 1e6
+    SpringOscillator body(1e-3, 5e10);
+    body.velocity() = 1;
+    Real previous = 1;
+    for (int n = 0; n < 3; ++n) {
+        body.step(Scheme::implicit_euler, 0.01);
+        CHECK(body.velocity() >= 0);
+        CHECK(body.velocity() < 2e-6 * previous);
+        previous = body.velocity();
+    }
+    CHECK(amplification(Scheme::explicit_euler, 1e-3, 5e10, 0.01) > 1e5);
+}
+
+TEST_CASE("free fall follows the schemes' sums", "[integrators]") {
+    const Scheme scheme = GENERATE(from_range(all_schemes));
+    SpringBody<3> body(Points<3>::Zero(3, 1), {}, VecX::Constant(1, 2.5));
+    body.system.load.gravity = {0, -9.81, 0};
+    const int steps = 100;
+    const Real dt = 0.01, shift = scheme == Scheme::explicit_euler ? -1 : 1;
+    body.run(scheme, dt, steps);
+    // x_n = -1/2 g dt^2 n (n -+ 1)
+    CHECK_THAT(body.x(1, 0), WithinRel(-0.5 * 9.81 * dt * dt * steps * (steps + shift), 1e-10));
+    CHECK_THAT(body.v(1, 0), WithinRel(-9.81, 1e-10));
+}
+
+TEST_CASE("fixed nodes keep their velocity, free ones follow", "[integrators]") {
+    const Scheme scheme = GENERATE(from_range(all_schemes));
+    SpringOscillator body(10, 0.3);
+    body.v.col(0) << 0.5, 0;
+    body.position() = 0.1;
+    body.run(scheme, 0.005, 1200);
+    CHECK(body.v.col(0) == Vec<2>(0.5, 0));
+    CHECK_THAT(body.x(0, 0), WithinRel(3.0, 1e-12));
+    CHECK_THAT(body.velocity(), WithinAbs(0.5, 1e-6));
+}
+
+TEST_CASE("nothing moves when everything is fixed, and an empty system is stepped without harm", "[integrators]") {
+    const Scheme scheme = GENERATE(from_range(all_schemes));
+    SpringBody<2> fixed(Points<2>::Identity(2, 2), {{0, 1, 0.1, 50, 1}}, VecX::Ones(2), {0, 1});
+    fixed.system.load.gravity = {0, -9.81};
+    const Points<2> start = fixed.x;
+    fixed.run(scheme, 0.01, 5);
+    CHECK(fixed.x == start);
+    CHECK(fixed.v.isZero(0));
+
+    SpringBody<2> empty(Points<2>(2, 0), {}, VecX(0));
+    empty.run(scheme, 0.01, 5);
+    CHECK(empty.energy() == 0);
+}
+
+TEST_CASE("time steps and masses that make no sense are refused by name", "[integrators]") {
+    const Real bad_dt = GENERATE(0.0, -0.1, std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::quiet_NaN());
+    for (const Scheme scheme : all_schemes) {
+        SpringOscillator body(1, 0);
+        CHECK_THROWS_AS(body.step(scheme, bad_dt), Refused);
+    }
+    for (const Real bad_mass : {0.0, -1.0, std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::quiet_NaN()})
+        CHECK_THROWS_AS(DiagonalMass(Vec<2>(1, bad_mass), 2), Refused);
+    CHECK_THROWS_AS(DiagonalMass(VecX::Ones(2), 2, {2}), Refused);
+}

@@ -1,0 +1,86 @@
+// A body of point masses and springs with everything that a time step needs, for tests.
+#pragma once
+#include <pliant/solids/point_masses.h>
+#include <pliant/solids/springs_frequency.h>
+#include <pliant/solids/springs_system.h>
+
+#include <utility>
+
+namespace pliant::test {
+
+template <int Dim>
+class SpringBody {
+public:
+    SpringBody(Points<Dim> points, const std::vector<Spring>& list, VecX masses, const std::vector<Index>& fixed = {})
+        : x(std::move(points)),
+          v(Points<Dim>::Zero(Dim, x.cols())),
+          f(v),
+          springs(x.cols(), list),
+          mass(std::move(masses)),
+          inertia(mass, Dim, fixed),
+          system(springs, mass),
+          solver(system, inertia) {}
+    SpringBody(const SpringBody&) = delete;
+    SpringBody& operator=(const SpringBody&) = delete;
+
+    void evaluate_forces() {
+        f.setZero();
+        add_spring_forces<Dim>(springs, x, f);
+        add_damping_forces<Dim>(springs, system.damping, x, v, f);
+        add_external_forces<Dim>(system.load, mass, x, f);
+    }
+
+    void step(Scheme scheme, Real dt) {
+        evaluate_forces();
+        if (scheme == Scheme::explicit_euler) {
+            explicit_euler(dt, inertia, flat(f), flat(x), flat(v));
+        } else if (scheme == Scheme::semi_implicit_euler) {
+            semi_implicit_euler(dt, inertia, flat(f), flat(x), flat(v));
+        } else {
+            implicit_euler(dt, flat(x), flat(v), solver.form());
+            solver.begin(flat(x));
+            while (solver.again()) solver.iterate();
+            solver.finish(flat(x), flat(v));
+        }
+    }
+    void run(Scheme scheme, Real dt, int steps) {
+        for (int n = 0; n < steps; ++n) step(scheme, dt);
+    }
+
+    Real energy() const {
+        return kinetic_energy<Dim>(mass, v) + spring_energy<Dim>(springs, x) + external_energy<Dim>(system.load, mass, x);
+    }
+
+    Points<Dim> x, v, f;
+    Springs springs;
+    VecX mass;
+    DiagonalMass inertia;
+    SpringSystem<Dim> system;
+    ImplicitSolver solver;
+};
+
+// One mass on a spring of rest length 0 to a fixed node at the origin: x'' = -omega^2 x - 2 zeta omega x', exactly linear.
+class SpringOscillator : public SpringBody<2> {
+public:
+    SpringOscillator(Real omega, Real zeta, Real node_mass = 1)
+        : SpringBody<2>(Points<2>::Zero(2, 2), {{0, 1, 0, node_mass * omega * omega, 2 * zeta * omega * node_mass}},
+                        VecX::Constant(2, node_mass), {0}) {
+        system.damping = zeta > 0 ? SpringDamping::naive : SpringDamping::none;
+    }
+    Real& position() { return x(0, 1); }
+    Real& velocity() { return v(0, 1); }
+
+    // The matrix that one step multiplies (position, velocity) with, column by column.
+    Mat<2> step_matrix(Scheme scheme, Real dt) {
+        Mat<2> matrix;
+        for (int column = 0; column < 2; ++column) {
+            x.setZero(), v.setZero();
+            position() = column == 0, velocity() = column == 1;
+            step(scheme, dt);
+            matrix.col(column) << position(), velocity();
+        }
+        return matrix;
+    }
+};
+
+}  // namespace pliant::test

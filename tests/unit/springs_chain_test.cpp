@@ -1,0 +1,241 @@
+// Chains, rods and lattices of springs against closed forms.
+#include "spring_body.h"
+
+#include <pliant/mesh/lattice.h>
+
+#include <Eigen/Eigenvalues>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include <numbers>
+
+using namespace pliant;
+using namespace pliant::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using std::numbers::pi;
+
+namespace {
+
+// `free` masses in a row, joined by springs, with a fixed node before the first and, when both_ends, one after the last.
+struct Chain {
+    Chain(Index free, bool both_ends, Real stiffness, Real node_mass, Real spacing = 1)
+        : lattice({free + (both_ends ? 1 : 0), 0}, {spacing, 1}),
+          body(lattice.points(), springs(stiffness), VecX::Constant(lattice.node_count(), node_mass), fixed(both_ends)) {}
+    std::vector<Spring> springs(Real stiffness) const {
+        std::vector<Spring> list;
+        append_springs<2>(lattice.points(), lattice.structural(), stiffness, 0, list);
+        return list;
+    }
+    std::vector<Index> fixed(bool both_ends) const {
+        return both_ends ? std::vector<Index>{0, lattice.node_count() - 1} : std::vector<Index>{0};
+    }
+    NodeLattice<2> lattice;
+    SpringBody<2> body;
+};
+
+// Frequencies along the chain, rad/s, ascending, from the stiffness matrix at rest.
+VecX frequencies(const Chain& chain, Index free) {
+    SpringMatrix<2> matrix(chain.body.springs);
+    matrix.add_stiffness(chain.body.springs, chain.body.x, SpringCurvature::exact);
+    MatX K(free, free);
+    for (Index r = 0; r < free; ++r)
+        for (Index c = 0; c < free; ++c) K(r, c) = matrix.matrix().coeff(2 * (r + 1), 2 * (c + 1));
+    return (Eigen::SelfAdjointEigenSolver<MatX>(K).eigenvalues() / chain.body.mass[1]).cwiseSqrt();
+}
+
+// Sum of the springs at an interior node, each shared with its other end: the energy of one cell of a lattice that is mapped
+// by F, J.
+template <int Dim>
+Real cell_energy(const Points<Dim>& star, const VecX& stiffness, const Mat<Dim>& F) {
+    std::vector<Spring> list;
+    Points<Dim> points(Dim, star.cols() + 1);
+    points << Vec<Dim>::Zero(), star;
+    for (Index s = 0; s < star.cols(); ++s) list.push_back({0, s + 1, star.col(s).norm(), stiffness[s] / 2});
+    return spring_energy<Dim>(Springs(points.cols(), list), F * points);
+}
+
+// Elastic constants C11, C12, C44 of a lattice, N/m^(Dim-1), from second differences of a cell's energy.
+template <int Dim>
+Vec<3> elastic_constants(const Points<Dim>& star, const VecX& stiffness, Real cell_volume) {
+    const Real e = 1e-4;
+    const auto density = [&](const Mat<Dim>& strain) {
+        const Mat<Dim> I = Mat<Dim>::Identity();
+        return (cell_energy<Dim>(star, stiffness, I + strain) + cell_energy<Dim>(star, stiffness, I - strain)) /
+               (2 * cell_volume);
+    };
+    Mat<Dim> along = Mat<Dim>::Zero(), both = along, shear = along;
+    along(0, 0) = both(0, 0) = both(1, 1) = e;
+    shear(0, 1) = shear(1, 0) = e / 2;
+    const Real c11 = 2 * density(along) / (e * e), c11_c12 = density(both) / (e * e);
+    return {c11, c11_c12 - c11, 2 * density(shear) / (e * e)};
+}
+
+struct CubicStar {
+    Points<3> directions{3, 0};
+    VecX stiffness;
+    void add(const std::vector<NodePair>& pairs, const NodeLattice<3>& lattice, Real k) {
+        const Index centre = lattice.node({2, 2, 2});
+        const Points<3> x = lattice.points();
+        for (const auto& [i, j] : pairs) {
+            if (i != centre && j != centre) continue;
+            directions.conservativeResize(3, directions.cols() + 1);
+            directions.col(directions.cols() - 1) = x.col(i == centre ? j : i) - x.col(centre);
+            stiffness.conservativeResize(stiffness.size() + 1);
+            stiffness[stiffness.size() - 1] = k;
+        }
+    }
+};
+
+Vec<3> cubic_constants(Real edges, Real faces, Real bodies) {
+    const NodeLattice<3> lattice({4, 4, 4}, Vec<3>::Ones());
+    CubicStar star;
+    star.add(lattice.structural(), lattice, edges);
+    star.add(lattice.face_diagonals(), lattice, faces);
+    star.add(lattice.body_diagonals(), lattice, bodies);
+    return elastic_constants<3>(star.directions, star.stiffness, 1);
+}
+
+void check_constants(const Vec<3>& measured, const Vec<3>& expected) {
+    CHECK((measured - expected).cwiseAbs().maxCoeff() < 1e-5 * expected.maxCoeff());
+}
+
+}  // namespace
+
+TEST_CASE("frequencies of a chain between two walls", "[springs]") {
+    const Index n = 10;
+    const Real k = 30, m = 0.2;
+    const VecX measured = frequencies(Chain(n, true, k, m), n);
+    for (Index j = 1; j <= n; ++j)
+        CHECK_THAT(measured[j - 1], WithinRel(2 * std::sqrt(k / m) * std::sin(Real(j) * pi / (2 * (n + 1))), 1e-12));
+}
+
+TEST_CASE("frequencies of a chain with a free end", "[springs]") {
+    const Index n = 10;
+    const VecX measured = frequencies(Chain(n, false, 1, 1), n);
+    for (Index j = 1; j <= n; ++j)
+        CHECK_THAT(measured[j - 1], WithinRel(2 * std::sin(Real(2 * j - 1) * pi / (2 * (2 * n + 1))), 1e-12));
+    CHECK_THAT(measured[0], WithinAbs(0.14946019, 5e-9));
+    CHECK_THAT(measured[1], WithinAbs(0.44504187, 5e-9));
+    CHECK_THAT(measured[2], WithinAbs(0.73068205, 5e-9));
+}
+
+TEST_CASE("a chain released in its first mode swings at that mode's frequency", "[springs]") {
+    const Index n = 10;
+    Chain chain(n, true, 1, 1);
+    SpringBody<2>& body = chain.body;
+    const Points<2> rest = body.x;
+    for (Index i = 1; i <= n; ++i) body.x(0, i) += 0.01 * std::sin(Real(i) * pi / Real(n + 1));
+
+    // Ten periods, each from one downward passage of the middle through its rest position to the next.
+    const Real dt = 0.01, omega = 2 * std::sin(pi / (2 * (n + 1)));
+    Real previous = body.x(0, 5) - rest(0, 5), first = 0, last = 0;
+    for (int step = 1, passages = 0; passages < 11; ++step) {
+        body.step(Scheme::semi_implicit_euler, dt);
+        const Real now = body.x(0, 5) - rest(0, 5);
+        if (previous > 0 && now <= 0) {
+            last = dt * (step - 1 + previous / (previous - now));
+            if (passages++ == 0) first = last;
+        }
+        previous = now;
+    }
+    CHECK_THAT(10 * 2 * pi / (last - first), WithinRel(omega, 1e-5));
+}
+
+TEST_CASE("bounds and power iteration bracket the highest frequency", "[springs]") {
+    const Index n = 10;
+    Chain chain(n, false, 30, 0.2);
+    const Real exact = frequencies(chain, n).maxCoeff();
+    const SpringRates bounds = spring_rate_bounds<2>(chain.body.springs, chain.body.inertia, SpringDamping::none, chain.body.x);
+    const Real estimate = highest_spring_frequency<2>(chain.body.springs, chain.body.inertia, chain.body.x);
+    CHECK(bounds.omega >= exact);
+    CHECK(bounds.omega < 1.02 * exact);
+    CHECK(estimate <= exact * (1 + 1e-12));
+    CHECK(estimate > 0.99 * exact);
+
+    // One mass on one spring, and a light mass beside a heavy one, whose limit the light one sets.
+    SpringOscillator single(10, 0.25);
+    single.position() = 1;
+    const SpringRates rates = spring_rate_bounds<2>(single.springs, single.inertia, SpringDamping::naive, single.x);
+    CHECK_THAT(rates.omega, WithinRel(10, 1e-14));
+    CHECK_THAT(rates.damping, WithinRel(5, 1e-14));
+    CHECK_THAT(stability_limit(Scheme::semi_implicit_euler, rates),
+               WithinRel(stability_limit(Scheme::semi_implicit_euler, 10, 0.25), 1e-14));
+    CHECK_THAT(stability_limit(Scheme::explicit_euler, rates), WithinRel(0.05, 1e-14));
+
+    SpringBody<2> pair(Points<2>::Identity(2, 2), {{0, 1, 1, 1e3}}, Vec<2>(1, 1e-6));
+    const Real light = std::sqrt(1e3 * (1 + 1e6));
+    CHECK(spring_rate_bounds<2>(pair.springs, pair.inertia, SpringDamping::none, pair.x).omega >= light);
+    CHECK_THAT(highest_spring_frequency<2>(pair.springs, pair.inertia, pair.x), WithinRel(light, 1e-6));
+}
+
+TEST_CASE("a block is stable below its bound, with every damping, and not far above it", "[springs]") {
+    const SpringDamping mode = GENERATE(SpringDamping::none, SpringDamping::naive, SpringDamping::projected);
+    const Scheme scheme = GENERATE(Scheme::explicit_euler, Scheme::semi_implicit_euler);
+    if (mode == SpringDamping::none && scheme == Scheme::explicit_euler) return;
+    const NodeLattice<3> lattice({2, 2, 2}, Vec<3>::Constant(0.1));
+    std::vector<Spring> list;
+    append_springs<3>(lattice.points(), lattice.structural(), 200, 2, list);
+    append_springs<3>(lattice.points(), lattice.face_diagonals(), 100, 1, list);
+    const auto energy_after = [&](Real factor) {
+        SpringBody<3> body(lattice.points(), list, VecX::Constant(lattice.node_count(), 0.01));
+        body.system.damping = mode;
+        const SpringRates rates = spring_rate_bounds<3>(body.springs, body.inertia, mode, body.x);
+        body.x(0, 0) += 1e-7, body.x(1, 5) -= 2e-7, body.x(2, 17) += 1e-7;
+        const Real start = body.energy();
+        body.run(scheme, factor * stability_limit(scheme, rates), 2000);
+        return body.energy() / start;
+    };
+    CHECK(energy_after(0.99) < 60);
+    CHECK_FALSE(energy_after(2.2) < 1e3);
+}
+
+TEST_CASE("a rod whose springs follow from its energy hangs consistently with N", "[springs]") {
+    // N masses rho A L/N below as many springs E A N/L: the extension is rho g L^2/(2E) (N + 1)/N.
+    const Real length = 2, youngs_area = 5e4, line_density = 3, g = 9.81;
+    const Real continuum = line_density * g * length * length / (2 * youngs_area);
+    Real previous = 0;
+    for (const Index n : {5, 10, 20}) {
+        const Real spring = youngs_area * Real(n) / length, mass = line_density * length / Real(n);
+        Chain chain(n, false, spring, mass, length / Real(n));
+        chain.body.system.load.gravity = {g, 0};
+        // One very long implicit step has only the static equilibrium for a solution.
+        chain.body.step(Scheme::implicit_euler, 1e6);
+        const Real extension = chain.body.x(0, n) - length;
+        CHECK_THAT(extension / continuum, WithinRel(Real(n + 1) / Real(n), 1e-6));
+        const Real error = extension / continuum - 1;
+        if (previous > 0) CHECK_THAT(std::log2(previous / error), WithinAbs(1, 1e-3));
+        previous = error;
+    }
+}
+
+TEST_CASE("a rod of hand-picked springs stretches the more the finer it is cut", "[springs]") {
+    const Real total = 6, spring = 1e5, g = 9.81, length = 2;
+    for (const Index n : {5, 10, 20, 40}) {
+        Chain chain(n, false, spring, total / Real(n), length / Real(n));
+        chain.body.system.load.gravity = {g, 0};
+        chain.body.step(Scheme::implicit_euler, 1e6);
+        CHECK_THAT(chain.body.x(0, n) - length, WithinRel(total * g * Real(n + 1) / (2 * spring), 1e-6));
+    }
+}
+
+TEST_CASE("lattices have the elastic constants of their springs", "[springs]") {
+    // In units of k/a for unit spacing; Cauchy's relation C12 = C44 of central forces holds in every row.
+    check_constants(cubic_constants(1, 1, 0), {3, 1, 1});
+    check_constants(cubic_constants(8.0 / 3, 0, 1), {4, 4.0 / 3, 4.0 / 3});
+    check_constants(cubic_constants(1, 0, 1), {7.0 / 3, 4.0 / 3, 4.0 / 3});
+    // Without diagonals, shear is a mechanism: only the square of the strain resists.
+    check_constants(cubic_constants(1, 0, 0), {1, 0, 0});
+
+    Points<2> triangular(2, 6);
+    for (Index s = 0; s < 6; ++s) triangular.col(s) << std::cos(Real(s) * pi / 3), std::sin(Real(s) * pi / 3);
+    const Real root3 = std::sqrt(3.0);
+    check_constants(elastic_constants<2>(triangular, VecX::Ones(6), root3 / 2), {3 * root3 / 4, root3 / 4, root3 / 4});
+
+    Points<2> square(2, 8);
+    square << 1, -1, 0, 0, 1, -1, 1, -1, 0, 0, 1, -1, 1, -1, -1, 1;
+    VecX stiffness(8);
+    stiffness << 1, 1, 1, 1, 0.5, 0.5, 0.5, 0.5;
+    check_constants(elastic_constants<2>(square, stiffness, 1), {1.5, 0.5, 0.5});
+}

@@ -1,0 +1,252 @@
+#include "app/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace pliant::viewer {
+
+// ----------------------------------------------------------------------------------------------------------- colours
+
+void ColourRange::update(const std::vector<Real>& values) {
+    if (!automatic || values.empty()) return;
+    const ColourScale wanted = scale_for(values);
+    const Real size = std::max(std::abs(scale.min), std::abs(scale.max)), wanted_size = std::max(std::abs(wanted.min), std::abs(wanted.max));
+    // Follows when the numbers reach beyond the range or fill less than a third of it, so that colours do not flicker.
+    const bool outside = wanted.min < scale.min || wanted.max > scale.max || wanted.map != scale.map;
+    const bool lost = wanted_size < size / 3 || (wanted.max - wanted.min) < (scale.max - scale.min) / 3;
+    if (outside || lost) scale = wanted;
+}
+
+// ----------------------------------------------------------------------------------------------------- lessons, scenes
+
+Session::Session(std::string_view lesson_name) { open(find_lesson(lesson_name)); }
+
+void Session::open(const LessonEntry& entry, const Runner::Assignments& assignments) {
+    // The new run is made before the old one is given up, so a refusal leaves everything as it was.
+    auto runner = std::make_unique<Runner>(entry, assignments);
+    runner_ = std::move(runner);
+    entry_ = &entry;
+    recorder_.clear();
+    undo_.clear();
+    message_.reset();
+    walkthrough.reset();
+    playing = false;
+    camera.reset();
+    colours = lesson().first_colours();
+    range = {};
+    owed_ = reached_speed_ = 0;
+    moved();
+}
+
+void Session::open_next(int direction) {
+    const auto& all = lessons();
+    const auto here = static_cast<int>(std::ranges::find(all, entry_->info.id, [](const LessonEntry& e) { return e.info.id; }) - all.begin());
+    const int count = static_cast<int>(all.size());
+    guarded([&] { open(all[static_cast<std::size_t>((here + direction + count) % count)]); });
+}
+
+void Session::open_scene(const SceneFile& scene) {
+    open(find_lesson(scene.lesson), scene.parameters);
+    runner_->set_events(scene.events);
+    camera = scene.camera;
+    if (!scene.view) return;
+    if (!scene.view->field.empty()) colours = {scene.view->field, scene.view->component};
+    if (!scene.view->stage.empty()) guarded([&] { runner_->run_to_stage(scene.view->stage); });
+}
+
+SceneFile Session::scene_file() const {
+    SceneFile file = scene_of(*runner_);
+    file.camera = camera;
+    const auto last = runner_->last_stage();
+    file.view = SceneView{colours.field, colours.component, runner_->inside_step() && last ? std::string(runner_->stages()[*last]->name) : ""};
+    return file;
+}
+
+// ---------------------------------------------------------------------------------------------------------------- time
+
+template <class Action>
+bool Session::guarded(Action action) {
+    try {
+        action();
+        return true;
+    } catch (const Diverged& e) {
+        say(Message::Kind::diverged, e.what());
+    } catch (const Error& e) {
+        say(Message::Kind::refused, e.what());
+    }
+    playing = false;
+    return false;
+}
+
+void Session::moved() {
+    if (!runner_->inside_step()) guarded([&] { recorder_.record(*runner_); });
+    view_changed();
+}
+
+void Session::view_changed() {
+    const Field* field = lesson().find_field(colours.field);
+    if (!field || !field->in_use()) return;
+    std::vector<Real> values;
+    row_values(*field, colours.component, values);
+    range.update(values);
+}
+
+bool Session::advance_one() {
+    // A static lesson is played pass by pass, so that its solve can be watched.
+    const bool done = guarded([&] { runner_->is_static() ? runner_->step_pass() : runner_->step(); });
+    moved();
+    return done;
+}
+
+void Session::update(Real seconds, Real budget_ms) {
+    if (!playing) return;
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto spent_ms = [&] { return std::chrono::duration<Real, std::milli>(Clock::now() - start).count(); };
+    if (runner_->is_static()) {
+        if (lesson().at_rest() && !runner_->inside_step()) playing = false;
+        else advance_one();
+        return;
+    }
+    owed_ += seconds * speed;
+    const Real before = runner_->time();
+    while (playing && owed_ >= runner_->time_step() && spent_ms() < budget_ms) {
+        owed_ -= runner_->time_step();
+        if (!advance_one()) break;
+    }
+    // What could not be run in time is dropped.
+    owed_ = std::clamp(owed_, Real{0}, std::max(runner_->time_step(), seconds * speed));
+    if (seconds > 0) reached_speed_ += 0.1 * ((runner_->time() - before) / seconds - reached_speed_);
+}
+
+void Session::run(const Until& until) {
+    playing = false;
+    advance(*runner_, until, [this] { moved(); });
+}
+
+void Session::step() {
+    playing = false;
+    guarded([&] { runner_->step(); });
+    moved();
+}
+
+void Session::step_stage() {
+    playing = false;
+    guarded([&] { runner_->step_stage(); });
+    moved();
+}
+
+void Session::run_to_stage(std::string_view name) {
+    playing = false;
+    guarded([&] { runner_->run_to_stage(name); });
+    moved();
+}
+
+void Session::step_pass() {
+    playing = false;
+    guarded([&] { runner_->step_pass(); });
+    moved();
+}
+
+void Session::step_back() {
+    playing = false;
+    dismiss();
+    bool found = true;
+    guarded([&] { found = runner_->step_back(); });
+    if (!found) say(Message::Kind::info, runner_->place() == Place{} ? "This is the beginning." : "Steps before this one are no longer stored.");
+    moved();
+}
+
+void Session::stage_back() {
+    playing = false;
+    dismiss();
+    bool found = true;
+    guarded([&] { found = runner_->stage_back(); });
+    if (!found) say(Message::Kind::info, "Nothing before this is stored.");
+    moved();
+}
+
+void Session::reset() {
+    dismiss();
+    guarded([&] { runner_->reset(); });
+    recorder_.clear();
+    range.forget();
+    owed_ = 0;
+    moved();
+}
+
+// ---------------------------------------------------------------------------------------------------------- parameters
+
+bool Session::set(const Parameter& parameter, Real value) {
+    const bool rebuilds = parameter.info.effect == Effect::rebuild;
+    if (!guarded([&] { runner_->assign(parameter.info.key, value); })) return false;
+    dismiss();
+    if (rebuilds) {
+        recorder_.clear();
+        range.forget();
+        if (lesson().dimension() == 2) camera.reset();  // the domain may have another size
+    }
+    moved();
+    return true;
+}
+
+void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
+    const Real before = runner_->wanted(parameter);
+    if (before == value || !set(parameter, value)) return;
+    const bool joins = same_drag && !undo_.empty() && undo_.back().key == parameter.info.key;
+    if (!joins) undo_.push_back({std::string(parameter.info.key), before});
+}
+
+void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }
+
+void Session::undo() {
+    if (undo_.empty()) return;
+    set(lesson().parameter(undo_.back().key), undo_.back().value);
+    undo_.pop_back();
+}
+
+void Session::pull(const std::optional<Pull>& pulled) { runner_->pull(pulled); }
+
+// ---------------------------------------------------------------------------------------------------------------- view
+
+Scene Session::scene() const {
+    Scene picture;
+    picture.colour_by = colours;
+    picture.show_arrows = show_arrows, picture.show_labels = show_labels;
+    lesson().draw(picture);
+    if (!smooth)
+        for (GridMarks& g : picture.grids) g.smooth = false;
+    return picture;
+}
+
+// --------------------------------------------------------------------------------------------------------- walkthrough
+
+void Session::start_walkthrough() {
+    guarded([&] {
+        Walkthrough text = walkthrough_of(*entry_);
+        open(*entry_);
+        walkthrough.emplace(*runner_, std::move(text));
+    });
+}
+
+void Session::walkthrough_next() {
+    if (!walkthrough) return;
+    playing = false;
+    recorder_.clear();
+    guarded([&] {
+        if (!walkthrough->next()) say(Message::Kind::info, "This was the last slide.");
+    });
+    if (!walkthrough->shown_field().empty()) colours = {walkthrough->shown_field(), -1};
+    moved();
+}
+
+void Session::walkthrough_back() {
+    if (!walkthrough) return;
+    playing = false;
+    recorder_.clear();
+    guarded([&] { walkthrough->back(); });
+    moved();
+}
+
+}  // namespace pliant::viewer

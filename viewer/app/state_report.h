@@ -1,0 +1,25 @@
+// The state of the lab as a file, rewritten when it changes: tests that drive the window by mouse and keys read it back, and so can a
+// screen reader.
+#pragma once
+#include "panels/lab_state.h"
+
+#include <string>
+
+namespace pliant::viewer {
+
+// {"lesson", "step", "passes", "stage", "time", "playing", "parameters": {...}, "probes": {...}, "pulling", "message", "controls":
+// {name: [x, y, width, height]}}
+std::string state_json(const LabState& lab);
+
+class StateReport {
+public:
+    // Writes to this path; nothing when it is empty.
+    explicit StateReport(std::string path) : path_(std::move(path)) {}
+    // Throws Refused when the file cannot be written.
+    void write(const LabState& lab);
+
+private:
+    std::string path_, last_;
+};
+
+}  // namespace pliant::viewer

@@ -1,0 +1,125 @@
+#include "command_line/command_line.h"
+
+#include <pliant/lesson/suggest.h>
+
+#include "command_line/options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+
+namespace pliant::viewer {
+namespace {
+
+constexpr const char* footer =
+    "\nWithout a command the lab opens in a window.\n"
+    "Exit codes: 0 done, 1 a check failed, 2 bad input refused, 3 the run diverged, 4 this machine lacks something.";
+
+void add_run_options(CLI::App& command, RunOptions& o) {
+    command.add_option("lesson", o.lesson, "such as mesh/mass_spring; `pliant list` shows them");
+    command.add_option("--set", o.settings, "a parameter, KEY=VALUE; may be given often")->allow_extra_args(false);
+    command.add_option("--scene", o.scene_path, "a scene file");
+    command.add_option("--preset", o.preset, "a scene that comes with the lesson");
+    command.add_option("--steps", o.steps, "run so many steps");
+    command.add_option("--time", o.time, "run so many simulated seconds, to the nearest whole step");
+    command.add_flag("--rest", o.rest, "run until nothing changes any more");
+}
+
+void add_picture_options(CLI::App& command, PictureOptions& o) {
+    command.add_option("--out", o.out, "the PNG file to write")->required();
+    command.add_option("--stage", o.stage, "go on to the end of this stage, inside the next step");
+    command.add_option("--field", o.field, "the field that colours the picture");
+    command.add_option("--component", o.component, "its component, from 0; -1 for the whole");
+    command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command.add_option("--ui-scale", o.ui_scale, "of type and lines, 1 to 3")->capture_default_str();
+    command.add_option("--theme", o.theme, "dark or projector")->capture_default_str();
+    command.add_option("--layout", o.layout, "slide (picture, plots, numbers) or lab (all panels)")->capture_default_str();
+    command.add_option("--backend", o.backend, "any, osmesa or egl")->capture_default_str();
+}
+
+// CLI11 would take a mistyped command for a stray argument.
+void check_command(const CLI::App& app, int argc, const char* const* argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::vector<std::string> known;
+    for (const CLI::App* c : app.get_subcommands({})) known.push_back(c->get_name());
+    if (std::ranges::find(known, argv[1]) != known.end()) return;
+    throw Refused(fmt::format("no command is called '{}'{}; there are: {}", argv[1], did_you_mean(argv[1], known), fmt::join(known, ", ")));
+}
+
+int dispatch(int argc, const char* const* argv) {
+    CLI::App app("Pliant, a laboratory for physically based simulation: stop inside a time step and look at every quantity.", "pliant");
+    app.footer(footer);
+    app.set_version_flag("--version", "pliant " PLIANT_VERSION);
+    std::function<int()> action;
+    RunOptions run_options;
+    PictureOptions picture_options;
+    WindowOptions window_options;
+    std::string lesson, folder = "out/tour";
+    bool json = false, markdown = false, check = false;
+
+    app.add_option("--lesson", window_options.lesson, "the lesson to open");
+    app.add_option("--scene", window_options.scene_path, "the scene file to open");
+    app.add_option("--size", window_options.size, "of the window")->capture_default_str();
+    app.add_option("--theme", window_options.theme, "dark or projector")->capture_default_str();
+    app.add_option("--ui-scale", window_options.ui_scale, "of type and lines, 1 to 3; as the screen asks when not given");
+    app.add_option("--frames", window_options.frames, "close after so many frames");
+    app.add_option("--state", window_options.state_path, "keep the state of the lab in this JSON file, for tests and screen readers");
+
+    CLI::App* list = app.add_subcommand("list", "the lessons");
+    list->add_flag("--json", json, "as JSON");
+    list->callback([&] { action = [&] { return list_lessons(json); }; });
+
+    CLI::App* describe_command = app.add_subcommand("describe", "parameters, stages, fields and probes of a lesson");
+    describe_command->add_option("lesson", lesson)->required();
+    describe_command->add_flag("--json", json, "as JSON");
+    describe_command->add_flag("--markdown", markdown, "as the page of the documentation");
+    describe_command->callback([&] { action = [&] { return describe(lesson, json, markdown); }; });
+
+    CLI::App* run_command = app.add_subcommand("run", "run a lesson and print its probes, assumptions and costs");
+    add_run_options(*run_command, run_options);
+    run_command->add_option("--csv", run_options.csv_path, "write the probes of every step to this file");
+    run_command->add_flag("--json", run_options.json, "print one JSON object");
+    run_command->callback([&] { action = [&] { return run(run_options); }; });
+
+    CLI::App* shot_command = app.add_subcommand("shot", "run a lesson and write its picture");
+    add_run_options(*shot_command, run_options);
+    add_picture_options(*shot_command, picture_options);
+    shot_command->callback([&] { action = [&] { return shot(run_options, picture_options); }; });
+
+    CLI::App* tour_command = app.add_subcommand("tour", "every lesson: pictures, probes as CSV and an index page");
+    tour_command->add_option("--out", folder, "the folder to write")->capture_default_str();
+    tour_command->callback([&] { action = [&] { return tour(folder); }; });
+
+    CLI::App* walkthrough_command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
+    walkthrough_command->add_option("lesson", lesson)->required();
+    walkthrough_command->add_flag("--check", check, "exit with 1 when an expectation is missed");
+    walkthrough_command->callback([&] { action = [&] { return walkthrough(lesson, check); }; });
+
+    check_command(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& e) {
+        return app.exit(e);
+    } catch (const CLI::ParseError& e) {
+        throw Refused(fmt::format("{}; `pliant {}--help` shows what is accepted", e.what(), argc > 1 && argv[1][0] != '-' ? std::string(argv[1]) + " " : ""));
+    }
+    return action ? action() : window(window_options);
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    try {
+        return dispatch(argc, argv);
+    } catch (const Error& e) {
+        fmt::print(stderr, "pliant: {}\n", e.what());
+        return static_cast<int>(e.code());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "pliant: there is not enough memory for this: lower the resolution or the number of cells\n");
+        return static_cast<int>(ExitCode::refused);
+    }
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,57 @@
+// What the commands take from the command line.
+#pragma once
+#include <pliant/lesson/scene_file.h>
+#include <pliant/lesson/until.h>
+
+#include "panels/lab_state.h"
+#include "platform/context.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pliant::viewer {
+
+// How to make a run and how far to take it.
+struct RunOptions {
+    std::string lesson, scene_path, preset;
+    std::vector<std::string> settings;  // "key=value"
+    std::optional<Index> steps;
+    std::optional<Real> time;
+    bool rest = false;
+    std::string csv_path;
+    bool json = false;
+};
+
+struct PictureOptions {
+    std::string stage, field, size = "1280x720", theme = "dark", layout = "slide", backend = "any", out;
+    int component = -1;
+    float ui_scale = 1;
+};
+
+struct WindowOptions {
+    std::string lesson, scene_path, size = "1440x810", theme = "dark", state_path;
+    float ui_scale = 0;  // 0: as the screen asks
+    long frames = 0;     // stop after so many; 0: when closed
+};
+
+// The scene that lesson, scene file, preset and settings describe together; later ones win. Throws Refused.
+SceneFile scene_from(const RunOptions& options);
+// How far: what was asked for; without any, a static lesson runs to rest and another one for its demo steps.
+Until until_from(const RunOptions& options, const LessonEntry& entry, bool is_static);
+
+// "1280x720". Throws Refused.
+Size size_from(const std::string& text);
+Theme theme_from(const std::string& text);
+Layout layout_from(const std::string& text);
+float ui_scale_from(float scale);
+
+int list_lessons(bool json);
+int describe(const std::string& lesson, bool json, bool markdown);
+int run(const RunOptions& options);
+int shot(const RunOptions& run, const PictureOptions& picture);
+int tour(const std::string& folder);
+int walkthrough(const std::string& lesson, bool check);
+int window(const WindowOptions& options);
+
+}  // namespace pliant::viewer

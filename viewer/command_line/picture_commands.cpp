@@ -1,0 +1,141 @@
+// `pliant shot` and `pliant tour`: pictures without a display.
+#include <pliant/lesson/file.h>
+#include <pliant/lesson/report.h>
+#include <pliant/lesson/texts.h>
+
+#include "app/lab.h"
+#include "command_line/options.h"
+#include "platform/image.h"
+#include "platform/png_file.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace pliant::viewer {
+namespace {
+
+std::unique_ptr<Context> headless(const std::string& backend, Size size) {
+    if (backend == "any") return open_headless(size);
+    if (backend == "osmesa") return open_context(Backend::osmesa, size);
+    if (backend == "egl") return open_context(Backend::egl, size);
+    throw Refused(fmt::format("--backend {} is not accepted: give any, osmesa or egl", backend));
+}
+
+// ImGui needs a frame to learn the sizes of its windows, and plots one more to settle their ranges.
+Image capture(Lab& lab, Context& context) {
+    for (int i = 0; i < 3; ++i) {
+        if (i) context.present();
+        lab.frame(0);
+    }
+    Image image = read_pixels(context);
+    context.present();
+    return image;
+}
+
+void choose_view(Session& session, const PictureOptions& o) {
+    if (!o.field.empty()) {
+        const Field& field = session.lesson().field(o.field);
+        if (o.component < -1 || o.component >= field.components)
+            throw Refused("--component", o.component, "", fmt::format("a number from 0 to {}, or -1 for the whole", field.components - 1));
+        session.colours = {o.field, o.component};
+        session.range = {};
+    }
+    if (!o.stage.empty()) session.runner().run_to_stage(o.stage);
+    session.view_changed();
+}
+
+void check_writable_png(const std::string& path) {
+    if (path.empty()) throw Refused("--out is missing: name the picture to write, such as --out picture.png");
+    const auto folder = std::filesystem::path(path).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) throw Refused(fmt::format("{} cannot be written: there is no folder {}", path, folder.string()));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder)) throw Refused(fmt::format("{} cannot be made: {}", folder.string(), error ? error.message() : "something else has that name"));
+}
+
+struct TourStop {
+    std::string name, title;
+    SceneFile scene;
+};
+
+std::vector<TourStop> stops_of(const LessonEntry& entry) {
+    std::string name(entry.info.id);
+    std::ranges::replace(name, '/', '_');
+    std::vector<TourStop> stops{{name, std::string(entry.info.title), {.lesson = std::string(entry.info.id), .parameters = {}}}};
+    for (const std::string& p : preset_names(entry.info.id)) stops.push_back({name + "_" + p, fmt::format("{}: {}", entry.info.title, words(p)), preset(entry, p)});
+    return stops;
+}
+
+// Runs one scene of the tour; its picture is also that of a run which diverges, at its last good state.
+std::string visit(Lab& lab, Context& context, const TourStop& stop, const std::filesystem::path& folder) {
+    Session& s = lab.session();
+    s.open_scene(stop.scene);
+    s.run(s.runner().is_static() ? Until::at_rest() : Until::after_steps(s.entry().info.demo_steps));
+    lab.state().layout = Layout::slide;
+    write_png(capture(lab, context), (folder / (stop.name + ".png")).string());
+    write_file((folder / (stop.name + ".csv")).string(), s.recorder().csv(s.lesson()));
+    write_file((folder / (stop.name + ".json")).string(), run_json(s.runner()));
+    return fmt::format("<section><h2>{}</h2><p>{}</p><a href=\"{}.png\"><img src=\"{}.png\" alt=\"{}\"></a><p><a href=\"{}.csv\">probes as CSV</a> · <a href=\"{}.json\">all figures as JSON</a></p></section>\n",
+                       stop.title, s.entry().info.summary, stop.name, stop.name, stop.title, stop.name, stop.name);
+}
+
+void visit_lab(Lab& lab, Context& context, const std::string& name, const std::filesystem::path& folder) {
+    lab.state().layout = Layout::lab;
+    lab.session().camera.reset();
+    write_png(capture(lab, context), (folder / (name + "_lab.png")).string());
+}
+
+constexpr std::string_view page_head = R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>A tour of Pliant</title>
+<style>body{font:16px/1.5 "DejaVu Sans",sans-serif;max-width:1000px;margin:2em auto;padding:0 1em}img{width:100%;border:1px solid #999}</style>
+<h1>A tour of Pliant</h1>
+)";
+
+}  // namespace
+
+int shot(const RunOptions& options, const PictureOptions& picture) {
+    const SceneFile scene = scene_from(options);
+    const Size size = size_from(picture.size);
+    const Theme theme = theme_from(picture.theme);
+    const Layout layout = layout_from(picture.layout);
+    const float scale = ui_scale_from(picture.ui_scale);
+    check_writable_png(picture.out);
+    const auto context = headless(picture.backend, size);
+    Lab lab(*context, scene.lesson);
+    lab.set_theme(theme);
+    lab.set_scale(scale);
+    lab.state().layout = layout;
+    lab.state().hints_shown = false;
+    Session& s = lab.session();
+    s.open_scene(scene);
+    s.run(until_from(options, s.entry(), s.runner().is_static()));
+    choose_view(s, picture);
+    write_png(capture(lab, *context), picture.out);
+    return 0;
+}
+
+int tour(const std::string& folder_name) {
+    const std::filesystem::path folder(folder_name.empty() ? "out/tour" : folder_name);
+    make_folder(folder);
+    std::string page(page_head);
+    const auto slide_context = open_headless({1280, 720});
+    {
+        Lab lab(*slide_context);
+        lab.state().hints_shown = false;
+        for (const LessonEntry& entry : lessons())
+            for (const TourStop& stop : stops_of(entry)) {
+                fmt::print(stderr, "pliant: {}\n", stop.name);
+                page += visit(lab, *slide_context, stop, folder);
+                visit_lab(lab, *slide_context, stop.name, folder);
+            }
+    }
+    write_file((folder / "index.html").string(), page + "</html>\n");
+    fmt::print("{}\n", (folder / "index.html").string());
+    return 0;
+}
+
+}  // namespace pliant::viewer

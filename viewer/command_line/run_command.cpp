@@ -1,0 +1,97 @@
+// `pliant list`, `describe`, `run` and `walkthrough`: everything that needs no picture.
+#include <pliant/lesson/file.h>
+#include <pliant/lesson/recorder.h>
+#include <pliant/lesson/report.h>
+#include <pliant/lesson/walkthrough.h>
+
+#include "command_line/options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace pliant::viewer {
+namespace {
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+std::string joined(const std::vector<std::string>& lines) { return fmt::format("{}\n", fmt::join(lines, "\n")); }
+
+void print_slide(const WalkthroughPlayer& player) {
+    print(fmt::format("\n{}. {}\n", player.slide_number() + 1, player.slide().title));
+    for (const Block& b : player.slide().blocks) {
+        if (b.kind == BlockKind::text || b.kind == BlockKind::answer) print("  " + joined(b.lines));
+        if (b.kind == BlockKind::formula) print("      " + joined(b.lines));
+        if (b.kind == BlockKind::ask) print("  Predict: " + joined(b.lines));
+        if (b.kind == BlockKind::actions) print("  > " + fmt::format("{}\n", fmt::join(b.lines, "\n  > ")));
+    }
+    for (const ExpectationResult& r : player.results()) print(fmt::format("  {} {}   ({})\n", r.met ? "✓" : "✗", r.text, r.measured));
+}
+
+}  // namespace
+
+int list_lessons(bool json) {
+    print(json ? list_json() : list_text());
+    return 0;
+}
+
+int describe(const std::string& lesson, bool json, bool markdown) {
+    const LessonEntry& entry = find_lesson(lesson);
+    print(json ? describe_json(entry) : markdown ? describe_markdown(entry) : describe_text(entry));
+    return 0;
+}
+
+int run(const RunOptions& options) {
+    const SceneFile scene = scene_from(options);
+    const LessonEntry& entry = find_lesson(scene.lesson);
+    if (!options.csv_path.empty()) write_file(options.csv_path, "");  // a path that cannot be written is refused before the run
+    Runner runner(entry, scene.parameters, 0);
+    runner.set_events(scene.events);
+    const Until until = until_from(options, entry, runner.is_static());
+    Recorder recorder;
+    const auto record = [&] {
+        if (!options.csv_path.empty()) recorder.record(runner);
+    };
+
+    std::optional<Diverged> divergence;
+    try {
+        record();
+        advance(runner, until, record);
+    } catch (const Diverged& e) {
+        divergence = e;
+    }
+    if (!options.csv_path.empty()) write_file(options.csv_path, recorder.csv(runner.lesson()));
+    if (divergence) runner.note_failure(divergence->failure);
+    print(options.json ? run_json(runner) : run_text(runner));
+    if (divergence) throw *divergence;
+    if (until.what == Until::What::time && !runner.is_static() && std::abs(runner.time() - until.time) > 1e-9 * until.time)
+        fmt::print(stderr, "pliant: the time was rounded to whole steps: {} s\n", runner.time());
+    return 0;
+}
+
+int walkthrough(const std::string& lesson, bool check) {
+    const LessonEntry& entry = find_lesson(lesson);
+    Runner runner(entry);
+    WalkthroughPlayer player(runner, walkthrough_of(entry));
+    print(player.walkthrough().title + "\n");
+    int missed = 0, met = 0;
+    std::string misses;
+    bool more = true;
+    while (more) {
+        const std::size_t slide = player.slide_number();
+        const bool was_revealed = player.revealed();
+        more = player.next();
+        if (player.slide_number() != slide || (was_revealed && !more) || (!more && !player.revealed())) continue;
+        print_slide(player);
+        for (const ExpectationResult& r : player.results()) {
+            r.met ? ++met : ++missed;
+            if (!r.met) misses += fmt::format("\n{}:{}: {} ({})", player.walkthrough().path, r.line, r.text, r.measured);
+        }
+    }
+    print(fmt::format("\n{} expectations met, {} missed\n", met, missed));
+    if (check && missed) throw CheckFailed("the walkthrough misses what it expects:" + misses);
+    return 0;
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,52 @@
+#include "panels/lab_state.h"
+
+#include <algorithm>
+
+namespace pliant::viewer {
+
+FixedPanel::FixedPanel(const char* name, const Rectangle& r, int extra_flags) {
+    ImGui::SetNextWindowPos({r.x, r.y});
+    ImGui::SetNextWindowSize({std::max(r.width, 1.f), std::max(r.height, 1.f)});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | extra_flags);
+}
+
+FixedPanel::~FixedPanel() { ImGui::End(); }
+
+void LabState::note_control(const std::string& name) {
+    const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+    controls[name] = {a.x, a.y, b.x - a.x, b.y - a.y};
+}
+
+void fitted_text(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return ImGui::TextUnformatted(text.c_str());
+    std::string cut = text;
+    while (!cut.empty() && ImGui::CalcTextSize((cut + "…").c_str()).x > width) {
+        // Takes off one whole UTF-8 character.
+        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xc0) == 0x80) cut.pop_back();
+        if (!cut.empty()) cut.pop_back();
+    }
+    ImGui::TextUnformatted((cut + "…").c_str());
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) ImGui::SetTooltip("%s", text.c_str());
+}
+
+void tooltip(const std::string& text, float scale) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort | ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(320 * scale);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+std::string words(std::string_view key) {
+    std::string text(key);
+    std::ranges::replace(text, '_', ' ');
+    if (text.starts_with("youngs ")) text.replace(0, 7, "Young's ");
+    if (text.starts_with("poisson ")) text.replace(0, 8, "Poisson ");
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+}  // namespace pliant::viewer

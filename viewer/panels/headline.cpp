@@ -1,0 +1,66 @@
+// What the slide layout shows besides picture and plots: the title, and the numbers that matter in large type.
+#include <pliant/lesson/format.h>
+
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pliant::viewer {
+namespace {
+
+// The probes that the lesson shows first; those with an exact value when it names none.
+std::vector<const Probe*> key_probes(const Lesson& lesson) {
+    std::vector<const Probe*> chosen;
+    for (const std::string_view name : lesson.first_plots()) {
+        const auto found = std::ranges::find(lesson.probes, name, &Probe::name);
+        if (found != lesson.probes.end()) chosen.push_back(&*found);
+    }
+    for (const Probe& p : lesson.probes)
+        if (chosen.size() < 3 && p.exact && std::ranges::find(chosen, &p) == chosen.end()) chosen.push_back(&p);
+    for (const Probe& p : lesson.probes)
+        if (chosen.empty()) chosen.push_back(&p);
+    if (chosen.size() > 3) chosen.resize(3);
+    return chosen;
+}
+
+std::string now_text(const Runner& r) {
+    if (r.is_static()) return "static";
+    return fmt::format("t = {}, Δt = {}", format_quantity(r.time(), "s", 3), format_quantity(r.time_step(), "s", 3));
+}
+
+}  // namespace
+
+void draw_headline(LabState& lab) {
+    const LessonInfo& info = lab.session.entry().info;
+    ImGui::PushFont(lab.fonts.huge);
+    ImGui::TextUnformatted(info.title.data(), info.title.data() + info.title.size());
+    ImGui::PopFont();
+    const std::string now = now_text(lab.session.runner());
+    ImGui::PushFont(lab.fonts.large);
+    const float width = ImGui::CalcTextSize(now.c_str()).x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::TextDisabled("%s", now.c_str());
+    ImGui::PopFont();
+    fitted_text(std::string(info.summary), ImGui::GetContentRegionAvail().x);
+}
+
+void draw_key_numbers(LabState& lab) {
+    const Runner& r = lab.session.runner();
+    for (const Probe* p : key_probes(r.lesson())) {
+        const auto value = r.value(*p), exact = r.exact(*p);
+        ImGui::PushFont(lab.fonts.small);
+        ImGui::TextDisabled("%s%s%s", words(p->name).c_str(), p->symbol.empty() ? "" : "  ", std::string(p->symbol).c_str());
+        ImGui::PopFont();
+        ImGui::PushFont(lab.fonts.large);
+        ImGui::TextUnformatted(value ? format_quantity(*value, p->unit).c_str() : "undefined");
+        ImGui::PopFont();
+        if (!exact) continue;
+        ImGui::SameLine(0, lab.px(12));
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("exact %s", format_quantity(*exact, p->unit).c_str());
+    }
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,80 @@
+// What the panels of the lab share from frame to frame.
+#pragma once
+#include "app/session.h"
+#include "app/theme.h"
+#include "panels/plot_panel.h"
+#include "render/picking.h"
+#include "render/scene_renderer.h"
+
+#include <imgui.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pliant::viewer {
+
+// lab: all panels. slide: the picture, its plots and the numbers that matter, large.
+enum class Layout { lab, slide };
+
+struct Rectangle {
+    float x = 0, y = 0, width = 0, height = 0;  // px
+};
+
+struct LabState {
+    Session session;
+    Theme theme = Theme::dark;
+    float scale = 1;  // UI scale, 1 to 3
+    Fonts fonts;
+    Layout layout = Layout::lab;
+    bool help_shown = false, hints_shown = true;
+
+    std::string search;
+    bool focus_search = false;
+    bool walkthrough_shown = false;
+    PlotPanelState plots;
+
+    // the scene panel
+    std::optional<Picked> hovered;
+    std::optional<Pull> pulling;
+    bool turning = false;
+
+    // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
+    std::map<std::string, Rectangle> controls;
+    // Remembers the last item under a name.
+    void note_control(const std::string& name);
+
+    float px(float length) const { return length * scale; }
+    unsigned ink(Ink role, float opacity = 1) const { return viewer::ink(theme, role, opacity); }
+};
+
+// A window without a frame of its own at a fixed place.
+class FixedPanel {
+public:
+    FixedPanel(const char* name, const Rectangle& place, int extra_flags = 0);
+    ~FixedPanel();
+    FixedPanel(const FixedPanel&) = delete;
+    FixedPanel& operator=(const FixedPanel&) = delete;
+};
+
+// Text cut with an ellipsis to a width in px; the whole text is its tooltip when it was cut.
+void fitted_text(const std::string& text, float width);
+// A tooltip for the last item, wrapped.
+void tooltip(const std::string& text, float scale);
+// "youngs_modulus" as words.
+std::string words(std::string_view key);
+
+void draw_lesson_list(LabState& lab);
+void draw_parameters(LabState& lab);
+void draw_transport(LabState& lab);
+void draw_stage_bar(LabState& lab);
+void draw_scene(LabState& lab, SceneRenderer& renderer);
+void draw_plots(LabState& lab);
+void draw_status_line(LabState& lab);
+void draw_walkthrough(LabState& lab);
+void draw_help(LabState& lab);
+void draw_headline(LabState& lab);
+void draw_key_numbers(LabState& lab);
+
+}  // namespace pliant::viewer

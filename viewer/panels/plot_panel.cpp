@@ -1,0 +1,156 @@
+#include "panels/plot_panel.h"
+
+#include <pliant/lesson/format.h>
+
+#include "panels/field_profile.h"
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pliant::viewer {
+namespace {
+
+constexpr std::string_view along = "along", heat_map = "map";
+
+PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dark : PlotTheme::projector; }
+
+void choose_first(LabState& lab) {
+    PlotPanelState& p = lab.plots;
+    if (p.lesson == lab.session.entry().info.id) return;
+    p.lesson = lab.session.entry().info.id;
+    p.memory.clear();
+    p.chosen.clear();
+    for (const std::string_view name : lab.session.lesson().first_plots()) p.chosen.emplace_back(name);
+    for (const Probe& probe : lab.session.lesson().probes)
+        if (p.chosen.empty()) p.chosen.emplace_back(probe.name);
+}
+
+std::string field_title(const LabState& lab, const Field& f) {
+    const int c = lab.session.colours.component;
+    return words(f.name) + (c >= 0 ? " " + component_names(f)[static_cast<std::size_t>(c)] : "");
+}
+
+void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
+    const Session& s = lab.session;
+    const Probe& probe = s.lesson().probes[i];
+    const Recorder& r = s.recorder();
+    const pliant::Series& series = r.series(i);
+    // A static lesson has no clock: its steps are counted instead.
+    std::vector<Real> steps;
+    if (s.runner().is_static()) steps.assign(r.steps().begin(), r.steps().end());
+    const auto& xs = s.runner().is_static() ? steps : r.times();
+    const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(probe.name) + " " + std::string(probe.symbol), std::string(probe.unit)}};
+    if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
+    plot.line("measured", xs, series.value);
+    if (probe.exact) plot.reference("exact", xs, series.exact);
+    plot.end();
+}
+
+void plot_line(Plot& plot, const Line& line, Point size) {
+    Curve curve, reference;
+    line.sample(curve);
+    if (line.reference) line.reference(reference);
+    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit)}, .y = {words(line.name), std::string(line.unit)}};
+    if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
+    plot.line("now", curve.position, curve.value);
+    const std::string name(line.reference_name);
+    if (line.reference) line.reference_points ? plot.points(name, reference.position, reference.value) : plot.reference(name, reference.position, reference.value);
+    plot.end();
+}
+
+void plot_along(LabState& lab, Plot& plot, Point size) {
+    const Session& s = lab.session;
+    PlotPanelState& state = lab.plots;
+    const Field* field = s.lesson().find_field(s.colours.field);
+    if (!field || !field->in_use()) return ImGui::TextDisabled("Choose a field above the picture to see it along a line.");
+    constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+    const int dim = s.lesson().dimension();
+    state.axis = std::min(state.axis, dim - 1);
+    ImGui::SetNextItemWidth(lab.px(60));
+    ImGui::Combo("##axis", &state.axis, axes.data(), dim);
+    std::size_t next = 0;
+    for (int k = 0; k < dim; ++k) {
+        if (k == state.axis) continue;
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth((ImGui::GetContentRegionAvail().x - lab.px(4)) / static_cast<float>(k == dim - 1 || (state.axis == dim - 1 && k == dim - 2) ? 1 : 2));
+        const Real low = 0, high = 1;
+        const std::string format = fmt::format("{} at %.2f", axes[static_cast<std::size_t>(k)]);
+        ImGui::SliderScalar(fmt::format("##across {}", k).c_str(), ImGuiDataType_Double, &state.across[next++], &low, &high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    }
+    const FieldProfile profile = field_profile(s.lesson(), s.scene(), *field, s.colours.component, state.axis, state.across);
+    const std::string axis = axes[static_cast<std::size_t>(state.axis)], title = field_title(lab, *field);
+    size.y -= ImGui::GetFrameHeightWithSpacing();
+    if (!plot.begin(fmt::format("{} along {}##along", title, axis), size, {.x = {axis, "m"}, .y = {title, std::string(field->unit)}, .empty_hint = "this field has no places"})) return;
+    plot.line("now", profile.position, profile.value);
+    plot.end();
+}
+
+void plot_map(LabState& lab, Plot& plot, Point size) {
+    const Session& s = lab.session;
+    const Field* field = s.lesson().find_field(s.colours.field);
+    const Scene scene = s.scene();
+    if (!field || scene.grids.empty() || scene.grids[0].values.empty()) return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
+    const GridMarks& g = scene.grids[0];
+    const std::vector<Real> values(g.values.begin(), g.values.end());
+    const ColourScale& scale = s.range.scale;
+    if (!plot.begin(field_title(lab, *field) + "##map", size, {.x = {"x", "m"}, .y = {"y", "m"}})) return;
+    plot.heat_map({.name = field_title(lab, *field), .unit = std::string(field->unit), .values = values, .nx = g.nx, .ny = g.ny, .x = {g.lower[0], g.upper[0]}, .y = {g.lower[1], g.upper[1]},
+                   .map = scale.map, .range = Range{scale.min, scale.max}});
+    plot.end();
+}
+
+void draw_one(LabState& lab, Plot& plot, const std::string& name, Point size) {
+    if (name == along) return plot_along(lab, plot, size);
+    if (name == heat_map) return plot_map(lab, plot, size);
+    const Lesson& lesson = lab.session.lesson();
+    for (std::size_t i = 0; i < lesson.probes.size(); ++i)
+        if (lesson.probes[i].name == name) return plot_probe(lab, plot, i, size);
+    for (const Line& line : lesson.lines)
+        if (line.name == name && line.in_use()) return plot_line(plot, line, size);
+}
+
+void toggle(LabState& lab, std::string_view name, const std::string& label) {
+    auto& chosen = lab.plots.chosen;
+    const auto found = std::ranges::find(chosen, name);
+    bool on = found != chosen.end();
+    if (!ImGui::Checkbox((label + "##" + std::string(name)).c_str(), &on)) return;
+    on ? chosen.push_back(std::string(name)) : void(chosen.erase(found));
+}
+
+void choice_menu(LabState& lab) {
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo("##plots", "plots …", ImGuiComboFlags_HeightLarge)) return lab.note_control("plots");
+    const Lesson& lesson = lab.session.lesson();
+    for (const Probe& p : lesson.probes) toggle(lab, p.name, words(p.name));
+    for (const Line& l : lesson.lines)
+        if (l.in_use()) toggle(lab, l.name, words(l.name));
+    toggle(lab, along, "the field along a line");
+    if (!lab.session.scene().grids.empty()) toggle(lab, heat_map, "the field as a heat map");
+    ImGui::EndCombo();
+}
+
+bool shown_now(const LabState& lab, const std::string& name) {
+    for (const Line& line : lab.session.lesson().lines)
+        if (line.name == name) return line.in_use();
+    return true;
+}
+
+}  // namespace
+
+void draw_plots(LabState& lab) {
+    choose_first(lab);
+    if (lab.layout == Layout::lab) choice_menu(lab);
+    Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
+    std::vector<std::string> shown;
+    std::ranges::copy_if(lab.plots.chosen, std::back_inserter(shown), [&](const std::string& n) { return shown_now(lab, n); });
+    if (shown.empty()) return;
+    ImGui::BeginChild("plots");
+    const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
+    const float height = std::max(lab.px(130), (ImGui::GetContentRegionAvail().y - spacing * (count - 1)) / count);
+    for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
+    ImGui::EndChild();
+}
+
+}  // namespace pliant::viewer

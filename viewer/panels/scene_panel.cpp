@@ -1,0 +1,226 @@
+// The picture: drawn into a texture, with labels, colour bar, notes and read-out over it; turned, moved and pulled with the mouse.
+#include <pliant/lesson/format.h>
+
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::viewer {
+namespace {
+
+struct View {
+    Scene scene;
+    Projection projection;
+    ImVec2 origin, size;
+    int dimension;
+};
+
+// Words that stay readable over any picture.
+void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const Rgba8 b = palette(lab.theme).background;
+    const unsigned halo = packed(b, 0.75f);
+    const float d = std::max(1.f, lab.px(1));
+    for (const auto& [x, y] : {std::pair{-d, 0.f}, {d, 0.f}, {0.f, -d}, {0.f, d}, {-d, -d}, {d, d}, {-d, d}, {d, -d}})
+        draw->AddText({at.x + x, at.y + y}, halo, text.c_str());
+    draw->AddText(at, colour, text.c_str());
+}
+
+void draw_labels(LabState& lab, const View& view) {
+    if (!view.scene.show_labels) return;
+    for (const LabelMark& l : view.scene.labels) {
+        const Eigen::Vector3f p = view.projection.pixel(l.at);
+        if (p.z() >= 1) continue;
+        ImGui::PushFont(l.large ? lab.fonts.large : lab.fonts.normal);
+        const ImVec2 size = ImGui::CalcTextSize(l.text.c_str());
+        const float x = std::clamp(p.x() + lab.px(l.offset_x) - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
+        const float y = std::clamp(p.y() + lab.px(l.offset_y) - size.y / 2, 2.f, std::max(2.f, view.size.y - size.y - 2));
+        haloed_text(lab, {view.origin.x + x, view.origin.y + y}, lab.ink(l.ink), l.text);
+        ImGui::PopFont();
+    }
+}
+
+void draw_notes(LabState& lab, const View& view) {
+    float y = view.origin.y + lab.px(8);
+    for (const std::string& note : view.scene.notes) {
+        haloed_text(lab, {view.origin.x + lab.px(10), y}, lab.ink(Ink::text), note);
+        y += ImGui::GetTextLineHeightWithSpacing();
+    }
+}
+
+void draw_colour_bar(LabState& lab, const View& view) {
+    const Session& s = lab.session;
+    const Field* field = s.lesson().find_field(s.colours.field);
+    if (!field || !field->in_use()) return;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ColourScale& scale = s.range.scale;
+    const float height = std::min(view.size.y * 0.45f, lab.px(240)), width = lab.px(14);
+    const ImVec2 low{view.origin.x + view.size.x - width - lab.px(12), view.origin.y + view.size.y - lab.px(16)};
+    const float top = low.y - height;
+    constexpr int bands = 64;
+    for (int i = 0; i < bands; ++i) {
+        const float y0 = low.y - height * static_cast<float>(i + 1) / bands, y1 = low.y - height * static_cast<float>(i) / bands;
+        draw->AddRectFilled({low.x, y0}, {low.x + width, y1 + 0.5f}, packed(colour_at(scale.map, (i + 0.5) / bands)));
+    }
+    draw->AddRect({low.x, top}, {low.x + width, low.y}, lab.ink(Ink::text, 0.6f));
+    ImGui::PushFont(lab.fonts.small);
+    const float line = ImGui::GetTextLineHeight();
+    for (int i = 0; i <= 4; ++i) {
+        const Real value = scale.min + (scale.max - scale.min) * i / 4;
+        const std::string text = format_quantity(std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max)) ? 0 : value, field->unit, 3);
+        const float y = low.y - height * static_cast<float>(i) / 4;
+        draw->AddLine({low.x - lab.px(4), y}, {low.x, y}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
+        haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
+    }
+    std::string title = words(field->name);
+    if (s.colours.component >= 0) title += " " + component_names(*field)[static_cast<std::size_t>(s.colours.component)];
+    else if (field->rank != Rank::scalar) title = "|" + title + "|";
+    if (!s.range.automatic) title += " (fixed)";
+    haloed_text(lab, {low.x + width - ImGui::CalcTextSize(title.c_str()).x, top - 1.6f * line}, lab.ink(Ink::text), title);
+    ImGui::PopFont();
+}
+
+// The thing under the pointer, with all that is known of it.
+void read_out(LabState& lab, const Picked& picked) {
+    std::string text = fmt::format("{} {}\n", name_of(picked.on), picked.index);
+    for (const Field& f : lab.session.lesson().fields) {
+        if (!f.in_use() || f.on != picked.on || picked.index >= f.size()) continue;
+        text += fmt::format("{}{}{} = {}\n", words(f.name), f.symbol.empty() ? "" : " ", f.symbol, format_quantity(row_value(f, picked.index, -1), f.unit));
+        if (f.rank == Rank::scalar) continue;
+        const auto names = component_names(f);
+        text += "   ";
+        for (int c = 0; c < f.components; ++c) {
+            text += fmt::format("{} {}  ", names[static_cast<std::size_t>(c)], format_quantity(row_value(f, picked.index, c), "", 3));
+            if (f.rank == Rank::tensor && f.components == 9 && c % 3 == 2 && c < 8) text += "\n   ";
+        }
+        text += "\n";
+    }
+    text.pop_back();
+    ImGui::PushFont(lab.fonts.small);
+    ImGui::SetTooltip("%s", text.c_str());
+    ImGui::PopFont();
+}
+
+void mark_hovered(LabState& lab, const View& view, const Picked& picked) {
+    const Eigen::Vector3f p = view.projection.pixel(position<3>(picked.at));
+    ImGui::GetWindowDrawList()->AddCircle({view.origin.x + p.x(), view.origin.y + p.y()}, lab.px(9), lab.ink(Ink::accent), 0, std::max(2.f, lab.px(2)));
+}
+
+Eigen::Vector2f pointer_in(const View& view) {
+    const ImVec2 m = ImGui::GetIO().MousePos;
+    return {m.x - view.origin.x, m.y - view.origin.y};
+}
+
+void begin_drag(LabState& lab, const View& view) {
+    const auto can_pull = lab.session.lesson().can_pull();
+    lab.turning = true;
+    if (!can_pull || !lab.hovered || lab.hovered->on != *can_pull) return;
+    lab.turning = false;
+    lab.pulling = Pull{lab.hovered->index, lab.hovered->at, lab.hovered->at};
+    (void)view;
+}
+
+void go_on_dragging(LabState& lab, const View& view) {
+    Session& s = lab.session;
+    if (lab.pulling) {
+        lab.pulling->to = view.projection.at_depth_of(pointer_in(view), lab.pulling->from);
+        s.pull(lab.pulling);
+        return;
+    }
+    const ImVec2 d = ImGui::GetIO().MouseDelta;
+    if (!lab.turning || (d.x == 0 && d.y == 0)) return;
+    view.dimension == 3 ? orbit(*s.camera, d.x, d.y) : pan(*s.camera, 2, view.projection, d.x, d.y);
+}
+
+void end_drag(LabState& lab) {
+    if (lab.pulling) lab.session.pull(std::nullopt);
+    lab.pulling.reset();
+    lab.turning = false;
+}
+
+void handle_mouse(LabState& lab, const View& view) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool inside = ImGui::IsItemHovered();
+    if (!lab.pulling && !lab.turning) lab.hovered = inside ? pick(view.scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) begin_drag(lab, view);
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, view);
+    if (ImGui::IsItemActive() && (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
+        pan(*lab.session.camera, view.dimension, view.projection, io.MouseDelta.x, io.MouseDelta.y);
+    if (ImGui::IsItemDeactivated()) end_drag(lab);
+    if (inside && io.MouseWheel != 0) zoom(*lab.session.camera, view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
+    if (inside && lab.hovered && !lab.turning && !lab.pulling) mark_hovered(lab, view, *lab.hovered), read_out(lab, *lab.hovered);
+}
+
+void banner(LabState& lab, const View& view) {
+    const auto& message = lab.session.message();
+    if (!message) return;
+    using Kind = Session::Message::Kind;
+    const Rgba8 colour = message->kind == Kind::info ? quiet_colour : bad_colour;
+    ImGui::SetCursorScreenPos({view.origin.x + lab.px(10), view.origin.y + lab.px(10)});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(colour, 0.94f));
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+    const float width = view.size.x - lab.px(20), wrap = width - lab.px(20);
+    const float text_height = ImGui::CalcTextSize(message->text.c_str(), nullptr, false, wrap).y;
+    const std::string text = message->text;
+    ImGui::BeginChild("message", {width, text_height + ImGui::GetFrameHeight() + lab.px(22)}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    ImGui::PushTextWrapPos(wrap);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 90));
+    if (message->kind == Kind::diverged) {
+        if (ImGui::Button("Step back")) lab.session.step_back();
+        ImGui::SameLine();
+        if (ImGui::Button("Reset")) lab.session.reset();
+        ImGui::SameLine();
+    }
+    if (ImGui::Button("Dismiss")) lab.session.dismiss();
+    ImGui::PopStyleColor();
+    ImGui::EndChild();
+    ImGui::PopStyleColor(2);
+}
+
+void hints(LabState& lab, const View& view) {
+    if (!lab.hints_shown || lab.layout == Layout::slide) return;
+    const bool can_pull = lab.session.lesson().can_pull().has_value();
+    const std::string text = fmt::format("{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",
+                                         can_pull ? "Pull it with the mouse; drag beside it to turn" : "Drag to move the picture, turn the wheel to zoom");
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float pad = lab.px(8), button = ImGui::GetFrameHeight();
+    const ImVec2 at{view.origin.x + lab.px(10), view.origin.y + view.size.y - size.y - 2 * pad - lab.px(10)};
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + button + 3 * pad, at.y + size.y + 2 * pad}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.88f), lab.px(5));
+    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + pad}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    ImGui::SetCursorScreenPos({at.x + size.x + 2 * pad, at.y + pad});
+    if (ImGui::Button("×", {button, button})) lab.hints_shown = false;
+    lab.note_control("hide hints");
+}
+
+}  // namespace
+
+void draw_scene(LabState& lab, SceneRenderer& renderer) {
+    Session& s = lab.session;
+    const ImVec2 origin = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+    if (size.x < 8 || size.y < 8) return;
+    const int dimension = s.lesson().dimension();
+    Scene scene = s.scene();
+    if (!s.camera) s.camera = framing(scene, dimension, size.x / size.y);
+    const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y), origin, size, dimension};
+
+    const Size pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
+    const GLuint texture = renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale);
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin, {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
+
+    ImGui::SetNextItemAllowOverlap();
+    ImGui::InvisibleButton("scene", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    lab.note_control("scene");
+    handle_mouse(lab, view);
+    draw_labels(lab, view);
+    if (!s.message()) draw_notes(lab, view);
+    draw_colour_bar(lab, view);
+    hints(lab, view);
+    banner(lab, view);
+}
+
+}  // namespace pliant::viewer

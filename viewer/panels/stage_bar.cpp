@@ -1,0 +1,118 @@
+// The buttons of time, and the stages of a step with where we are in them.
+#include <pliant/lesson/format.h>
+
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pliant::viewer {
+namespace {
+
+bool button(LabState& lab, const char* name, const char* control, const char* help) {
+    const bool used = ImGui::Button(name);
+    lab.note_control(control);
+    tooltip(help, lab.scale);
+    ImGui::SameLine(0, lab.px(4));
+    return used;
+}
+
+void colour_menu(LabState& lab) {
+    Session& s = lab.session;
+    const Field* shown = s.lesson().find_field(s.colours.field);
+    std::string current = shown ? words(shown->name) : "none";
+    if (shown && s.colours.component >= 0) current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
+    ImGui::SetNextItemWidth(lab.px(160));
+    if (ImGui::BeginCombo("##colour", current.c_str(), ImGuiComboFlags_HeightLarge)) {
+        if (ImGui::Selectable("none", !shown)) s.colours = {};
+        for (const Field& f : s.lesson().fields) {
+            if (!f.in_use()) continue;
+            const auto names = component_names(f);
+            for (int c = -1; c < (f.rank == Rank::scalar ? 0 : f.components); ++c) {
+                const std::string name = words(f.name) + (c < 0 ? (f.rank == Rank::vector ? "  | |" : "") : "." + names[static_cast<std::size_t>(c)]);
+                if (ImGui::Selectable(name.c_str(), shown == &f && s.colours.component == c)) s.colours = {std::string(f.name), c}, s.range = {}, s.view_changed();
+                if (!f.help.empty()) tooltip(std::string(f.help), lab.scale);
+            }
+        }
+        ImGui::EndCombo();
+    }
+    lab.note_control("colour");
+    tooltip("The field that colours the picture", lab.scale);
+    ImGui::SameLine();
+    if (ImGui::Checkbox("auto", &s.range.automatic)) s.view_changed();
+    tooltip("The colour bar follows the numbers; switched off, its range stays", lab.scale);
+}
+
+// Two lines that fit a box: the name with its milliseconds, then the formula.
+void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
+    const Runner& runner = lab.session.runner();
+    const bool done_last = runner.last_stage() == i;
+    const bool next = runner.inside_step() && runner.next_stage() == i;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float line = std::max(2.f, lab.px(2));
+    draw->AddRectFilled(at, {at.x + width, at.y + height}, ImGui::GetColorU32(done_last && runner.inside_step() ? ImGuiCol_Header : ImGuiCol_FrameBg), lab.px(4));
+    if (next) draw->AddRect(at, {at.x + width, at.y + height}, lab.ink(Ink::accent), lab.px(4), 0, line);
+
+    draw->PushClipRect(at, {at.x + width, at.y + height}, true);
+    const float pad = lab.px(6);
+    const std::string ms = cost.runs ? fmt::format("{:.2f} ms", cost.last_ms) : "";
+    ImGui::PushFont(lab.fonts.small);
+    const float ms_width = ImGui::CalcTextSize(ms.c_str()).x;
+    ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.8f});
+    ImGui::TextDisabled("%s", ms.c_str());
+    ImGui::SetCursorScreenPos({at.x + pad, at.y + height / 2});
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 2 * pad);
+    fitted_text(std::string(stage.formula), width - 2 * pad);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    std::string name = fmt::format("{} {}", i + 1, words(stage.name));
+    if (next && runner.passes_in_stage() > 0) name += fmt::format(" · pass {}", runner.passes_in_stage());
+    ImGui::SetCursorScreenPos({at.x + pad, at.y + pad * 0.5f});
+    fitted_text(name, width - ms_width - 3 * pad);
+    draw->PopClipRect();
+
+    ImGui::SetCursorScreenPos(at);
+    ImGui::InvisibleButton(fmt::format("stage {}", i).c_str(), {width, height});
+    lab.note_control(fmt::format("stage {}", stage.name));
+    std::string more = fmt::format("{}\n{}\nSource: {}\nReads {}; writes {}.", words(stage.name), stage.formula, stage.source, fmt::join(stage.reads, ", "), fmt::join(stage.writes, ", "));
+    if (cost.runs) more += fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} passes in {} runs.", cost.last_ms, cost.total_ms, cost.passes, cost.runs);
+    more += "\nClick: run to the end of this stage.";
+    tooltip(more, lab.scale);
+    if (ImGui::IsItemClicked()) lab.session.run_to_stage(stage.name);
+}
+
+}  // namespace
+
+void draw_transport(LabState& lab) {
+    Session& s = lab.session;
+    if (button(lab, s.playing ? "Pause" : "Play", "play", "Play or pause (Space)")) s.toggle_play();
+    if (button(lab, "Pass", "pass", "One pass of the stage's inner loop (;)")) s.step_pass();
+    if (button(lab, "Stage", "stage", "One stage (/)")) s.step_stage();
+    if (button(lab, "Step", "step", "One step (.)")) s.step();
+    if (button(lab, "Back", "back", "One step back, from stored states (,)")) s.step_back();
+    if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
+    ImGui::SameLine(0, lab.px(14));
+    colour_menu(lab);
+    ImGui::SameLine();
+    ImGui::Checkbox("arrows", &s.show_arrows);
+    if (!s.scene().grids.empty()) {
+        ImGui::SameLine();
+        ImGui::Checkbox("smooth", &s.smooth);
+        tooltip("Interpolate between cell centres, or show the cells as they are", lab.scale);
+    }
+}
+
+void draw_stage_bar(LabState& lab) {
+    const Runner& runner = lab.session.runner();
+    const auto& stages = runner.stages();
+    if (stages.empty()) return;
+    const float gap = lab.px(5), width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(stages.size() - 1)) / static_cast<float>(stages.size());
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        if (i) ImGui::SameLine(0, gap);
+        stage_box(lab, *stages[i], runner.cost(static_cast<std::size_t>(stages[i] - runner.lesson().stages.data())), i, width, lab.px(44));
+    }
+}
+
+}  // namespace pliant::viewer

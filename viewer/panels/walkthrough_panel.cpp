@@ -1,0 +1,91 @@
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+namespace pliant::viewer {
+namespace {
+
+void paragraph(const std::string& text) {
+    // Markdown's emphasis marks are left out; the words stay.
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] != '`' && text[i] != '*') plain += text[i];
+    ImGui::TextWrapped("%s", plain.c_str());
+    ImGui::Spacing();
+}
+
+void formula(LabState& lab, const Block& block) {
+    ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::velocity));
+    for (const std::string& line : block.lines) ImGui::TextWrapped("    %s", line.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
+}
+
+void heading(LabState& lab, const char* text, Ink role) {
+    ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(role));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& player) {
+    switch (block.kind) {
+        case BlockKind::text:
+            for (const std::string& line : block.lines) paragraph(line);
+            break;
+        case BlockKind::formula: formula(lab, block); break;
+        case BlockKind::ask:
+            heading(lab, "Predict", Ink::accent);
+            for (const std::string& line : block.lines) paragraph(line);
+            break;
+        case BlockKind::actions:
+            heading(lab, player.revealed() ? "Done" : "Next will", Ink::force);
+            for (const std::string& line : block.lines) ImGui::BulletText("%s", line.c_str());
+            ImGui::Spacing();
+            break;
+        case BlockKind::answer:
+            if (!player.revealed()) break;
+            heading(lab, "What happened", Ink::velocity);
+            for (const std::string& line : block.lines) paragraph(line);
+            break;
+        case BlockKind::expect: break;
+    }
+}
+
+void expectations(LabState& lab, const WalkthroughPlayer& player) {
+    for (const ExpectationResult& r : player.results()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(r.met ? good_colour : bad_colour));
+        ImGui::TextUnformatted(r.met ? "✓" : "✗");
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+        ImGui::TextWrapped("%s", r.text.c_str());
+        ImGui::PushFont(lab.fonts.small);
+        ImGui::TextDisabled("    %s", r.measured.c_str());
+        ImGui::PopFont();
+    }
+}
+
+}  // namespace
+
+void draw_walkthrough(LabState& lab) {
+    const WalkthroughPlayer& player = *lab.session.walkthrough;
+    const float buttons = ImGui::GetFrameHeightWithSpacing() + lab.px(6);
+    ImGui::BeginChild("slide", {0, ImGui::GetContentRegionAvail().y - buttons});
+    ImGui::TextDisabled("%s", player.walkthrough().title.c_str());
+    ImGui::PushFont(lab.fonts.large);
+    ImGui::TextWrapped("%s", player.slide().title.c_str());
+    ImGui::PopFont();
+    ImGui::Spacing();
+    for (const Block& b : player.slide().blocks) draw_block(lab, b, player);
+    expectations(lab, player);
+    ImGui::EndChild();
+
+    if (ImGui::Button("Back##walkthrough")) lab.session.walkthrough_back();
+    lab.note_control("walkthrough back");
+    ImGui::SameLine();
+    if (ImGui::Button("Next##walkthrough", {lab.px(80), 0})) lab.session.walkthrough_next();
+    lab.note_control("walkthrough next");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%zu of %zu", player.slide_number() + 1, player.walkthrough().slides.size());
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,28 @@
+// ImGui on a context: the same calls for the window and for the headless picture.
+#pragma once
+#include "platform/context.h"
+
+struct ImGuiContext;
+
+namespace pliant::viewer {
+
+class Gui {
+public:
+    // Makes ImGui's context, which stays current, and its OpenGL objects. `context` must outlive it and be current. ImGui stores
+    // nothing on disk. Navigation by keys is on.
+    explicit Gui(Context& context);
+    ~Gui();
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+
+    // Starts a frame. dt in s, > 0: time since the last one, for a headless context; a window measures its own. Throws Refused.
+    void begin_frame(Real dt);
+    // Draws the frame over what framebuffer 0 holds.
+    void end_frame();
+
+private:
+    Context& context_;
+    ImGuiContext* imgui_;
+};
+
+}  // namespace pliant::viewer

@@ -1,0 +1,75 @@
+// GL/osmesa.h brings a GL header of its own, so this file includes no other.
+#include <pliant/math/error.h>
+
+#include "platform/backends.h"
+
+#if PLIANT_HAVE_OSMESA
+#include <GL/osmesa.h>
+
+#include <cstdint>
+
+#include "platform/environment.h"
+#include "platform/gl_loader.h"
+#include "platform/headless_context.h"
+
+namespace pliant::viewer {
+namespace {
+
+class OsmesaContext final : public HeadlessContext {
+public:
+    explicit OsmesaContext(Size size) : HeadlessContext(size) {
+        // The same software driver on every machine, so that pictures agree.
+        const ScopedEnvironment driver("GALLIUM_DRIVER", "llvmpipe");
+        const int wanted[] = {OSMESA_FORMAT,       OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+        context_ = OSMesaCreateContextAttribs(wanted, nullptr);
+        if (!context_) throw MachineLacks("OSMesa makes no OpenGL 3.3 context with llvmpipe; install libosmesa6 6.5 or newer.");
+        try {
+            bind();
+        } catch (...) {
+            OSMesaDestroyContext(context_);
+            throw;
+        }
+    }
+    ~OsmesaContext() override {
+        if (OSMesaGetCurrentContext() == context_) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+        OSMesaDestroyContext(context_);
+    }
+
+    void make_current() override { bind(); }
+    void resize(Size size) override {
+        check_size(size);
+        size_ = size;
+        bind();
+    }
+    void present() override { finish_gl(); }
+    std::string description() const override { return "OSMesa: " + describe_gl(); }
+
+private:
+    // OSMesa draws into memory of the caller, row 0 at the bottom.
+    void bind() {
+        buffer_.resize(std::size_t{4} * static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
+        if (!OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, size_.width, size_.height))
+            throw MachineLacks("OSMesa cannot draw a picture of " + std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px.");
+        load_gl([](const char* name) { return reinterpret_cast<GlFunction>(OSMesaGetProcAddress(name)); });
+    }
+
+    OSMesaContext context_ = nullptr;
+    std::vector<std::uint8_t> buffer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> open_osmesa(Size size) { return std::make_unique<OsmesaContext>(size); }
+
+}  // namespace pliant::viewer
+
+#else
+
+namespace pliant::viewer {
+std::unique_ptr<Context> open_osmesa(Size) {
+    throw MachineLacks("This build has no OSMesa; install libosmesa6-dev and build again, or use a machine with EGL.");
+}
+}  // namespace pliant::viewer
+
+#endif

@@ -1,0 +1,40 @@
+// From metres to pixels: a flat view of a 2D scene, or an orbit about a target in 3D.
+#pragma once
+#include <pliant/lesson/scene.h>
+#include <pliant/lesson/scene_file.h>
+
+#include <Eigen/Geometry>
+
+namespace pliant::viewer {
+
+// A camera over a rectangle of the screen. Pixel coordinates have y down and their origin at the rectangle's upper left corner.
+class Projection {
+public:
+    Projection(const Camera& camera, int dimension, float width, float height);
+
+    const Eigen::Matrix4f& matrix() const { return matrix_; }  // metres to clip space
+    const Eigen::Matrix4f& view() const { return view_; }      // metres to eye space, in which the eye looks along -z
+
+    // Pixel and depth (−1 near to 1 far) of a point; behind the eye the depth is above 1.
+    Eigen::Vector3f pixel(const Position& p) const;
+    // The point seen at a pixel that is as far from the eye as `like`.
+    Vec<3> at_depth_of(const Eigen::Vector2f& pixel, const Vec<3>& like) const;
+    // Metres per pixel at the target.
+    Real metres_per_pixel() const { return metres_per_pixel_; }
+
+private:
+    Eigen::Matrix4f view_, matrix_, inverse_;
+    float width_, height_;
+    Real metres_per_pixel_;
+};
+
+// Frames the scene with a margin.
+Camera framing(const Scene& scene, int dimension, float aspect);
+
+// Mouse moves, in pixels.
+void orbit(Camera& camera, float dx, float dy);
+void pan(Camera& camera, int dimension, const Projection& projection, float dx, float dy);
+// Zooms about a pixel: factor < 1 comes nearer.
+void zoom(Camera& camera, int dimension, const Projection& projection, const Eigen::Vector2f& pixel, Real factor);
+
+}  // namespace pliant::viewer

@@ -1,0 +1,31 @@
+// The colours of a theme, by the role that a mark plays.
+#pragma once
+#include <pliant/lesson/scene.h>
+
+#include "render/colour_map.h"
+
+#include <array>
+
+namespace pliant::viewer {
+
+enum class Theme { dark, projector };
+
+struct Palette {
+    Rgba8 background;
+    std::array<Rgba8, 9> inks;  // in the order of Ink
+    Rgba8 of(Ink ink) const { return inks[static_cast<std::size_t>(ink)]; }
+};
+
+const Palette& palette(Theme theme);
+
+// How numbers become colours in a picture.
+struct ColourScale {
+    Real min = 0, max = 1;
+    ColourMap map = ColourMap::viridis;
+    Rgba8 of(float value) const;
+};
+
+// A scale for these numbers: about zero and diverging when they have both signs, else from the least to the greatest.
+ColourScale scale_for(const std::vector<Real>& values);
+
+}  // namespace pliant::viewer

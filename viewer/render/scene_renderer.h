@@ -1,0 +1,69 @@
+// Draws a Scene into a texture.
+#pragma once
+#include <pliant/lesson/scene.h>
+
+#include "platform/context.h"
+#include "render/camera.h"
+#include "render/gl_objects.h"
+#include "render/palette.h"
+
+#include <span>
+
+namespace pliant::viewer {
+
+class SceneRenderer {
+public:
+    SceneRenderer();
+
+    // Everything but the labels, which the panel writes over it. pixel_scale multiplies the sizes of marks. The texture is
+    // premultiplied by nothing: opaque, rows bottom-up.
+    GLuint render(const Scene& scene, int dimension, const Camera& camera, const Palette& palette, const ColourScale& scale, Size size, float pixel_scale);
+
+private:
+    // One instance: two ends and a colour.
+    struct Segment {
+        Position a, b;
+        Rgba8 colour;
+    };
+    struct Corner {
+        Position at;
+        Rgba8 colour;
+    };
+    struct MarkProgram {
+        GlProgram program;
+        GlVertexArray array;
+        GlBuffer corners;
+        int vertices = 0;
+    };
+
+    MarkProgram mark_program(const char* vertex, const char* fragment, std::span<const float> corners);
+    void ensure_target(Size size);
+    void draw_grid(const GridMarks& grid);
+    void draw_triangles(const TriangleMarks& marks);
+    void draw_lines(const LineMarks& marks);
+    void draw_arrows(const ArrowMarks& marks);
+    void draw_points(const PointMarks& marks);
+    void draw_segments(const MarkProgram& program, float width, float dash = 0, float shorten = 0);
+    void common_uniforms(GLuint program) const;
+    Rgba8 colour_of(const std::vector<float>& values, std::size_t i, Ink ink, float opacity = 1) const;
+
+    MarkProgram lines_, heads_, points_;
+    GlProgram triangle_program_, grid_program_;
+    GlVertexArray triangle_array_, grid_array_;
+    GlBuffer instances_, corners_, grid_corners_;
+    GlTexture numbers_, table_, colour_;
+    GlFramebuffer framebuffer_;
+    GlRenderbuffer depth_;
+    Size size_;
+
+    // of the picture being drawn
+    Eigen::Matrix4f matrix_, view_;
+    bool lit_ = false;
+    float pixel_scale_ = 1;
+    const Palette* palette_ = nullptr;
+    ColourScale scale_;
+    std::vector<Segment> segments_;
+    std::vector<Corner> corners_data_;
+};
+
+}  // namespace pliant::viewer
