@@ -24,26 +24,68 @@ std::string read_file(const std::string& path) {
     return text.str();
 }
 
-void write_file(const std::string& path, std::string_view contents) {
-    const std::string part = path + ".part";
-    std::error_code error;
-    if (fs::is_directory(path, error)) throw Refused(fmt::format("{} is a folder: give the name of a file to write", path));
-    {
-        std::ofstream out(part, std::ios::binary | std::ios::trunc);
-        if (!out) throw Refused(fmt::format("{} cannot be written: {}; give a path in a folder that exists and can be written to", path, std::strerror(errno)));
-        out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
-        out.flush();
-        if (!out) {
-            out.close();
-            fs::remove(part, error);
-            throw Refused(fmt::format("{} cannot be written: {}", path, std::strerror(errno)));
-        }
+namespace {
+
+[[noreturn]] void cannot_write(const std::string& path, const std::string& reason) {
+    throw Refused(fmt::format("{} cannot be written: {}; give a path in a folder that exists and can be written to", path, reason));
+}
+
+// Pipes and devices are written to, never replaced.
+bool is_special(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+// A link stays a link: the file it leads to is replaced.
+std::string target_of(const std::string& path) {
+    std::error_code ignored;
+    return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
+}
+
+void fill(const std::string& name, std::string_view contents, const std::string& path) {
+    std::ofstream out(name, std::ios::binary | std::ios::trunc);
+    if (!out) cannot_write(path, std::strerror(errno));
+    out.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+    out.flush();
+    if (!out) cannot_write(path, std::strerror(errno));
+}
+
+// Fills a file beside the target and removes it again when that fails.
+std::string fill_part(const std::string& path, std::string_view contents) {
+    const std::string part = target_of(path) + ".part";
+    try {
+        fill(part, contents, path);
+    } catch (const Refused&) {
+        std::error_code ignored;
+        fs::remove(part, ignored);
+        throw;
     }
-    fs::rename(part, path, error);
+    return part;
+}
+
+void refuse_folder(const std::string& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) throw Refused(fmt::format("{} is a folder: give the name of a file to write", path));
+}
+
+}  // namespace
+
+void check_writable(const std::string& path) {
+    refuse_folder(path);
+    std::error_code ignored;
+    if (!is_special(path)) fs::remove(fill_part(path, ""), ignored);
+}
+
+void write_file(const std::string& path, std::string_view contents) {
+    refuse_folder(path);
+    if (is_special(path)) return fill(path, contents, path);
+    const std::string part = fill_part(path, contents);
+    std::error_code error, ignored;
+    fs::rename(part, target_of(path), error);
     if (!error) return;
-    const std::string reason = error.message();
-    fs::remove(part, error);
-    throw Refused(fmt::format("{} cannot be written: {}", path, reason));
+    fs::remove(part, ignored);
+    cannot_write(path, error.message());
 }
 
 }  // namespace pliant

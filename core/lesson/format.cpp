@@ -56,6 +56,6 @@ std::string format_quantity(Real value, std::string_view unit, int digits) {
 
 std::string format_exact(Real value) { return fmt::format("{}", value); }
 
-std::string_view unit_or_dimensionless(std::string_view unit) { return unit.empty() ? "dimensionless" : unit; }
+std::string unit_or_dimensionless(std::string_view unit) { return unit.empty() ? "dimensionless" : fmt::format("in {}", unit); }
 
 }  // namespace pliant

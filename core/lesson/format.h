@@ -16,6 +16,6 @@ std::string format_quantity(Real value, std::string_view unit, int digits = 4);
 std::string format_exact(Real value);
 
 // "in s", "in Pa" or, without a unit, "dimensionless": for tables and messages.
-std::string_view unit_or_dimensionless(std::string_view unit);
+std::string unit_or_dimensionless(std::string_view unit);
 
 }  // namespace pliant

@@ -52,12 +52,9 @@ public:
 
     bool key(std::string& name) override {
         Level& level = levels_.back();
-        level.pointer = level.base + "/" + escaped(name);
-        // The parser has just read the closing quote of the key.
-        const std::size_t end = read_;
-        const std::size_t start = end >= name.size() + 2 ? end - name.size() - 2 : 0;
-        if (!places.emplace(level.pointer, place_of(text_, start)).second) {
-            const TextPlace p = place_of(text_, start);
+        level.pointer = level.base + "/" + pointer_part(name);
+        const TextPlace p = place_of(text_, opening_quote());
+        if (!places.emplace(level.pointer, p).second) {
             throw Refused(fmt::format("{}:{}:{}: the key '{}' is given twice: keep one", path_, p.line, p.column, name));
         }
         return true;
@@ -75,9 +72,7 @@ public:
     bool binary(binary_t&) override { return element(); }
     bool parse_error(std::size_t offset, const std::string& token, const nlohmann::detail::exception& e) override {
         const TextPlace p = place_of(text_, offset == 0 ? 0 : offset - 1);
-        const std::string what = e.what();
-        const auto detail = what.rfind(": ");
-        throw Refused(fmt::format("{}:{}:{}: this is not JSON at '{}': {}", path_, p.line, p.column, token, detail == std::string::npos ? what : what.substr(detail + 2)));
+        throw Refused(fmt::format("{}:{}:{}: this is not JSON at '{}': {}", path_, p.line, p.column, token, explanation(e.what())));
     }
 
 private:
@@ -86,11 +81,17 @@ private:
         std::string base, pointer;
         std::size_t count = 0;
     };
-    // '~' and '/' as JSON pointers spell them (RFC 6901, section 3).
-    static std::string escaped(const std::string& name) {
-        std::string text;
-        for (const char c : name) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-        return text;
+    // Of the key whose closing quote the parser has just read. A quote inside the key has a backslash before it.
+    std::size_t opening_quote() const {
+        std::size_t at = read_ - 1;
+        do at = text_.rfind('"', at - 1);
+        while (at > 0 && text_[at - 1] == '\\');
+        return at;
+    }
+    // The parser's own words, without the name of its exception and its place.
+    static std::string explanation(const std::string& what) {
+        const auto place = what.find(" at line "), start = what.find(place == std::string::npos ? "] " : ": ");
+        return start == std::string::npos ? what : what.substr(start + 2);
     }
     bool element() {
         if (!levels_.empty() && levels_.back().array) {
@@ -102,7 +103,10 @@ private:
     }
     bool open(bool array) {
         element();
-        if (levels_.size() > 100) throw Refused(fmt::format("{}: nested deeper than any scene file is", path_));
+        if (levels_.size() > 100) {
+            const TextPlace p = place_of(text_, read_ - 1);
+            throw Refused(fmt::format("{}:{}:{}: nested deeper than any scene file is", path_, p.line, p.column));
+        }
         levels_.push_back({array, levels_.empty() ? "" : levels_.back().pointer, {}});
         return true;
     }
@@ -117,6 +121,12 @@ private:
 };
 
 }  // namespace
+
+std::string pointer_part(std::string_view key) {
+    std::string text;
+    for (const char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    return text;
+}
 
 TextPlace PlacedJson::at(const std::string& pointer) const {
     const auto found = places.find(pointer);

@@ -26,7 +26,7 @@ struct Stage {
     std::string_view formula = "";  // what it evaluates, in symbols
     std::string_view source = "";   // lecture, paper, section, equation
     std::function<void()> run;
-    std::vector<std::string_view> reads{}, writes{};  // names of fields
+    std::vector<std::string_view> reads{}, writes{};  // names of fields, or of probes that a stage measures
     std::function<bool()> active{};                   // a term that the scene lacks is not run; always active when empty
     std::function<bool()> again{};
     std::string_view loop_from = "";
@@ -132,6 +132,9 @@ public:
     virtual ColourBy first_colours() const { return {}; }
     // The probes and lines that a lecturer would show first, at most three.
     virtual std::vector<std::string_view> first_plots() const { return {}; }
+
+    // The probes that a lecturer would read out, at most three, to show in large type.
+    virtual std::vector<std::string_view> key_numbers() const { return {}; }
 
     Parameter& parameter(std::string_view key) const;    // throws Refused, with the nearest known key
     const Field& field(std::string_view name) const;     // throws Refused, likewise; names fields in use

@@ -53,7 +53,7 @@ void Parameter::set(Real value) {
 void Parameter::check(Real value) const {
     const std::string shown = info.kind == Kind::number ? format_exact(value) : fmt::format("{}", value);
     if (!std::isfinite(value))
-        throw Refused(fmt::format("{} = {} is not a finite number: give {} in {}", info.key, shown, unit_or_dimensionless(info.unit), accepted().text()));
+        throw Refused(fmt::format("{} = {} is not a finite number: give a number in {}, {}", info.key, shown, accepted().text(), unit_or_dimensionless(info.unit)));
     if (info.kind != Kind::number && !is_whole(value))
         throw Refused(fmt::format("{} = {} is not a whole number: give a whole number in {}", info.key, shown, accepted().text()));
     if (!accepted().contains(value))
@@ -79,7 +79,7 @@ Real Parameter::parse(std::string_view text) const {
     const auto [end, error] = std::from_chars(first, last, value);
     if (error == std::errc::result_out_of_range) throw Refused(fmt::format("{} = {} is too large or too small for a number: give a value in {}", info.key, text, accepted().text()));
     if (error != std::errc() || end != last || text.empty())
-        throw Refused(fmt::format("{} = '{}' is not a number: give a number in {}, in {}", info.key, text, accepted().text(), unit_or_dimensionless(info.unit)));
+        throw Refused(fmt::format("{} = '{}' is not a number: give a number in {}, {}", info.key, text, accepted().text(), unit_or_dimensionless(info.unit)));
     check(value);
     return value;
 }

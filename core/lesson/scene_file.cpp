@@ -64,7 +64,7 @@ private:
         if (!object.is_object()) refuse(pointer, fmt::format("an object in braces is expected here, not {}", object.type_name()));
         for (const auto& [key, value] : object.items())
             if (std::ranges::find(known, key) == known.end())
-                refuse(pointer + "/" + key, fmt::format("unknown key '{}'{}; known here: {}", key, did_you_mean(key, known), fmt::join(known, ", ")));
+                refuse(pointer + "/" + pointer_part(key), fmt::format("unknown key '{}'{}; known here: {}", key, did_you_mean(key, known), fmt::join(known, ", ")));
     }
 
     std::string text_at(const Json& object, const std::string& key, const std::string& pointer) const {
@@ -78,11 +78,17 @@ private:
         return v.get<Real>();
     }
 
+    Index whole_at(const Json& v, const std::string& pointer, const std::string& name, Index least) const {
+        const Real value = number_at(v, pointer, name);
+        if (value < static_cast<Real>(least) || value != std::floor(value) || value > 1e15) refuse(pointer, fmt::format("'{}' is a whole number from {} on, not {}", name, least, v.dump()));
+        return static_cast<Index>(value);
+    }
+
     Runner::Assignments assignments(const Json& object, const std::string& pointer) const {
         if (!object.is_object()) refuse(pointer, "parameters are an object of keys and values: {\"key\": value}");
         Runner::Assignments result;
         for (const auto& [key, value] : object.items()) {
-            const std::string here = pointer + "/" + key;
+            const std::string here = pointer + "/" + pointer_part(key);
             checked(here, [&, &name = key, &given = value] {
                 const Parameter& p = lesson_->parameter(name);
                 result.emplace_back(name, parameter_text(p, given));
@@ -162,9 +168,8 @@ private:
     Event event(const Json& object, const std::string& pointer) const {
         known_keys(object, pointer, {"step", "set", "pull", "release"});
         Event e;
-        const Real step = object.contains("step") ? number_at(object["step"], pointer + "/step", "step") : -1;
-        if (step < 0 || step != std::floor(step) || step > 1e15) refuse(pointer + (object.contains("step") ? "/step" : ""), "an event needs a 'step': a whole number from 0 on");
-        e.step = static_cast<Index>(step);
+        if (!object.contains("step")) refuse(pointer, "an event needs a 'step': a whole number from 0 on");
+        e.step = whole_at(object["step"], pointer + "/step", "step", 0);
         if (object.contains("set")) e.assign = assignments(object["set"], pointer + "/set");
         if (object.contains("pull")) e.pull = pull(object["pull"], pointer + "/pull");
         if (object.contains("release")) {
@@ -177,7 +182,7 @@ private:
     Pull pull(const Json& object, const std::string& pointer) const {
         known_keys(object, pointer, {"index", "from", "to"});
         Pull p;
-        if (object.contains("index")) p.index = static_cast<Index>(number_at(object["index"], pointer + "/index", "index"));
+        if (object.contains("index")) p.index = whole_at(object["index"], pointer + "/index", "index", -1);
         if (object.contains("from")) p.from = vector_at(object["from"], pointer + "/from", "from");
         if (!object.contains("to")) refuse(pointer, "a pull needs 'to': where the thing is drawn to, three numbers in metres");
         p.to = vector_at(object["to"], pointer + "/to", "to");
@@ -241,6 +246,7 @@ SceneFile preset(const LessonEntry& entry, std::string_view name) {
     const std::string_view text = preset_text(entry.info.id, name);
     if (text.empty()) {
         const auto known = preset_names(entry.info.id);
+        if (known.empty()) throw Refused(fmt::format("{} comes with no presets", entry.info.id));
         throw Refused(fmt::format("{} has no preset '{}'{}; there are: {}", entry.info.id, name, did_you_mean(name, known), fmt::join(known, ", ")));
     }
     return parse_scene(text, fmt::format("{}/presets/{}.json", entry.info.id, name));

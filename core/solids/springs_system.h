@@ -7,7 +7,7 @@ namespace pliant {
 
 // A spring of rest length 0 from a node to a point in space, as a hand pulls.
 template <int Dim>
-struct Pull {
+struct PullSpring {
     Index node = -1;                     // none when negative
     Vec<Dim> target = Vec<Dim>::Zero();  // m
     Real stiffness = 0;                  // N/m
@@ -21,7 +21,7 @@ struct Pull {
 template <int Dim>
 struct ExternalLoad {
     Vec<Dim> gravity = Vec<Dim>::Zero();  // m/s^2
-    Pull<Dim> pull;
+    PullSpring<Dim> pull;
 };
 
 // f_i += m_i g, and the pull on its node, N. mass: kg, one per node.

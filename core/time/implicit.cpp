@@ -26,7 +26,7 @@ Real largest(const VecX& values) { return values.size() ? values.lpNorm<Eigen::I
 
 ImplicitSolver::ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options)
     : system_(system), mass_(mass), options_(options), model_(fixed_flags(mass)) {
-    for (VecX* values : {&x_, &v_, &residual_, &direction_, &trial_, &scratch_}) values->setZero(mass.size());
+    for (VecX* values : {&x_, &v_, &residual_, &reaction_, &direction_, &trial_, &scratch_}) values->setZero(mass.size());
 }
 
 void ImplicitSolver::begin(ConstDofs x) {
@@ -68,6 +68,7 @@ void ImplicitSolver::evaluate_residual() {
     for (Index d = 0; d < residual_.size(); ++d) {
         if (mass_.fixed(d)) residual_[d] = 0;
         const bool pressed = form_.lower_bound.size() > 0 && x_[d] <= form_.lower_bound[d] && residual_[d] > 0;
+        reaction_[d] = pressed ? residual_[d] : 0;
         if (!pressed) residual_norm_ = std::max(residual_norm_, std::abs(residual_[d]));
     }
 }
@@ -80,7 +81,10 @@ void ImplicitSolver::find_direction() {
     for (const auto curvature : {SecondOrderSystem::Curvature::exact, SecondOrderSystem::Curvature::positive}) {
         model_.set_matrix(system_.stiffness(x_, form_.velocity_rate, curvature));
         model_.add_diagonal(form_.acceleration_rate, mass_.mass());
-        if (model_.minimise(residual_, room_, direction_)) return;
+        if (model_.minimise(residual_, room_, direction_)) {
+            reaction_ = model_.multiplier();
+            return;
+        }
     }
     fail("the matrix of the Newton iteration could not be factorised");
 }
@@ -89,7 +93,7 @@ bool ImplicitSolver::at_rounding_level() const {
     // Positions are known to their rounding, and so is a force only to its stiffness times that.
     const Real rounding = 16 * epsilon * largest(x_);
     for (Index d = 0; d < residual_.size(); ++d)
-        if (!(std::abs(residual_[d] - model_.multiplier()[d]) <= rounding * model_.diagonal(d))) return false;
+        if (!(std::abs(residual_[d] - reaction_[d]) <= rounding * model_.diagonal(d))) return false;
     return true;
 }
 

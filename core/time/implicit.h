@@ -67,7 +67,7 @@ public:
     int factorisations() const { return model_.factorisations(); }  // since the solver was made
     Real residual() const { return residual_norm_; }                // largest free component before the last iteration, N
     // Force with which its lower bound holds a degree of freedom, N, >= 0.
-    Real reaction(Index dof) const { return model_.multiplier()[dof]; }
+    Real reaction(Index dof) const { return reaction_[dof]; }
     Real last_step() const { return last_step_; }  // largest component of the last iteration's step, m
     const VecX& position() const { return x_; }    // the current iterate, m
     const VecX& velocity() const { return v_; }    // its velocity, m/s
@@ -94,7 +94,7 @@ private:
     const DiagonalMass& mass_;
     NewtonOptions options_;
     ImplicitForm form_;
-    VecX x_, v_, residual_, direction_, room_, trial_, scratch_;
+    VecX x_, v_, residual_, reaction_, direction_, room_, trial_, scratch_;
     BoundedQuadratic model_;
     Reference reference_;
     int unproved_ = 0;  // full steps since the reference

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdio>
 #include <functional>
 
 namespace pliant::viewer {
@@ -105,7 +106,9 @@ int dispatch(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& e) {
         throw Refused(fmt::format("{}; `pliant {}--help` shows what is accepted", e.what(), argc > 1 && argv[1][0] != '-' ? std::string(argv[1]) + " " : ""));
     }
-    return action ? action() : window(window_options);
+    const int code = action ? action() : window(window_options);
+    if (std::fflush(stdout) != 0) throw Refused("standard output cannot be written: is the disk full?");
+    return code;
 }
 
 }  // namespace

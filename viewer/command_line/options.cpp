@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace pliant::viewer {
 namespace {
@@ -37,6 +38,8 @@ SceneFile scene_from(const RunOptions& o) {
 
 Until until_from(const RunOptions& o, const LessonEntry& entry, bool is_static) {
     if (o.steps.has_value() + o.time.has_value() + o.rest > 1) throw Refused("give one of --steps, --time and --rest");
+    // The parser of the command line gives the largest number for one that is larger still.
+    if (o.steps == std::numeric_limits<Index>::max()) throw Refused("--steps is too large: give a whole number from 0 on");
     if (o.steps) return Until::after_steps(*o.steps);
     if (o.time) return Until::after_time(*o.time);
     if (o.rest || is_static) return Until::at_rest();

@@ -45,7 +45,7 @@ int describe(const std::string& lesson, bool json, bool markdown) {
 int run(const RunOptions& options) {
     const SceneFile scene = scene_from(options);
     const LessonEntry& entry = find_lesson(scene.lesson);
-    if (!options.csv_path.empty()) write_file(options.csv_path, "");  // a path that cannot be written is refused before the run
+    if (!options.csv_path.empty()) check_writable(options.csv_path);
     Runner runner(entry, scene.parameters, 0);
     runner.set_events(scene.events);
     const Until until = until_from(options, entry, runner.is_static());

@@ -5,23 +5,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 namespace pliant::viewer {
 namespace {
 
-// The probes that the lesson shows first; those with an exact value when it names none.
+// What the lesson names; else the probes with an exact value, or the first one.
 std::vector<const Probe*> key_probes(const Lesson& lesson) {
     std::vector<const Probe*> chosen;
-    for (const std::string_view name : lesson.first_plots()) {
-        const auto found = std::ranges::find(lesson.probes, name, &Probe::name);
-        if (found != lesson.probes.end()) chosen.push_back(&*found);
-    }
+    for (const std::string_view name : lesson.key_numbers()) chosen.push_back(&lesson.probe(name));
     for (const Probe& p : lesson.probes)
-        if (chosen.size() < 3 && p.exact && std::ranges::find(chosen, &p) == chosen.end()) chosen.push_back(&p);
-    for (const Probe& p : lesson.probes)
-        if (chosen.empty()) chosen.push_back(&p);
-    if (chosen.size() > 3) chosen.resize(3);
+        if (lesson.key_numbers().empty() && chosen.size() < 3 && p.exact) chosen.push_back(&p);
+    if (chosen.empty() && !lesson.probes.empty()) chosen.push_back(&lesson.probes.front());
     return chosen;
 }
 

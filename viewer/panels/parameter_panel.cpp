@@ -31,22 +31,16 @@ Interval span_of(const Parameter& p, bool extreme) {
     return span;
 }
 
-// ImGui takes the shown text as a format.
-std::string as_format(std::string text) {
-    for (std::size_t at = 0; (at = text.find('%', at)) != std::string::npos; at += 2) text.insert(at, "%");
-    return text;
-}
-
 void number_slider(LabState& lab, const Parameter& p) {
     Session& session = lab.session;
     Real value = session.runner().wanted(p);
     Interval span = span_of(p, session.extreme);
     span.min = std::min(span.min, value), span.max = std::max(span.max, value);
-    const std::string shown = as_format(format_quantity(value, p.info.unit, 5));
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat | (p.info.scale == Scale::log ? ImGuiSliderFlags_Logarithmic : 0);
-    const bool was_active = ImGui::GetActiveID() == ImGui::GetID("##value");
-    // When a number is typed, ImGui shows it by the format: a full one then.
-    const char* format = ImGui::TempInputIsActive(ImGui::GetID("##value")) ? "%.10g" : shown.c_str();
+    const ImGuiID id = ImGui::GetID("##value");
+    const bool was_active = ImGui::GetActiveID() == id;
+    // The value stands above the slider; while one is typed, it is shown in full.
+    const char* format = ImGui::TempInputIsActive(id) || ImGui::GetIO().KeyCtrl ? "%.10g" : "";
     if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, format, flags)) {
         if (p.info.kind == Kind::whole) value = std::round(value);
         session.assign(p, value, was_active);
@@ -67,22 +61,42 @@ void switch_box(LabState& lab, const Parameter& p, const std::string& label) {
     if (ImGui::Checkbox((label + "##value").c_str(), &on)) lab.session.assign(p, on ? 1 : 0);
 }
 
-void parameter_row(LabState& lab, const Parameter& p) {
-    ImGui::PushID(&p);
-    ImGui::BeginDisabled(!p.used());
+std::string label_of(const Parameter& p) {
     std::string label = words(p.info.key);
     if (!p.info.symbol.empty()) label += "  " + std::string(p.info.symbol);
     if (p.info.effect == Effect::rebuild) label += "  ↻";
+    return label;
+}
+
+// The name on the left and, of a number, the value on the right.
+void label_row(LabState& lab, const Parameter& p) {
+    const bool number = p.info.kind != Kind::choice;
+    const std::string value = number ? format_quantity(lab.session.runner().wanted(p), p.info.unit, 5) : "";
+    const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x;
+    ImGui::PushFont(lab.fonts.small);
+    ImGui::AlignTextToFramePadding();
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(3));
+    fitted_text(label_of(p), right - ImGui::GetCursorPosX() - lab.px(4));
+    ImGui::PopFont();
+    tooltip(describe(p), lab.scale);
+    if (!number) return;
+    ImGui::SameLine(right);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(3));
+    ImGui::TextUnformatted(value.c_str());
+}
+
+void parameter_row(LabState& lab, const Parameter& p) {
+    ImGui::PushID(&p);
+    ImGui::BeginDisabled(!p.used());
     if (p.info.kind == Kind::toggle) {
-        switch_box(lab, p, label);
+        switch_box(lab, p, label_of(p));
     } else {
-        ImGui::PushFont(lab.fonts.small);
-        ImGui::TextUnformatted(label.c_str());
-        ImGui::PopFont();
-        tooltip(describe(p), lab.scale);
+        label_row(lab, p);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
         ImGui::SetNextItemWidth(-1);
+        if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
         p.info.kind == Kind::choice ? choice_box(lab, p) : number_slider(lab, p);
+        if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
     }
     lab.note_control(std::string(p.info.key));
     tooltip(describe(p), lab.scale);

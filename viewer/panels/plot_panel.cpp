@@ -24,7 +24,7 @@ void choose_first(LabState& lab) {
     p.chosen.clear();
     for (const std::string_view name : lab.session.lesson().first_plots()) p.chosen.emplace_back(name);
     for (const Probe& probe : lab.session.lesson().probes)
-        if (p.chosen.empty()) p.chosen.emplace_back(probe.name);
+        if (lab.session.lesson().first_plots().empty() && p.chosen.size() < 2) p.chosen.emplace_back(probe.name);
 }
 
 std::string field_title(const LabState& lab, const Field& f) {
@@ -148,7 +148,8 @@ void draw_plots(LabState& lab) {
     if (shown.empty()) return;
     ImGui::BeginChild("plots");
     const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
-    const float height = std::max(lab.px(130), (ImGui::GetContentRegionAvail().y - spacing * (count - 1)) / count);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float height = std::clamp((room.y - spacing * (count - 1)) / count, lab.px(130), std::max(lab.px(130), 0.85f * room.x));
     for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
     ImGui::EndChild();
 }

@@ -205,11 +205,13 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     if (size.x < 8 || size.y < 8) return;
     const int dimension = s.lesson().dimension();
     Scene scene = s.scene();
-    if (!s.camera) s.camera = framing(scene, dimension, size.x / size.y);
-    const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y), origin, size, dimension};
+    const Field* shown = s.lesson().find_field(s.colours.field);
+    const float margin = shown && shown->in_use() ? std::min(lab.px(96), size.x / 3) : 0;
+    if (!s.camera) s.camera = framing(scene, dimension, (size.x - margin) / size.y);
+    const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y, margin), origin, size, dimension};
 
     const Size pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
-    const GLuint texture = renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale);
+    const GLuint texture = renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale, margin);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin, {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
 
     ImGui::SetNextItemAllowOverlap();

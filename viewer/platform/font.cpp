@@ -12,7 +12,10 @@ namespace {
 // Pairs of first and last code point, ended by 0. ImGui keeps a pointer to them.
 constexpr ImWchar glyph_ranges[] = {
     0x0020, 0x00ff,  // Latin, with ² ³ ½ ° · ×
+    0x0168, 0x0169,  // Ũ ũ
+    0x0300, 0x0308,  // accents that combine: v̂ ṽ ẍ
     0x0370, 0x03ff,  // Greek
+    0x1e86, 0x1e8d,  // ẋ ẍ
     0x1d2c, 0x1d6a,  // raised letters: ᵀ; lowered ones: ᵢ ᵣ
     0x2010, 0x205e,  // dashes, …, ′
     0x2070, 0x209f,  // ⁻¹ ⁿ ₀ ₙ

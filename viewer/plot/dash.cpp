@@ -13,32 +13,38 @@ class Pen {
 public:
     Pen(std::span<const float> pattern, Runs& out) : pattern_(pattern), left_(pattern[0]), out_(out) {}
 
-    void put_down(Point at) {
-        if (!drawn()) return;
-        out_.starts.push_back(out_.points.size());
-        out_.points.push_back(at);
-    }
     void go(Point from, Point to) {
         const float length = distance(from, to);
         float done = 0;
+        Point here = from;
         while (length - done >= left_) {
             done += left_;
-            const Point here = between(from, to, done / length);
-            if (drawn()) out_.points.push_back(here);
+            const Point next = between(from, to, done / length);
+            draw(here, next);
+            here = next;
             part_ = (part_ + 1) % pattern_.size();
             left_ = pattern_[part_];
-            put_down(here);
+            on_paper_ = false;
         }
         left_ -= length - done;
-        if (drawn() && done < length) out_.points.push_back(to);
+        if (done < length) draw(here, to);
     }
 
 private:
-    bool drawn() const { return part_ % 2 == 0; }
+    void draw(Point from, Point to) {
+        if (part_ % 2 != 0) return;
+        if (!on_paper_) {
+            out_.starts.push_back(out_.points.size());
+            out_.points.push_back(from);
+        }
+        out_.points.push_back(to);
+        on_paper_ = true;
+    }
 
     std::span<const float> pattern_;
     std::size_t part_ = 0;
     float left_;  // px to go in the present part
+    bool on_paper_ = false;
     Runs& out_;
 };
 
@@ -49,7 +55,6 @@ void dash(const Runs& lines, std::span<const float> pattern, Runs& out) {
     for (std::size_t i = 0; i < lines.count(); ++i) {
         const auto run = lines.run(i);
         Pen pen(pattern, out);
-        pen.put_down(run.front());
         for (std::size_t k = 1; k < run.size(); ++k) pen.go(run[k - 1], run[k]);
     }
 }

@@ -39,7 +39,7 @@ void draw_numbers(const Drawing& d) {
     for (const Tick& tick : d.layout.y.ticks) {
         if (tick.text.empty()) continue;
         const Point size = d.canvas.text_size(tick.text);
-        d.canvas.text({area.min.x - 0.3f * em - size.x, static_cast<float>(d.y.pixel(tick.value)) - 0.52f * size.y}, d.style.faint_text, tick.text);
+        d.canvas.text({area.min.x - 0.3f * em - size.x, static_cast<float>(d.y.pixel(tick.value)) - 0.55f * size.y}, d.style.faint_text, tick.text);
     }
 }
 

@@ -22,6 +22,7 @@ public:
         const bool right = x + gap + size.x <= area.max.x;
         for (int row = 0; row < 6; ++row) {
             const float y = area.min.y + gap + static_cast<float>(row) * 1.1f * em_;
+            if (y + size.y > area.max.y) return;
             if (write({right ? x + gap : x - gap - size.x, y}, size, label)) return;
         }
     }

@@ -26,7 +26,7 @@ public:
         place_title();
         if (!small_) place_legend();
         if (!small_) label_row_ = take_row();
-        const float below = (small_ || !names_x() ? 1.35f : 2.4f) * em_;
+        const float below = (small_ || !names_x() ? 1.4f : 2.45f) * em_;
         out_.area.min.y = inner_.min.y + 0.5f * em_;  // half a number above the top end
         out_.area.max.y = std::round(inner_.max.y - below);
         place_colour_bar();
@@ -59,11 +59,9 @@ private:
         const float room = out_.menu.min.x - inner_.min.x - 0.4f * em_;
         std::string title = model_.title;
         if (small_) {
-            const std::string unit = ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, em_ * 4, true, canvas_).unit;
-            if (!unit.empty() && !model_.heat && view_.has_data) {
-                const std::string tail = " [" + unit + "]";
-                title = fit(title, room - width(tail)) + tail;
-            }
+            const Ticks y = view_.has_data ? ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, em_ * 4, true, canvas_) : Ticks{{}, model_.axes.y.unit, ""};
+            const std::string tail = axis_text("", {{}, y.unit, y.offset});
+            if (!tail.empty() && !model_.heat) title = fit(title, room - width(tail) - width(" ")) + " " + tail;
         }
         out_.title = {fit(title, room), {inner_.min.x, row}};
     }
@@ -140,8 +138,8 @@ private:
     void place_x_axis() {
         out_.x_strip = {{out_.area.min.x, out_.area.max.y}, {out_.area.max.x, out_.whole.max.y}};
         out_.x.unit = model_.axes.x.unit;
-        if (!view_.has_data || out_.area.width() < em_) return;
-        out_.x = ticks_that_fit(view_.x, view_.x_scale, model_.axes.x.unit, out_.area.width(), false, canvas_);
+        if (out_.area.width() < em_) return;
+        if (view_.has_data) out_.x = ticks_that_fit(view_.x, view_.x_scale, model_.axes.x.unit, out_.area.width(), false, canvas_);
         if (!small_ || out_.x.unit.empty()) return;
         // The unit stands at the end of the numbers, those that it would cover go.
         const std::string text = "[" + out_.x.unit + "]";
@@ -167,7 +165,7 @@ private:
 
         const std::string x = fit(axis_label(model_.axes.x, out_.x, memory_.x), inner_.max.x - inner_.min.x);
         const float middle = (out_.area.min.x + out_.area.max.x - width(x)) / 2;
-        out_.x_label = {x, {std::clamp(middle, inner_.min.x, std::max(inner_.min.x, inner_.max.x - width(x))), out_.area.max.y + (below_area + 1.05f) * em_}};
+        out_.x_label = {x, {std::clamp(middle, inner_.min.x, std::max(inner_.min.x, inner_.max.x - width(x))), out_.area.max.y + (below_area + 1) * em_}};
     }
 
     const PlotModel& model_;

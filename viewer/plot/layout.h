@@ -39,7 +39,7 @@ struct PlotLayout {
 PlotLayout lay_out(Box whole, const PlotModel& model, const PlotMemory& memory, const PlotView& view, const Canvas& canvas);
 
 // From the picture down to the numbers of x, in heights of a line.
-inline constexpr float below_area = 0.3f;
+inline constexpr float below_area = 0.45f;
 
 // The ticks of an axis `length` px long whose numbers do not touch one another.
 Ticks ticks_that_fit(Range range, AxisScale scale, std::string_view unit, float length, bool vertical, const Canvas& canvas);

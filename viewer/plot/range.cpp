@@ -96,7 +96,8 @@ Range nice_range(Range data, AxisScale scale, Margin margin) {
     // A clock that has not moved yet.
     if (scale == AxisScale::linear && margin == Margin::none && data == Range{0, 0}) return {0, 1};
     const Range range = widened(data, scale);
-    const Real part = margin == Margin::some && scale == AxisScale::linear ? margin_part : 0;
+    const bool has_room = range != data || scale == AxisScale::log;
+    const Real part = margin == Margin::some && !has_room ? margin_part : 0;
     const Range line = stretched(to_linear(range, scale), part, part, scale);
     Range round;
     if (scale == AxisScale::log) {

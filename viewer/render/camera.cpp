@@ -21,7 +21,7 @@ Eigen::Matrix3d eye_axes(const Camera& c) {
 
 }  // namespace
 
-Projection::Projection(const Camera& c, int dimension, float width, float height) : width_(width), height_(height) {
+Projection::Projection(const Camera& c, int dimension, float width, float height, float right_margin) : width_(width), height_(height) {
     const Eigen::Matrix3d axes = dimension == 3 ? eye_axes(c) : Eigen::Matrix3d::Identity();
     const float d = static_cast<float>(c.distance), aspect = width / height;
     view_.setIdentity();
@@ -37,6 +37,8 @@ Projection::Projection(const Camera& c, int dimension, float width, float height
         clip(0, 0) = 2 / (d * aspect), clip(1, 1) = 2 / d, clip(2, 2) = -1 / d, clip(3, 3) = 1;
         metres_per_pixel_ = c.distance / height;
     }
+    // Moves the middle to that of the free part.
+    clip.row(0) -= right_margin / width * clip.row(3);
     matrix_ = clip * view_;
     inverse_ = matrix_.inverse();
 }

@@ -10,7 +10,8 @@ namespace pliant::viewer {
 // A camera over a rectangle of the screen. Pixel coordinates have y down and their origin at the rectangle's upper left corner.
 class Projection {
 public:
-    Projection(const Camera& camera, int dimension, float width, float height);
+    // right_margin px stay free of the framed scene: the colour bar's place.
+    Projection(const Camera& camera, int dimension, float width, float height, float right_margin = 0);
 
     const Eigen::Matrix4f& matrix() const { return matrix_; }  // metres to clip space
     const Eigen::Matrix4f& view() const { return view_; }      // metres to eye space, in which the eye looks along -z
@@ -28,7 +29,7 @@ private:
     Real metres_per_pixel_;
 };
 
-// Frames the scene with a margin.
+// Frames the scene with a margin; aspect is that of the part of the rectangle that is free.
 Camera framing(const Scene& scene, int dimension, float aspect);
 
 // Mouse moves, in pixels.

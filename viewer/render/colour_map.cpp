@@ -11,19 +11,30 @@ using Triple = std::array<Real, 3>;
 std::uint8_t to_byte(Real intensity) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(intensity, 0.0, 1.0))); }
 Rgba8 to_colour(const Triple& rgb) { return {to_byte(rgb[0]), to_byte(rgb[1]), to_byte(rgb[2]), 255}; }
 
-// viridis of S. van der Walt and N. Smith (public domain, CC0), by the polynomial of degree 6 that M. Zucker fitted to it
-// (public domain, shadertoy.com/view/WlfXRN).
+// viridis of S. van der Walt and N. Smith (2015, public domain by CC0): ten of its colours, evenly spaced, with a cubic spline of
+// Catmull and Rom (1974) through them.
 Rgba8 viridis(Real t) {
-    constexpr std::array<Triple, 7> c{{{0.2777273272234177, 0.005407344544966578, 0.3340998053353061},
-                                       {0.1050930431085774, 1.404613529898575, 1.384590162594685},
-                                       {-0.3308618287255563, 0.214847559468213, 0.09509516302823659},
-                                       {-4.634230498983486, -5.799100973351585, -19.33244095627987},
-                                       {6.228269936347081, 14.17993336680509, 56.69055260068105},
-                                       {4.776384997670288, -13.74514537774601, -65.35303263337234},
-                                       {-5.435455855934631, 4.645852612178535, 26.3124352495832}}};
+    constexpr std::array<Triple, 10> table{{{68, 1, 84},
+                                            {72, 40, 120},
+                                            {62, 74, 137},
+                                            {49, 104, 142},
+                                            {38, 130, 142},
+                                            {31, 158, 137},
+                                            {53, 183, 121},
+                                            {109, 205, 89},
+                                            {180, 222, 44},
+                                            {253, 231, 37}}};
+    constexpr std::size_t last = table.size() - 1;
+    const Real place = t * static_cast<Real>(last);
+    const std::size_t i = std::min(static_cast<std::size_t>(place), last - 1);
+    const Real f = place - static_cast<Real>(i);
     Triple rgb{};
-    for (std::size_t k = c.size(); k-- > 0;) {
-        for (std::size_t i = 0; i < 3; ++i) rgb[i] = c[k][i] + t * rgb[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+        // Beyond the ends the table goes on straight.
+        const Real p1 = table[i][c], p2 = table[i + 1][c];
+        const Real p0 = i > 0 ? table[i - 1][c] : 2 * p1 - p2, p3 = i + 2 <= last ? table[i + 2][c] : 2 * p2 - p1;
+        const Real spline = p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0)));
+        rgb[c] = spline / 255;
     }
     return to_colour(rgb);
 }

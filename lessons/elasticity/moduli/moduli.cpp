@@ -151,7 +151,7 @@ void ModuliLesson::declare_stages() {
                .source = "lecture: Young's, shear and bulk modulus (which prints B without the sign)",
                .run = [this] { fit_modulus(); },
                .reads = {"displacement", "reaction"},
-               .writes = {},
+               .writes = {"measured_modulus"},
                .again = [this] { return level() < load_levels; },
                .loop_from = "apply_load"}};
 }

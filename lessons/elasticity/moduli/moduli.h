@@ -23,6 +23,7 @@ public:
     std::string blow_up_hint() const override;
     ColourBy first_colours() const override { return {"displacement", 0}; }
     std::vector<std::string_view> first_plots() const override { return {"stress_strain", "displacement"}; }
+    std::vector<std::string_view> key_numbers() const override { return {"stress", "strain", "measured_modulus"}; }
 
 private:
     Choice<Test> test;

@@ -78,14 +78,13 @@ TEST_CASE("A single value gets room on both sides") {
 TEST_CASE("An automatic range changes a few times while data stream in, and then by much") {
     AutoRange time, wave;
     int changes = 0;
-    for (int step = 0; step <= 100000; ++step) {
+    for (int step = 1; step <= 100000; ++step) {
         const Real t = 1e-3 * step;
         const auto before = time.shown;
         time.follow({0, t}, AxisScale::linear, Margin::none);
         REQUIRE(time.shown->contains(Range{0, t}));
         if (before && *before != *time.shown) {
             ++changes;
-            if (before->hi < 0.9 * 1e-3) continue;
             REQUIRE(time.shown->span() >= 1.15 * before->span());
         }
     }

@@ -31,12 +31,16 @@ bool close(Rgba8 a, Rgba8 b, int amount) { return std::abs(a.r - b.r) <= amount 
 }  // namespace
 
 TEST_CASE("viridis passes through its published colours") {
-    // Five evenly spaced colours of the map as S. van der Walt and N. Smith published it.
-    CHECK(close(colour_at(ColourMap::viridis, 0), {68, 1, 84}, 4));
-    CHECK(close(colour_at(ColourMap::viridis, 0.25), {59, 82, 139}, 4));
-    CHECK(close(colour_at(ColourMap::viridis, 0.5), {33, 145, 140}, 4));
-    CHECK(close(colour_at(ColourMap::viridis, 0.75), {94, 201, 98}, 4));
-    CHECK(close(colour_at(ColourMap::viridis, 1), {253, 231, 37}, 4));
+    // Colours of the map as S. van der Walt and N. Smith published it, at the ends and at eighths of the way.
+    CHECK(close(colour_at(ColourMap::viridis, 0), {68, 1, 84}, 0));
+    CHECK(close(colour_at(ColourMap::viridis, 0.125), {71, 44, 122}, 2));
+    CHECK(close(colour_at(ColourMap::viridis, 0.25), {59, 82, 139}, 2));
+    CHECK(close(colour_at(ColourMap::viridis, 0.375), {44, 114, 142}, 2));
+    CHECK(close(colour_at(ColourMap::viridis, 0.5), {33, 145, 140}, 2));
+    CHECK(close(colour_at(ColourMap::viridis, 0.625), {40, 174, 128}, 2));
+    CHECK(close(colour_at(ColourMap::viridis, 0.75), {94, 201, 98}, 2));
+    CHECK(close(colour_at(ColourMap::viridis, 0.875), {173, 220, 48}, 2));
+    CHECK(close(colour_at(ColourMap::viridis, 1), {253, 231, 37}, 0));
 }
 
 TEST_CASE("viridis grows lighter in even steps") {
@@ -74,10 +78,10 @@ TEST_CASE("Values beyond a map take the colour of its end") {
 TEST_CASE("Words and curves stand out from the background of every theme") {
     for (const PlotTheme theme : {PlotTheme::dark, PlotTheme::light, PlotTheme::projector}) {
         const PlotStyle style = plot_style(theme, 1);
-        CHECK(contrast(style.text, style.background) >= 15);
+        // What WCAG 2.1 asks of words, at its higher and its lower level, and of graphics.
+        CHECK(contrast(style.text, style.background) >= 7);
         CHECK(contrast(style.faint_text, style.background) >= 4.5);
-        CHECK(contrast(style.reference, style.background) >= 15);
-        // 3 is what WCAG 2.1 asks of graphics.
+        CHECK(contrast(style.reference, style.background) >= 7);
         for (std::size_t i = 0; i < 3; ++i) CHECK(contrast(palette_colour(style, i), style.background) >= 3);
     }
 }
