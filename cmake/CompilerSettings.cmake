@@ -29,7 +29,7 @@ endif()
 # Same input, same bits: no contraction of a*b+c, so the same source gives the same rounding on every target.
 add_library(pliant_settings INTERFACE)
 if(NOT MSVC)
-  target_compile_options(pliant_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+  target_compile_options(pliant_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wfloat-conversion)
   if(PLIANT_WARNINGS_AS_ERRORS)
     target_compile_options(pliant_settings INTERFACE -Werror)
   endif()

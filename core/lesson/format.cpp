@@ -33,10 +33,27 @@ constexpr std::array<Prefixable, 12> prefixable{{{"Pa", -3, 12},
                                                  {"N·s/m", -3, 9},
                                                  {"Pa·s", -6, 6}}};
 
+// Raised digits, as in 10⁻⁴.
+std::string raised(int exponent) {
+    constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char c : fmt::format("{}", std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
+    return text;
+}
+
+// "0.05", "1.2×10⁻⁷"
 std::string plain(Real value, int digits) {
     const Real size = std::abs(value);
-    if (size != 0 && (size < 1e-3 || size >= 1e6)) return fmt::format("{:.{}e}", value, std::max(0, digits - 1));
-    return fmt::format("{:.{}g}", value, digits);
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    const auto e = text.find('e');
+    if (e == std::string::npos && (size == 0 || size >= 1e-3)) return text;
+    const std::string scientific = fmt::format("{:.{}e}", value, std::max(0, digits - 1));
+    const auto at = scientific.find('e');
+    std::string mantissa = scientific.substr(0, at);
+    if (mantissa.find('.') != std::string::npos) mantissa.erase(mantissa.find_last_not_of('0') + 1);
+    if (mantissa.ends_with('.')) mantissa.pop_back();
+    const std::string power = "10" + raised(std::stoi(scientific.substr(at + 1)));
+    return mantissa == "1" ? power : mantissa == "-1" ? "-" + power : mantissa + "×" + power;
 }
 
 }  // namespace

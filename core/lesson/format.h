@@ -7,7 +7,7 @@
 
 namespace pliant {
 
-// "412.3 kPa", "0.05", "1.2e-07 m²/s": a value with its unit, SI-prefixed where the unit takes a prefix, else scientific when
+// "412.3 kPa", "0.05", "1.2×10⁻⁷ m²/s": a value with its unit, SI-prefixed where the unit takes a prefix, else scientific when
 // very large or small. `digits` counts significant digits. An empty unit means dimensionless. A value that is not finite
 // reads "undefined".
 std::string format_quantity(Real value, std::string_view unit, int digits = 4);

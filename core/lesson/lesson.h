@@ -52,6 +52,7 @@ struct Line {
     std::function<void(Curve&)> sample;
     std::function<void(Curve&)> reference{};   // exact, or published, values to draw beside it
     std::string_view reference_name = "exact";
+    std::string_view value_name = "";          // of the axis of values; the line's own name when not given
     bool reference_points = false;             // draw the reference as points (a table) rather than as a curve
     std::function<bool()> used{};
 

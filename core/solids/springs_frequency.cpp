@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace pliant {
 namespace {
@@ -49,6 +50,42 @@ Mat<Dim> damping_block(const Vec<Dim>& x_ij, SpringDamping mode, Real damping) {
     return damping / length_squared * x_ij * x_ij.transpose();
 }
 
+Real shortest_relaxation(const Springs& springs, SpringDamping mode) {
+    if (mode == SpringDamping::none) return 0;
+    Real shortest = std::numeric_limits<Real>::infinity();
+    for (Index s = 0; s < springs.size(); ++s)
+        if (springs.stiffness()[s] > 0) shortest = std::min(shortest, springs.damping()[s] / springs.stiffness()[s]);
+    return shortest;
+}
+
+// Largest eigenvalue of M^-1 A, where A has the block of every spring at its nodes and its negative between them.
+template <int Dim>
+Real power_iteration(const Springs& springs, const DiagonalMass& mass, const std::vector<Mat<Dim>>& blocks, int iterations) {
+    // Scaled by the roots of the masses the matrix is symmetric, and its Rayleigh quotient a lower bound.
+    const VecX inverse_root = mass.inverse().cwiseSqrt();
+    VecX direction(mass.size()), scaled(mass.size()), result(mass.size());
+    for (Index d = 0; d < direction.size(); ++d) direction[d] = std::cos(1 + Real(d) * Real(d));
+    Real eigenvalue = 0;
+    for (int n = 0; n < iterations; ++n) {
+        const Real norm = direction.norm();
+        if (norm == 0) return 0;
+        direction /= norm;
+        scaled = inverse_root.cwiseProduct(direction);
+        result.setZero();
+        for (Index s = 0; s < springs.size(); ++s) {
+            const Index i = Dim * springs.i(s), j = Dim * springs.j(s);
+            const Vec<Dim> force =
+                blocks[static_cast<std::size_t>(s)] * (scaled.template segment<Dim>(i) - scaled.template segment<Dim>(j));
+            result.template segment<Dim>(i) += force;
+            result.template segment<Dim>(j) -= force;
+        }
+        result.array() *= inverse_root.array();
+        eigenvalue = direction.dot(result);
+        direction = result;
+    }
+    return std::max(eigenvalue, Real(0));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -56,7 +93,7 @@ SpringRates spring_rate_bounds(const Springs& springs, const DiagonalMass& mass,
     using Blocks = Eigen::Matrix<Real, Dim, Eigen::Dynamic>;
     Blocks stiffness = Blocks::Zero(Dim, Dim * springs.node_count()), damping = stiffness;
     SpringRates rates;
-    rates.relaxation_time = mode == SpringDamping::none ? 0 : std::numeric_limits<Real>::infinity();
+    rates.relaxation_time = shortest_relaxation(springs, mode);
     for (Index s = 0; s < springs.size(); ++s) {
         const Index i = springs.i(s), j = springs.j(s);
         const Real k = springs.stiffness()[s], d = springs.damping()[s];
@@ -67,7 +104,6 @@ SpringRates spring_rate_bounds(const Springs& springs, const DiagonalMass& mass,
             stiffness.template middleCols<Dim>(Dim * node) += weight<Dim>(mass, partner) * k_block;
             damping.template middleCols<Dim>(Dim * node) += weight<Dim>(mass, partner) * d_block;
         }
-        if (k > 0) rates.relaxation_time = std::min(rates.relaxation_time, d / k);
     }
     rates.omega = std::sqrt(largest_rate<Dim>(mass, stiffness));
     rates.damping = largest_rate<Dim>(mass, damping);
@@ -75,31 +111,21 @@ SpringRates spring_rate_bounds(const Springs& springs, const DiagonalMass& mass,
 }
 
 template <int Dim>
-Real highest_spring_frequency(const Springs& springs, const DiagonalMass& mass, PointsIn<Dim> x, int iterations) {
-    // The direction vectors are scaled by the roots of the masses, which makes the matrix symmetric.
-    const VecX inverse_root = mass.inverse().cwiseSqrt();
-    VecX direction(mass.size()), scaled(mass.size()), result(mass.size());
-    for (Index d = 0; d < direction.size(); ++d) direction[d] = std::cos(1 + Real(d) * Real(d));
-    Real omega_squared = 0;
-    for (int n = 0; n < iterations; ++n) {
-        const Real norm = direction.norm();
-        if (norm == 0) return 0;
-        direction /= norm;
-        scaled = inverse_root.cwiseProduct(direction);
-        result.setZero();
-        for (Index s = 0; s < springs.size(); ++s) {
-            const Index i = springs.i(s), j = springs.j(s);
-            const Vec<Dim> u = scaled.template segment<Dim>(Dim * i) - scaled.template segment<Dim>(Dim * j);
-            const Vec<Dim> force =
-                stiffness_block<Dim>(x.col(j) - x.col(i), springs.rest_length()[s], springs.stiffness()[s]) * u;
-            result.template segment<Dim>(Dim * i) += force;
-            result.template segment<Dim>(Dim * j) -= force;
-        }
-        result.array() *= inverse_root.array();
-        omega_squared = direction.dot(result);
-        direction = result;
-    }
-    return std::sqrt(std::max(omega_squared, Real(0)));
+SpringRates spring_rate_estimates(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x,
+                                  int iterations) {
+    SpringRates rates;
+    rates.relaxation_time = shortest_relaxation(springs, mode);
+    std::vector<Mat<Dim>> blocks;
+    for (Index s = 0; s < springs.size(); ++s)
+        blocks.push_back(
+            stiffness_block<Dim>(x.col(springs.j(s)) - x.col(springs.i(s)), springs.rest_length()[s], springs.stiffness()[s]));
+    rates.omega = std::sqrt(power_iteration<Dim>(springs, mass, blocks, iterations));
+    if (mode == SpringDamping::none) return rates;
+    for (Index s = 0; s < springs.size(); ++s)
+        blocks[static_cast<std::size_t>(s)] =
+            damping_block<Dim>(x.col(springs.j(s)) - x.col(springs.i(s)), mode, springs.damping()[s]);
+    rates.damping = power_iteration<Dim>(springs, mass, blocks, iterations);
+    return rates;
 }
 
 Real stability_limit(Scheme scheme, const SpringRates& rates) {
@@ -113,7 +139,7 @@ Real stability_limit(Scheme scheme, const SpringRates& rates) {
 
 template SpringRates spring_rate_bounds<2>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<2>);
 template SpringRates spring_rate_bounds<3>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<3>);
-template Real highest_spring_frequency<2>(const Springs&, const DiagonalMass&, PointsIn<2>, int);
-template Real highest_spring_frequency<3>(const Springs&, const DiagonalMass&, PointsIn<3>, int);
+template SpringRates spring_rate_estimates<2>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<2>, int);
+template SpringRates spring_rate_estimates<3>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<3>, int);
 
 }  // namespace pliant

@@ -19,12 +19,13 @@ struct SpringRates {
 template <int Dim>
 SpringRates spring_rate_bounds(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x);
 
-// Highest angular frequency of small motions about positions x, rad/s, by a power iteration on M^-1 K. It approaches the
-// frequency from below, within about 1 % after 100 iterations, and so makes a sharper estimate but no bound.
+// The same rates by power iterations on M^-1 K and M^-1 C: they approach the largest ones from below, those of a lattice within
+// about 1 % after 100 iterations, and so make sharper estimates but no bounds.
 template <int Dim>
-Real highest_spring_frequency(const Springs& springs, const DiagonalMass& mass, PointsIn<Dim> x, int iterations = 100);
+SpringRates spring_rate_estimates(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x,
+                                  int iterations = 100);
 
-// Largest time step that a scheme can be trusted with, s, given bounds on a net's rates: semi-implicit Euler needs
+// Largest time step that a scheme can be trusted with, s, given a net's rates: semi-implicit Euler needs
 // (omega dt)^2 + 2 damping dt <= 4; explicit Euler dt <= relaxation_time and dt <= 2/damping, so none without damping.
 Real stability_limit(Scheme scheme, const SpringRates& rates);
 

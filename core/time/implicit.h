@@ -50,6 +50,8 @@ public:
     // Both must outlive the solver.
     ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options = {});
 
+    void set_options(NewtonOptions options) { options_ = options; }
+
     // The form to be filled by a scheme before begin().
     ImplicitForm& form() { return form_; }
 

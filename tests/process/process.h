@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -68,8 +69,9 @@ private:
 // A process that ends with its owner at the latest. Its output goes to two files.
 class Child {
 public:
+    // keep_open: descriptors that the program inherits; folder: where it runs, this process's own when empty.
     Child(const std::string& program, const Arguments& arguments, const fs::path& out, const fs::path& err,
-          const Environment& environment = {}, const std::vector<int>& keep_open = {}) {
+          const Environment& environment = {}, const std::vector<int>& keep_open = {}, const fs::path& folder = {}) {
         std::vector<char*> words{const_cast<char*>(program.c_str())};
         for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
         words.push_back(nullptr);
@@ -81,6 +83,7 @@ public:
             redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
             redirect(STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
             redirect(STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
+            if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
             for (const int descriptor : keep_open) fcntl(descriptor, F_SETFD, 0);
             execvp(program.c_str(), words.data());
             _exit(127);

@@ -1,8 +1,8 @@
 // Contexts without a display: what they draw, and that they agree.
-#include <catch2/catch_test_macros.hpp>
-#include <catch2/matchers/catch_matchers_string.hpp>
 #include <imgui.h>
 #include <pliant/math/error.h>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include "platform/context.h"
 #include "platform/font.h"

@@ -1,8 +1,8 @@
 // Pictures in memory and as files.
+#include <pliant/math/error.h>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
-#include <pliant/math/error.h>
 
 #include "platform/image.h"
 #include "platform/png_file.h"
@@ -29,7 +29,9 @@ struct Folder {
         fs::create_directories(path);
     }
     ~Folder() { fs::remove_all(path); }
-    std::size_t files() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator())); }
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+    }
 };
 
 Image gradient(int width, int height) {
@@ -106,7 +108,7 @@ TEST_CASE("Differences of two pictures are measured") {
     Image b = a;
     CHECK(compare(a, b).largest == 0);
     CHECK(compare(a, b).fraction_over == 0);
-    b.rgb[0] = 9;      // the first pixel by 9
+    b.rgb[0] = 9;        // the first pixel by 9
     b.rgb[3 * 42] ^= 1;  // another one by 1
     CHECK(compare(a, b).largest == 9);
     CHECK(compare(a, b).fraction_over == Catch::Approx(0.02));

@@ -26,7 +26,9 @@ Real lightness(Rgba8 colour) {
     return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
-bool close(Rgba8 a, Rgba8 b, int amount) { return std::abs(a.r - b.r) <= amount && std::abs(a.g - b.g) <= amount && std::abs(a.b - b.b) <= amount; }
+bool close(Rgba8 a, Rgba8 b, int amount) {
+    return std::abs(a.r - b.r) <= amount && std::abs(a.g - b.g) <= amount && std::abs(a.b - b.b) <= amount;
+}
 
 }  // namespace
 
@@ -103,7 +105,8 @@ TEST_CASE("Six curves differ in colour and in mark") {
 
 TEST_CASE("Lines grow with the scale and are never thinner than 2 px for the projector") {
     const PlotStyle projector = plot_style(PlotTheme::projector, 1), large = plot_style(PlotTheme::dark, 2.5f);
-    for (const float length : {0.1f, projector.grid_width, projector.frame_width, projector.line_width}) CHECK(projector.width(length) >= 2);
+    for (const float length : {0.1f, projector.grid_width, projector.frame_width, projector.line_width})
+        CHECK(projector.width(length) >= 2);
     CHECK(large.width(large.line_width) == Catch::Approx(2.5f * plot_style(PlotTheme::dark, 1).line_width));
     for (const Dash kind : {Dash::dashed, Dash::dotted}) {
         for (const float part : dash_pattern(kind, 2)) CHECK(part >= 2);

@@ -7,7 +7,6 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <string>
 #include <vector>
 
 using namespace pliant;
@@ -40,7 +39,8 @@ TEST_CASE("The header names every column with its unit, and series with the same
 
 TEST_CASE("Numbers read back exactly, and one that is not finite leaves its cell empty") {
     const Real third = 1.0 / 3, tiny = std::numeric_limits<Real>::denorm_min();
-    const std::vector<Real> x{third, 1e300, tiny}, y{std::numeric_limits<Real>::quiet_NaN(), -std::numeric_limits<Real>::infinity(), -0.1};
+    const std::vector<Real> x{third, 1e300, tiny},
+        y{std::numeric_limits<Real>::quiet_NaN(), -std::numeric_limits<Real>::infinity(), -0.1};
     const auto lines = lines_of(to_csv("x", "", "", std::vector<CsvSeries>{{"y", x, y}}));
     REQUIRE(lines.size() == 4);
     CHECK(lines[0] == "x,y");

@@ -29,9 +29,9 @@ public:
         Box box;
     };
     std::vector<Text> texts;
-    std::vector<Point> points;     // of everything drawn
-    std::vector<Rgba8> colours;    // of lines
-    std::vector<float> widths;     // of lines
+    std::vector<Point> points;   // of everything drawn
+    std::vector<Rgba8> colours;  // of lines
+    std::vector<float> widths;   // of lines
     std::size_t open_clips = 0;
 
     void fill(Box box, Rgba8) override { points.insert(points.end(), {box.min, box.max}); }
@@ -56,7 +56,8 @@ private:
     float em_;
 };
 
-std::vector<Real> sampled(Real from, Real to, const std::function<Real(Real)>& f = [](Real x) { return x; }) {
+std::vector<Real> sampled(
+    Real from, Real to, const std::function<Real(Real)>& f = [](Real x) { return x; }) {
     std::vector<Real> values;
     for (int i = 0; i <= 200; ++i) values.push_back(f(from + (to - from) * i / 200));
     return values;
@@ -86,7 +87,8 @@ Drawn draw(const PlotModel& model, PlotMemory& memory, Point size = {420, 260}, 
     const PlotStyle style = plot_style(PlotTheme::projector, line_height / 18);
     drawn.view = current_view(model, memory);
     drawn.layout = lay_out({{7, 9}, {7 + size.x, 9 + size.y}}, model, memory, drawn.view, drawn.notes);
-    draw_plot({drawn.notes, model, memory, drawn.view, drawn.layout, style, buffers, drawn.layout.x_map(drawn.view), drawn.layout.y_map(drawn.view)});
+    draw_plot({drawn.notes, model, memory, drawn.view, drawn.layout, style, buffers, drawn.layout.x_map(drawn.view),
+               drawn.layout.y_map(drawn.view)});
     return drawn;
 }
 
@@ -105,23 +107,30 @@ std::vector<Series> list(Curves&&... curves) {
 // Plots with something awkward about each.
 std::vector<PlotModel> awkward_plots() {
     const Real inf = std::numeric_limits<Real>::infinity();
-    const Axes plain{{"time t", "s"}, {"energy E", "J"}}, logs{{"Δt", "s", AxisScale::log}, {"error ‖u − u*‖₂", "m", AxisScale::log}};
+    const Axes plain{{"time t", "s"}, {"energy E", "J"}},
+        logs{{"Δt", "s", AxisScale::log}, {"error ‖u − u*‖₂", "m", AxisScale::log}};
     const auto t = sampled(0, 9.3);
     std::vector<PlotModel> plots;
     plots.push_back(plot_of(plain));
     plots.push_back(plot_of(plain, list(series("none", {}, {}))));
     plots.push_back(plot_of(plain, list(series("one", {0.3}, {2.5}))));
     plots.push_back(plot_of(plain, list(series("constant", t, sampled(0, 1, [](Real) { return -4.0; })))));
-    plots.push_back(plot_of(plain, list(series("gaps", t, sampled(0, 9, [](Real x) { return std::fmod(x, 2) < 1 ? not_a_number : x; })))));
+    plots.push_back(
+        plot_of(plain, list(series("gaps", t, sampled(0, 9, [](Real x) { return std::fmod(x, 2) < 1 ? not_a_number : x; })))));
     plots.push_back(plot_of(plain, list(series("never finite", {1, 2, 3}, {not_a_number, inf, -inf}))));
     plots.push_back(plot_of(plain, list(series("huge", {0, 1, 2}, {-1e300, 1e300, 1e307}))));
     plots.push_back(plot_of(plain, list(series("tiny", {0, 1e-300, 2e-300}, {-1e-299, 1e-300, 0}))));
     plots.push_back(plot_of(plain, list(series("offset", t, sampled(0, 9, [](Real x) { return 1e6 + 0.002 * std::sin(x); })))));
-    plots.push_back(plot_of(logs, list(series("fourth order", {1e-4, 1e-3, 1e-2}, {1e-12, 1e-8, 1e-4}), series("all negative", {1, 2}, {-1, -2}))));
+    plots.push_back(plot_of(
+        logs, list(series("fourth order", {1e-4, 1e-3, 1e-2}, {1e-12, 1e-8, 1e-4}), series("all negative", {1, 2}, {-1, -2}))));
     plots.push_back(plot_of(logs, list(series("all negative", {1, 2}, {-1, -2}))));
     PlotModel crowd = plot_of(plain);
     crowd.title = "A title that is far longer than any plot is wide, with σ = λ tr(ε) I + 2 μ ε in it";
-    for (int i = 0; i < 9; ++i) crowd.series.push_back(series("a long name of a series, number " + std::to_string(i), sampled(0, 9.3), sampled(i, 9), i % 3 == 0 ? SeriesKind::points : i % 3 == 1 ? SeriesKind::line : SeriesKind::reference));
+    for (int i = 0; i < 9; ++i)
+        crowd.series.push_back(series("a long name of a series, number " + std::to_string(i), sampled(0, 9.3), sampled(i, 9),
+                                      i % 3 == 0   ? SeriesKind::points
+                                      : i % 3 == 1 ? SeriesKind::line
+                                                   : SeriesKind::reference));
     for (int i = 0; i < 5; ++i) {
         crowd.guides.push_back({true, 2.0 + 0.01 * i, "limit " + std::to_string(i), Dash::dashed});
         crowd.guides.push_back({false, 5.0 + 40 * i, "level " + std::to_string(i), Dash::dotted});
@@ -138,7 +147,9 @@ std::vector<PlotModel> awkward_plots() {
     return plots;
 }
 
-bool overlap(Box a, Box b) { return a.min.x < b.max.x - 0.01f && b.min.x < a.max.x - 0.01f && a.min.y < b.max.y - 0.01f && b.min.y < a.max.y - 0.01f; }
+bool overlap(Box a, Box b) {
+    return a.min.x < b.max.x - 0.01f && b.min.x < a.max.x - 0.01f && a.min.y < b.max.y - 0.01f && b.min.y < a.max.y - 0.01f;
+}
 
 }  // namespace
 
@@ -149,7 +160,8 @@ TEST_CASE("Nothing that is not finite is drawn, at any size") {
             const Drawn drawn = draw(model, memory, size);
             CAPTURE(model.title, size.x, size.y);
             REQUIRE(drawn.notes.open_clips == 0);
-            REQUIRE(std::ranges::all_of(drawn.notes.points, [](Point p) { return std::abs(p.x) < 5000 && std::abs(p.y) < 5000; }));
+            REQUIRE(
+                std::ranges::all_of(drawn.notes.points, [](Point p) { return std::abs(p.x) < 5000 && std::abs(p.y) < 5000; }));
         }
     }
 }
@@ -197,7 +209,8 @@ TEST_CASE("Units are always on the picture") {
             PlotMemory memory;
             const Drawn drawn = draw(model, memory, size);
             const auto holds = [&](const std::string& part) {
-                return std::ranges::any_of(drawn.notes.texts, [&](const Notes::Text& text) { return text.words.find(part) != std::string::npos; });
+                return std::ranges::any_of(drawn.notes.texts,
+                                           [&](const Notes::Text& text) { return text.words.find(part) != std::string::npos; });
             };
             CAPTURE(size.x, filled);
             CHECK(holds("[s]"));
@@ -222,7 +235,9 @@ TEST_CASE("An empty plot says what to do, and one whose curves cannot be seen sa
 
 TEST_CASE("A range that a person has fixed stays, and says so, until it is reset") {
     PlotMemory memory;
-    const auto model_until = [](Real end) { return plot_of({{"time t", "s"}, {"E", "J"}}, list(series("E", sampled(0, end), sampled(0, end)))); };
+    const auto model_until = [](Real end) {
+        return plot_of({{"time t", "s"}, {"E", "J"}}, list(series("E", sampled(0, end), sampled(0, end))));
+    };
     draw(model_until(10), memory);
     memory.x.fixed = Range{2, 3};
     const Drawn fixed = draw(model_until(500), memory);
@@ -247,7 +262,9 @@ TEST_CASE("The range given with an axis holds until the person zooms") {
 TEST_CASE("After a reset of the lesson the axes start over") {
     PlotMemory memory;
     const auto run = [](Real end, Real amplitude) {
-        return plot_of({{"t", "s"}, {"u", "m"}}, list(series("u", sampled(0, end), sampled(0, end, [=](Real t) { return amplitude * std::sin(9 * t / end); }))));
+        return plot_of(
+            {{"t", "s"}, {"u", "m"}},
+            list(series("u", sampled(0, end), sampled(0, end, [=](Real t) { return amplitude * std::sin(9 * t / end); }))));
     };
     CHECK(current_view(run(50, 100), memory).y.hi >= 100);
     const PlotView again = current_view(run(0.5, 1), memory);
@@ -256,7 +273,8 @@ TEST_CASE("After a reset of the lesson the axes start over") {
 }
 
 TEST_CASE("A hidden curve is not drawn and does not widen the axes, but keeps its colour") {
-    PlotModel model = plot_of({{"t", "s"}, {"u", "m"}}, list(series("large", {0, 1}, {0, 1000}), series("small", {0, 1}, {0, 1})));
+    PlotModel model =
+        plot_of({{"t", "s"}, {"u", "m"}}, list(series("large", {0, 1}, {0, 1000}), series("small", {0, 1}, {0, 1})));
     const PlotStyle style = plot_style(PlotTheme::projector, 1);
     const Rgba8 large = look_of(model, 0, style).colour, small = look_of(model, 1, style).colour;
     PlotMemory memory;
@@ -270,8 +288,9 @@ TEST_CASE("A hidden curve is not drawn and does not widen the axes, but keeps it
 }
 
 TEST_CASE("References are dashed, and curves of one plot differ without colour") {
-    const PlotModel model = plot_of({}, list(series("a", {0}, {0}), series("exact", {0}, {0}, SeriesKind::reference), series("b", {0}, {0}),
-                                             series("published", {0}, {0}, SeriesKind::reference), series("p", {0}, {0}, SeriesKind::points)));
+    const PlotModel model =
+        plot_of({}, list(series("a", {0}, {0}), series("exact", {0}, {0}, SeriesKind::reference), series("b", {0}, {0}),
+                         series("published", {0}, {0}, SeriesKind::reference), series("p", {0}, {0}, SeriesKind::points)));
     const PlotStyle style = plot_style(PlotTheme::dark, 1);
     CHECK(look_of(model, 0, style).dash == Dash::solid);
     CHECK(look_of(model, 1, style).dash == Dash::dashed);
@@ -285,7 +304,8 @@ TEST_CASE("Colours of a diverging map lie about zero and do not change while the
     PlotMemory memory;
     const auto field = [](Real size) {
         PlotModel model = plot_of({{"x", "m"}, {"y", "m"}});
-        model.heat = HeatMap{"p", "Pa", std::vector<Real>{size, -0.1 * size, 0, not_a_number}, 2, 2, {0, 1}, {0, 1}, ColourMap::diverging};
+        model.heat =
+            HeatMap{"p", "Pa", std::vector<Real>{size, -0.1 * size, 0, not_a_number}, 2, 2, {0, 1}, {0, 1}, ColourMap::diverging};
         return model;
     };
     const Range full = current_view(field(7), memory).colour;
@@ -312,7 +332,8 @@ TEST_CASE("The SVG of a plot is complete, and the same every time") {
             DrawBuffers buffers;
             const PlotView view = current_view(model, memory);
             const PlotLayout layout = lay_out({{0, 0}, {420, 260}}, model, memory, view, canvas);
-            draw_plot({canvas, model, memory, view, layout, plot_style(PlotTheme::light, 1), buffers, layout.x_map(view), layout.y_map(view)});
+            draw_plot({canvas, model, memory, view, layout, plot_style(PlotTheme::light, 1), buffers, layout.x_map(view),
+                       layout.y_map(view)});
             document = canvas.document();
         }
         CHECK(documents[0] == documents[1]);

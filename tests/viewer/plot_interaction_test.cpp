@@ -1,9 +1,9 @@
 // A hand on a plot: events go into ImGui, which needs no screen for this.
+#include <imgui.h>
+#include <pliant/math/error.h>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
-#include <imgui.h>
-#include <pliant/math/error.h>
 
 #include "plot/plot.h"
 
@@ -270,7 +270,10 @@ TEST_CASE("Curves whose numbers do not pair, and grids that do not fill, are ref
     Plot plot(hand.plots, plot_style(PlotTheme::dark, 1));
     REQUIRE(plot.begin("Plot", {400, 300}, {}));
     CHECK_THROWS_AS(plot.line("odd", std::vector<Real>{1, 2}, std::vector<Real>{1}), Refused);
-    CHECK_THROWS_AS(plot.heat_map({.name = "p", .unit = "", .values = std::vector<Real>{1, 2, 3}, .nx = 2, .ny = 2, .x = {0, 1}, .y = {0, 1}}), Refused);
+    CHECK_THROWS_AS(
+        plot.heat_map(
+            {.name = "p", .unit = "", .values = std::vector<Real>{1, 2, 3}, .nx = 2, .ny = 2, .x = {0, 1}, .y = {0, 1}}),
+        Refused);
     plot.end();
     ImGui::End();
     ImGui::EndFrame();

@@ -71,7 +71,8 @@ TEST_CASE("The numbers carry an SI prefix or a power of ten, never both") {
 }
 
 TEST_CASE("Numbers have as many decimals as the steps need and no minus sign before zero") {
-    CHECK(numbers(make_ticks({-0.5, 0.5}, AxisScale::linear, 6, "m")) == std::vector<std::string>{"-0.4", "-0.2", "0.0", "0.2", "0.4"});
+    CHECK(numbers(make_ticks({-0.5, 0.5}, AxisScale::linear, 6, "m")) ==
+          std::vector<std::string>{"-0.4", "-0.2", "0.0", "0.2", "0.4"});
     CHECK(numbers(make_ticks({0, 0.1}, AxisScale::linear, 3, "m")) == std::vector<std::string>{"0.00", "0.05", "0.10"});
     CHECK(numbers(make_ticks({-100, 100}, AxisScale::linear, 3, "m")) == std::vector<std::string>{"-100", "0", "100"});
 }
@@ -92,7 +93,8 @@ TEST_CASE("A number, its unit and the offset together give the value back") {
         for (const Real half : {2e-6, 0.3, 40.0, 7e5}) {
             if (half < 1e-11 * std::abs(middle)) continue;
             const Ticks ticks = make_ticks({middle - half, middle + half}, AxisScale::linear, 7, "");
-            // A dimensionless axis has a power of ten for its unit: "×10⁻⁶"; its exponent follows from the spacing of the numbers.
+            // A dimensionless axis has a power of ten for its unit: "×10⁻⁶"; its exponent follows from the spacing of the
+            // numbers.
             const auto texts = numbers(ticks);
             REQUIRE(texts.size() >= 2);
             const Real scale = (ticks.ticks[1].value - ticks.ticks[0].value) / (std::stod(texts[1]) - std::stod(texts[0]));

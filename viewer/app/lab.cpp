@@ -1,6 +1,7 @@
 #include "app/lab.h"
 
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 #include <pliant/lesson/file.h>
 
 #include "platform/gl.h"
@@ -81,6 +82,13 @@ void Lab::drop_file(const std::string& path) {
     }
 }
 
+namespace {
+// Tab hides the panels here, so it does not move the focus as well.
+void release_tab() {
+    if (ImGui::IsKeyPressed(ImGuiKey_Tab) && !ImGui::GetIO().WantTextInput) ImGui::NavMoveRequestCancel();
+}
+}  // namespace
+
 void Lab::frame(Real dt) {
     if (restyle_) restyle();
     for (const std::string& path : context_.take_dropped_files()) drop_file(path);
@@ -92,6 +100,7 @@ void Lab::frame(Real dt) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
+    release_tab();
     state_.session.update(dt);
     handle_keys([this](Action a) { perform(a); });
     ImGui::PushFont(state_.fonts.normal);
@@ -107,7 +116,7 @@ void Lab::lab_layout(float width, float height) {
     const float status = ImGui::GetFrameHeight() + s.px(8), left = std::min(s.px(238), width * 0.28f);
     const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right, body = height - status;
     const float list = std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
-    const float bars = ImGui::GetFrameHeight() + s.px(44) + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ItemSpacing.y;
+    const float bars = ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ItemSpacing.y;
     {
         const FixedPanel panel("Lessons", {0, 0, left, list});
         draw_lesson_list(s);

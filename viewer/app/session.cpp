@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace pliant::viewer {
 
 // ----------------------------------------------------------------------------------------------------------- colours
 
 void ColourRange::update(const std::vector<Real>& values) {
-    if (!automatic || values.empty()) return;
+    if (values.empty() || (!automatic && !fresh_)) return;
     const ColourScale wanted = scale_for(values);
     const Real size = std::max(std::abs(scale.min), std::abs(scale.max)), wanted_size = std::max(std::abs(wanted.min), std::abs(wanted.max));
     // Follows when the numbers reach beyond the range or fill less than a third of it, so that colours do not flicker.
     const bool outside = wanted.min < scale.min || wanted.max > scale.max || wanted.map != scale.map;
     const bool lost = wanted_size < size / 3 || (wanted.max - wanted.min) < (scale.max - scale.min) / 3;
-    if (outside || lost) scale = wanted;
+    if (std::exchange(fresh_, false) || outside || lost) scale = wanted;
 }
 
 // ----------------------------------------------------------------------------------------------------- lessons, scenes

@@ -22,7 +22,10 @@ struct ColourRange {
     bool automatic = true;
     ColourScale scale;
     void update(const std::vector<Real>& values);
-    void forget() { scale = {}; }
+    void forget() { fresh_ = true; }
+
+private:
+    bool fresh_ = true;  // the next numbers set the range, whatever it was
 };
 
 class Session {

@@ -107,7 +107,7 @@ int dispatch(int argc, const char* const* argv) {
         throw Refused(fmt::format("{}; `pliant {}--help` shows what is accepted", e.what(), argc > 1 && argv[1][0] != '-' ? std::string(argv[1]) + " " : ""));
     }
     const int code = action ? action() : window(window_options);
-    if (std::fflush(stdout) != 0) throw Refused("standard output cannot be written: is the disk full?");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw Refused("standard output cannot be written: is the disk full?");
     return code;
 }
 

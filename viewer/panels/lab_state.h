@@ -32,7 +32,6 @@ struct LabState {
 
     std::string search;
     bool focus_search = false;
-    bool walkthrough_shown = false;
     PlotPanelState plots;
 
     // the scene panel
@@ -64,6 +63,8 @@ void fitted_text(const std::string& text, float width);
 void tooltip(const std::string& text, float scale);
 // "youngs_modulus" as words.
 std::string words(std::string_view key);
+
+inline constexpr float stage_height = 60;  // px at scale 1
 
 void draw_lesson_list(LabState& lab);
 void draw_parameters(LabState& lab);

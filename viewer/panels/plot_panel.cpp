@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pliant::viewer {
 namespace {
@@ -41,10 +42,10 @@ void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
     std::vector<Real> steps;
     if (s.runner().is_static()) steps.assign(r.steps().begin(), r.steps().end());
     const auto& xs = s.runner().is_static() ? steps : r.times();
-    const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(probe.name) + " " + std::string(probe.symbol), std::string(probe.unit)}};
+    const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(probe.name) + (probe.symbol.empty() || probe.symbol == words(probe.name) ? "" : " " + std::string(probe.symbol)), std::string(probe.unit)}};
     if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
     plot.line("measured", xs, series.value);
-    if (probe.exact) plot.reference("exact", xs, series.exact);
+    if (std::ranges::any_of(series.exact, [](Real x) { return std::isfinite(x); })) plot.reference("exact", xs, series.exact);
     plot.end();
 }
 
@@ -52,11 +53,11 @@ void plot_line(Plot& plot, const Line& line, Point size) {
     Curve curve, reference;
     line.sample(curve);
     if (line.reference) line.reference(reference);
-    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit)}, .y = {words(line.name), std::string(line.unit)}};
+    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit)}, .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit)}};
     if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
     plot.line("now", curve.position, curve.value);
     const std::string name(line.reference_name);
-    if (line.reference) line.reference_points ? plot.points(name, reference.position, reference.value) : plot.reference(name, reference.position, reference.value);
+    if (!reference.position.empty()) line.reference_points ? plot.points(name, reference.position, reference.value) : plot.reference(name, reference.position, reference.value);
     plot.end();
 }
 

@@ -23,7 +23,7 @@ void colour_menu(LabState& lab) {
     const Field* shown = s.lesson().find_field(s.colours.field);
     std::string current = shown ? words(shown->name) : "none";
     if (shown && s.colours.component >= 0) current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
-    ImGui::SetNextItemWidth(lab.px(160));
+    ImGui::SetNextItemWidth(lab.px(140));
     if (ImGui::BeginCombo("##colour", current.c_str(), ImGuiComboFlags_HeightLarge)) {
         if (ImGui::Selectable("none", !shown)) s.colours = {};
         for (const Field& f : s.lesson().fields) {
@@ -44,7 +44,19 @@ void colour_menu(LabState& lab) {
     tooltip("The colour bar follows the numbers; switched off, its range stays", lab.scale);
 }
 
-// Two lines that fit a box: the name with its milliseconds, then the formula.
+void speed_menu(LabState& lab) {
+    Session& s = lab.session;
+    ImGui::SetNextItemWidth(lab.px(66));
+    if (ImGui::BeginCombo("##speed", fmt::format("{:g}×", s.speed).c_str())) {
+        for (const Real speed : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0})
+            if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), s.speed == speed)) s.speed = speed;
+        ImGui::EndCombo();
+    }
+    lab.note_control("speed");
+    tooltip("Simulated seconds per second to play at", lab.scale);
+}
+
+// The name with its milliseconds, then the formula on up to two lines; the tooltip has it whole.
 void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
     const Runner& runner = lab.session.runner();
     const bool done_last = runner.last_stage() == i;
@@ -60,16 +72,14 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     const std::string ms = cost.runs ? fmt::format("{:.2f} ms", cost.last_ms) : "";
     ImGui::PushFont(lab.fonts.small);
     const float ms_width = ImGui::CalcTextSize(ms.c_str()).x;
-    ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.8f});
+    ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
     ImGui::TextDisabled("%s", ms.c_str());
-    ImGui::SetCursorScreenPos({at.x + pad, at.y + height / 2});
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 2 * pad);
-    fitted_text(std::string(stage.formula), width - 2 * pad);
-    ImGui::PopTextWrapPos();
+    const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
+    draw->AddText(lab.fonts.small, lab.fonts.small->FontSize, formula, ImGui::GetColorU32(ImGuiCol_Text), stage.formula.data(), stage.formula.data() + stage.formula.size(), width - 2 * pad);
     ImGui::PopFont();
     std::string name = fmt::format("{} {}", i + 1, words(stage.name));
     if (next && runner.passes_in_stage() > 0) name += fmt::format(" · pass {}", runner.passes_in_stage());
-    ImGui::SetCursorScreenPos({at.x + pad, at.y + pad * 0.5f});
+    ImGui::SetCursorScreenPos({at.x + pad, at.y + pad * 0.4f});
     fitted_text(name, width - ms_width - 3 * pad);
     draw->PopClipRect();
 
@@ -93,6 +103,7 @@ void draw_transport(LabState& lab) {
     if (button(lab, "Step", "step", "One step (.)")) s.step();
     if (button(lab, "Back", "back", "One step back, from stored states (,)")) s.step_back();
     if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
+    if (!s.runner().is_static()) speed_menu(lab);
     ImGui::SameLine(0, lab.px(14));
     colour_menu(lab);
     ImGui::SameLine();
@@ -111,7 +122,7 @@ void draw_stage_bar(LabState& lab) {
     const float gap = lab.px(5), width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(stages.size() - 1)) / static_cast<float>(stages.size());
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i) ImGui::SameLine(0, gap);
-        stage_box(lab, *stages[i], runner.cost(static_cast<std::size_t>(stages[i] - runner.lesson().stages.data())), i, width, lab.px(44));
+        stage_box(lab, *stages[i], runner.cost(static_cast<std::size_t>(stages[i] - runner.lesson().stages.data())), i, width, lab.px(stage_height));
     }
 }
 

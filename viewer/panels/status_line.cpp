@@ -42,13 +42,19 @@ void conserved_lights(LabState& lab) {
     }
 }
 
+// One light for all assumptions that hold, and one by name for each that does not.
 void assumption_lights(LabState& lab) {
+    std::string holding;
+    std::vector<std::pair<std::string, std::string>> broken;
     for (const Assumption& a : lab.session.lesson().assumptions) {
         if (!a.in_use()) continue;
         const Real value = a.value(), limit = a.limit();
-        light(lab, value <= limit ? Holds::yes : Holds::no, words(a.name),
-              fmt::format("Assumption: {}\n{} against the limit {}\nBeyond it: {}", a.formula, format_quantity(value, a.unit), format_quantity(limit, a.unit), a.broken));
+        const std::string text = fmt::format("{}: {}\n    {} against the limit {}\n", words(a.name), a.formula, format_quantity(value, a.unit), format_quantity(limit, a.unit));
+        if (value <= limit) holding += text;
+        else broken.emplace_back(words(a.name), fmt::format("Assumption {}Beyond it: {}", text, a.broken));
     }
+    for (const auto& [name, text] : broken) light(lab, Holds::no, name, text);
+    if (!holding.empty()) light(lab, Holds::yes, broken.empty() ? "assumptions" : "others", "Assumptions that hold:\n" + holding);
 }
 
 }  // namespace
@@ -61,7 +67,8 @@ void draw_status_line(LabState& lab) {
     } else {
         ImGui::Text("t = %s   step %lld   Δt = %s", format_quantity(r.time(), "s").c_str(), static_cast<long long>(r.place().step), format_quantity(r.time_step(), "s", 3).c_str());
         ImGui::SameLine(0, lab.px(14));
-        ImGui::Text("real time %.2f× of %.2g×", s.reached_speed(), s.speed);
+        if (s.playing) ImGui::Text("real time %.2f× of %.2g×", s.reached_speed(), s.speed);
+        else ImGui::TextDisabled("paused");
         tooltip("Simulated seconds per second, reached and asked for. A slow machine falls behind; Δt never changes.", lab.scale);
     }
     ImGui::SameLine(0, lab.px(14));

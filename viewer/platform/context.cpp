@@ -9,16 +9,19 @@ namespace pliant::viewer {
 void check_size(Size size) {
     const auto fits = [](int side) { return side >= 1 && side <= largest_side; };
     if (fits(size.width) && fits(size.height)) return;
-    throw Refused("size = " + std::to_string(size.width) + "x" + std::to_string(size.height) + " px is refused: each side must be 1 to " +
-                  std::to_string(largest_side) + " px.");
+    throw Refused("size = " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                  " px is refused: each side must be 1 to " + std::to_string(largest_side) + " px.");
 }
 
 std::unique_ptr<Context> open_context(Backend backend, Size size, const std::string& title) {
     check_size(size);
     switch (backend) {
-        case Backend::window: return open_window(size, title);
-        case Backend::osmesa: return open_osmesa(size);
-        case Backend::egl: return open_egl(size);
+        case Backend::window:
+            return open_window(size, title);
+        case Backend::osmesa:
+            return open_osmesa(size);
+        case Backend::egl:
+            return open_egl(size);
     }
     throw std::logic_error("unknown backend");
 }

@@ -1,5 +1,5 @@
-// A place to draw with OpenGL: a window, or memory when there is no display. The window and the headless picture differ in nothing
-// else, so all code above this folder is the same for both.
+// A place to draw with OpenGL: a window, or memory when there is no display. The window and the headless picture differ in
+// nothing else, so all code above this folder is the same for both.
 #pragma once
 #include <pliant/math/types.h>
 

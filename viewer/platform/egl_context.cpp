@@ -27,12 +27,29 @@ EGLDisplay surfaceless_display() {
 }
 
 EGLConfig choose_config(EGLDisplay display) {
-    const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE,     8, EGL_GREEN_SIZE, 8,
-                             EGL_BLUE_SIZE,    8,               EGL_ALPHA_SIZE,      8,              EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8,
-                             EGL_SAMPLES,      0,               EGL_NONE};
+    const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                             EGL_PBUFFER_BIT,
+                             EGL_RENDERABLE_TYPE,
+                             EGL_OPENGL_BIT,
+                             EGL_RED_SIZE,
+                             8,
+                             EGL_GREEN_SIZE,
+                             8,
+                             EGL_BLUE_SIZE,
+                             8,
+                             EGL_ALPHA_SIZE,
+                             8,
+                             EGL_DEPTH_SIZE,
+                             24,
+                             EGL_STENCIL_SIZE,
+                             8,
+                             EGL_SAMPLES,
+                             0,
+                             EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(display, wanted, &config, 1, &count) || count == 0) lacks("no configuration with 8 bits per colour and 24 of depth");
+    if (!eglChooseConfig(display, wanted, &config, 1, &count) || count == 0)
+        lacks("no configuration with 8 bits per colour and 24 of depth");
     return config;
 }
 
@@ -72,8 +89,9 @@ private:
     void create_context() {
         if (!eglBindAPI(EGL_OPENGL_API)) lacks("no desktop OpenGL");
         config_ = choose_config(display_);
-        const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,       3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        const EGLint wanted[] = {
+            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, wanted);
         if (context_ == EGL_NO_CONTEXT) lacks("no OpenGL 3.3 core context");
     }
@@ -81,7 +99,8 @@ private:
     void create_surface() {
         const EGLint wanted[] = {EGL_WIDTH, size_.width, EGL_HEIGHT, size_.height, EGL_NONE};
         surface_ = eglCreatePbufferSurface(display_, config_, wanted);
-        if (surface_ == EGL_NO_SURFACE) lacks("no picture of " + std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px");
+        if (surface_ == EGL_NO_SURFACE)
+            lacks("no picture of " + std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px");
     }
     void bind() {
         eglBindAPI(EGL_OPENGL_API);

@@ -39,13 +39,15 @@ std::filesystem::path find_font() {
         if (std::filesystem::is_regular_file(named)) return named;
         throw MachineLacks(std::string("The typeface '") + named + "', which PLIANT_FONT names, is not there.");
     }
-    for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
-                               "/usr/local/share/fonts", "/opt/homebrew/share/fonts", "/Library/Fonts", "/fonts"}) {
+    for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu",
+                               "/usr/share/fonts/dejavu-sans-fonts", "/usr/local/share/fonts", "/opt/homebrew/share/fonts",
+                               "/Library/Fonts", "/fonts"}) {
         const auto file = std::filesystem::path(folder) / "DejaVuSans.ttf";
         std::error_code ignored;
         if (std::filesystem::is_regular_file(file, ignored)) return file;
     }
-    throw MachineLacks("The typeface DejaVu Sans is not on this machine: install fonts-dejavu-core, or set PLIANT_FONT to its file.");
+    throw MachineLacks(
+        "The typeface DejaVu Sans is not on this machine: install fonts-dejavu-core, or set PLIANT_FONT to its file.");
 }
 
 ImFont* add_font(const std::filesystem::path& file, float pixels) {
@@ -54,7 +56,8 @@ ImFont* add_font(const std::filesystem::path& file, float pixels) {
     config.OversampleV = 1;
     config.PixelSnapH = true;
     std::error_code failed;
-    if (!std::filesystem::is_regular_file(file, failed)) throw MachineLacks("The typeface '" + file.string() + "' cannot be read.");
+    if (!std::filesystem::is_regular_file(file, failed))
+        throw MachineLacks("The typeface '" + file.string() + "' cannot be read.");
     ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, glyph_ranges);
     if (!font) throw MachineLacks("The typeface '" + file.string() + "' cannot be read.");
     return font;

@@ -10,7 +10,8 @@ namespace pliant::viewer {
 // install, when it is nowhere.
 std::filesystem::path find_font();
 
-// Adds the typeface to ImGui's atlas at a height in px (of a line of type, not of a letter). Call between frames. Throws MachineLacks.
+// Adds the typeface to ImGui's atlas at a height in px (of a line of type, not of a letter). Call between frames. Throws
+// MachineLacks.
 ImFont* add_font(const std::filesystem::path& file, float pixels);
 
 }  // namespace pliant::viewer

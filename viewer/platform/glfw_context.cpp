@@ -133,7 +133,9 @@ std::unique_ptr<Context> open_window(Size size, const std::string& title) { retu
 
 namespace pliant::viewer {
 std::unique_ptr<Context> open_window(Size, const std::string&) {
-    throw MachineLacks("This build has no window: GLFW was not there. Install libglfw3-dev and build again, or use `pliant shot` for a picture.");
+    throw MachineLacks(
+        "This build has no window: GLFW was not there. Install libglfw3-dev and build again, or use `pliant shot` for a "
+        "picture.");
 }
 }  // namespace pliant::viewer
 

@@ -22,7 +22,9 @@ Image crop(const Image& image, int left, int top, int width, int height) {
 
 ImageDifference compare(const Image& a, const Image& b, int amount) {
     if (a.width != b.width || a.height != b.height) {
-        const auto size = [](const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height) + " px"; };
+        const auto size = [](const Image& image) {
+            return std::to_string(image.width) + "x" + std::to_string(image.height) + " px";
+        };
         throw Refused("Pictures of different sizes cannot be compared: " + size(a) + " and " + size(b) + ".");
     }
     ImageDifference difference;

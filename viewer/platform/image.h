@@ -16,11 +16,14 @@ struct Image {
     std::vector<std::uint8_t> rgb;
 
     std::size_t row_bytes() const { return std::size_t{3} * static_cast<std::size_t>(width); }
-    std::span<const std::uint8_t> row(int y) const { return {rgb.data() + row_bytes() * static_cast<std::size_t>(y), row_bytes()}; }
+    std::span<const std::uint8_t> row(int y) const {
+        return {rgb.data() + row_bytes() * static_cast<std::size_t>(y), row_bytes()};
+    }
     bool operator==(const Image&) const = default;
 };
 
-// The part of a picture that lies in a rectangle given in px from the top left corner; what reaches beyond the picture is left out.
+// The part of a picture that lies in a rectangle given in px from the top left corner; what reaches beyond the picture is left
+// out.
 Image crop(const Image& image, int left, int top, int width, int height);
 
 struct ImageDifference {

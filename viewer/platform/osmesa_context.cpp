@@ -20,8 +20,19 @@ public:
     explicit OsmesaContext(Size size) : HeadlessContext(size) {
         // The same software driver on every machine, so that pictures agree.
         const ScopedEnvironment driver("GALLIUM_DRIVER", "llvmpipe");
-        const int wanted[] = {OSMESA_FORMAT,       OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE,
-                              OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+        const int wanted[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_STENCIL_BITS,
+                              8,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              3,
+                              0};
         context_ = OSMesaCreateContextAttribs(wanted, nullptr);
         if (!context_) throw MachineLacks("OSMesa makes no OpenGL 3.3 context with llvmpipe; install libosmesa6 6.5 or newer.");
         try {
@@ -50,7 +61,8 @@ private:
     void bind() {
         buffer_.resize(std::size_t{4} * static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
         if (!OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, size_.width, size_.height))
-            throw MachineLacks("OSMesa cannot draw a picture of " + std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px.");
+            throw MachineLacks("OSMesa cannot draw a picture of " + std::to_string(size_.width) + "x" +
+                               std::to_string(size_.height) + " px.");
         load_gl([](const char* name) { return reinterpret_cast<GlFunction>(OSMesaGetProcAddress(name)); });
     }
 

@@ -97,7 +97,8 @@ Image read_png(const fs::path& path) {
     if (!png_image_begin_read_from_stdio(&png, file.get())) cannot("read", path, png.message);
     const std::unique_ptr<png_image, void (*)(png_image*)> free_later(&png, png_image_free);
     if (png.width > largest_read || png.height > largest_read) {
-        cannot("read", path, "it has " + std::to_string(png.width) + "x" + std::to_string(png.height) + " px, at most 32768 per side are read");
+        cannot("read", path,
+               "it has " + std::to_string(png.width) + "x" + std::to_string(png.height) + " px, at most 32768 per side are read");
     }
     png.format = PNG_FORMAT_RGB;
     Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};

@@ -9,10 +9,15 @@ namespace pliant::viewer {
 
 class AxisMap {
 public:
-    // The low end of the range lies at pixel `low`, the high end at pixel `high`; for an axis that points up, low > high. The range
-    // must not be empty and, on a log axis, positive.
+    // The low end of the range lies at pixel `low`, the high end at pixel `high`; for an axis that points up, low > high. The
+    // range must not be empty and, on a log axis, positive.
     AxisMap(Range range, AxisScale scale, Real low, Real high)
-        : range_(range), scale_(scale), low_(low), high_(high), start_(exponent(range.lo)), per_unit_((high - low) / (exponent(range.hi) - start_)) {}
+        : range_(range),
+          scale_(scale),
+          low_(low),
+          high_(high),
+          start_(exponent(range.lo)),
+          per_unit_((high - low) / (exponent(range.hi) - start_)) {}
 
     // The pixel of a plottable value. Values far outside are drawn in as to a billion pixels, so that differences stay exact.
     Real pixel(Real value) const { return std::clamp(low_ + (exponent(value) - start_) * per_unit_, -far, far); }

@@ -52,7 +52,8 @@ std::string with_unit(std::string_view name, std::string_view unit) {
     return unit.empty() ? std::string(name) : std::string(name) + (name.empty() ? "[" : " [") + std::string(unit) + "]";
 }
 
-std::string to_csv(std::string_view x_label, std::string_view x_unit, std::string_view y_unit, std::span<const CsvSeries> series) {
+std::string to_csv(std::string_view x_label, std::string_view x_unit, std::string_view y_unit,
+                   std::span<const CsvSeries> series) {
     std::vector<Column> columns;
     std::span<const Real> shared;
     for (std::size_t i = 0; i < series.size(); ++i) {
@@ -65,11 +66,12 @@ std::string to_csv(std::string_view x_label, std::string_view x_unit, std::strin
     return table(columns);
 }
 
-std::string grid_to_csv(std::string_view x_header, std::string_view y_header, std::string_view value_header, std::span<const Real> xs,
-                        std::span<const Real> ys, std::span<const Real> values) {
+std::string grid_to_csv(std::string_view x_header, std::string_view y_header, std::string_view value_header,
+                        std::span<const Real> xs, std::span<const Real> ys, std::span<const Real> values) {
     std::string text = quoted(x_header) + "," + quoted(y_header) + "," + quoted(value_header) + "\r\n";
     for (std::size_t j = 0; j < ys.size(); ++j) {
-        for (std::size_t i = 0; i < xs.size(); ++i) text += cell(xs, i) + "," + cell(ys, j) + "," + cell(values, i + xs.size() * j) + "\r\n";
+        for (std::size_t i = 0; i < xs.size(); ++i)
+            text += cell(xs, i) + "," + cell(ys, j) + "," + cell(values, i + xs.size() * j) + "\r\n";
     }
     return text;
 }

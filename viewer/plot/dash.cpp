@@ -59,7 +59,7 @@ void dash(const Runs& lines, std::span<const float> pattern, Runs& out) {
     }
 }
 
-void spaced(const Runs& lines, float spacing, float first, std::vector<Point>& out) {
+void spaced(const Runs& lines, float spacing, float first, bool x_alone, std::vector<Point>& out) {
     out.clear();
     Point last{};
     float wanted = first;
@@ -67,7 +67,7 @@ void spaced(const Runs& lines, float spacing, float first, std::vector<Point>& o
         const auto run = lines.run(i);
         if (out.empty()) last = run.front();
         for (const Point point : run) {
-            if (distance(last, point) < wanted) continue;
+            if ((x_alone ? std::abs(point.x - last.x) : distance(last, point)) < wanted) continue;
             out.push_back(point);
             last = point;
             wanted = spacing;

@@ -14,7 +14,8 @@ void draw_ticks(const Drawing& d, const Ticks& ticks, const AxisMap& map, bool v
     for (const Tick& tick : ticks.ticks) {
         const bool minor = tick.text.empty();
         const float at = crisp(map.pixel(tick.value));
-        const Point a = vertical ? Point{area.min.x, at} : Point{at, area.min.y}, b = vertical ? Point{area.max.x, at} : Point{at, area.max.y};
+        const Point a = vertical ? Point{area.min.x, at} : Point{at, area.min.y},
+                    b = vertical ? Point{area.max.x, at} : Point{at, area.max.y};
         d.canvas.segment(a, b, minor ? d.style.minor_grid : d.style.grid, d.style.width(d.style.grid_width));
     }
 }
@@ -23,7 +24,8 @@ void draw_zero(const Drawing& d, const AxisMap& map, bool vertical) {
     if (map.scale() == AxisScale::log || !(map.range().lo < 0 && map.range().hi > 0)) return;
     const float at = crisp(map.pixel(0));
     const Box area = d.layout.area;
-    const Point a = vertical ? Point{area.min.x, at} : Point{at, area.min.y}, b = vertical ? Point{area.max.x, at} : Point{at, area.max.y};
+    const Point a = vertical ? Point{area.min.x, at} : Point{at, area.min.y},
+                b = vertical ? Point{area.max.x, at} : Point{at, area.max.y};
     d.canvas.segment(a, b, d.style.frame, d.style.width(d.style.grid_width));
 }
 
@@ -33,13 +35,15 @@ void draw_numbers(const Drawing& d) {
     for (const Tick& tick : d.layout.x.ticks) {
         if (tick.text.empty()) continue;
         const float width = d.canvas.text_size(tick.text).x;
-        const float x = std::clamp(static_cast<float>(d.x.pixel(tick.value)) - width / 2, whole.min.x, std::max(whole.min.x, whole.max.x - width));
+        const float x = std::clamp(static_cast<float>(d.x.pixel(tick.value)) - width / 2, whole.min.x,
+                                   std::max(whole.min.x, whole.max.x - width));
         d.canvas.text({x, area.max.y + below_area * em}, d.style.faint_text, tick.text);
     }
     for (const Tick& tick : d.layout.y.ticks) {
         if (tick.text.empty()) continue;
         const Point size = d.canvas.text_size(tick.text);
-        d.canvas.text({area.min.x - 0.3f * em - size.x, static_cast<float>(d.y.pixel(tick.value)) - 0.55f * size.y}, d.style.faint_text, tick.text);
+        d.canvas.text({area.min.x - 0.3f * em - size.x, static_cast<float>(d.y.pixel(tick.value)) - 0.55f * size.y},
+                      d.style.faint_text, tick.text);
     }
 }
 
@@ -65,7 +69,8 @@ void draw_colour_bar(const Drawing& d) {
     const AxisMap map(d.view.colour, AxisScale::linear, bar.max.y, bar.min.y);
     for (const Tick& tick : d.layout.colour.ticks) {
         const float y = static_cast<float>(map.pixel(tick.value));
-        d.canvas.segment({bar.max.x, crisp(y)}, {bar.max.x + 0.2f * em, crisp(y)}, d.style.frame, d.style.width(d.style.grid_width));
+        d.canvas.segment({bar.max.x, crisp(y)}, {bar.max.x + 0.2f * em, crisp(y)}, d.style.frame,
+                         d.style.width(d.style.grid_width));
         d.canvas.text({bar.max.x + 0.35f * em, y - 0.52f * em}, d.style.faint_text, tick.text);
     }
 }
@@ -93,7 +98,8 @@ void draw_frame(const Drawing& d) {
     draw_numbers(d);
     draw_colour_bar(d);
     draw_hint(d);
-    for (const Words* words : {&d.layout.x_label, &d.layout.y_label, &d.layout.colour_label}) d.canvas.text(words->at, d.style.text, words->text);
+    for (const Words* words : {&d.layout.x_label, &d.layout.y_label, &d.layout.colour_label})
+        d.canvas.text(words->at, d.style.text, words->text);
 }
 
 void draw_plot(const Drawing& d) {
@@ -101,7 +107,8 @@ void draw_plot(const Drawing& d) {
     d.canvas.push_clip(d.layout.whole);
     d.canvas.fill(d.layout.whole, d.style.background);
     // Twice, a pixel apart: bold.
-    for (const float shift : {0.0f, 1.0f}) d.canvas.text({d.layout.title.at.x + shift, d.layout.title.at.y}, d.style.text, d.layout.title.text);
+    for (const float shift : {0.0f, 1.0f})
+        d.canvas.text({d.layout.title.at.x + shift, d.layout.title.at.y}, d.style.text, d.layout.title.text);
     if (d.layout.usable) {
         d.canvas.push_clip(area);
         draw_grid(d);

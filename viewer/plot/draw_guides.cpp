@@ -75,8 +75,10 @@ void draw_guide(const Drawing& d, const Guide& guide, Labels& labels) {
     }
     if (label.empty()) return;
     label = shortened(d.canvas, label, area.width() - d.canvas.line_height());
-    if (guide.vertical) labels.beside(at, label);
-    else labels.along(at, label);
+    if (guide.vertical)
+        labels.beside(at, label);
+    else
+        labels.along(at, label);
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ std::vector<Strip> strips(Range extent, AxisScale declared, Index count, const A
         if (!map.plots(from) || !map.plots(to)) continue;
         Real a = map.pixel(from), b = map.pixel(to);
         if (a > b) std::swap(a, b);
-        const auto begin = static_cast<float>(std::round(std::max(a, low))), end = static_cast<float>(std::round(std::min(b, high)));
+        const auto begin = static_cast<float>(std::round(std::max(a, low))),
+                   end = static_cast<float>(std::round(std::min(b, high)));
         if (end - begin >= narrowest) result.push_back({begin, end, i});
     }
     return result;
@@ -57,7 +58,9 @@ void draw_heat(const Drawing& d) {
     const std::vector<Strip> rows = strips(heat.y, d.model.axes.y.scale, heat.ny, d.y);
     const auto colour_index = [&](Index i, Index j) {
         const Real value = heat.at(i, j);
-        return std::isfinite(value) ? static_cast<int>(std::lround(255 * std::clamp(position_on(d.view.colour, AxisScale::linear, value), 0.0, 1.0))) : -1;
+        return std::isfinite(value) ? static_cast<int>(std::lround(
+                                          255 * std::clamp(position_on(d.view.colour, AxisScale::linear, value), 0.0, 1.0)))
+                                    : -1;
     };
     const ColourTable& table = colour_table(heat.map);
     for (const Strip& row : rows) {
@@ -65,10 +68,14 @@ void draw_heat(const Drawing& d) {
         for (std::size_t first = 0; first < columns.size();) {
             const int index = colour_index(columns[first].cell, row.cell);
             std::size_t end = first + 1;
-            while (end < columns.size() && columns[end].begin == columns[end - 1].end && colour_index(columns[end].cell, row.cell) == index) ++end;
+            while (end < columns.size() && columns[end].begin == columns[end - 1].end &&
+                   colour_index(columns[end].cell, row.cell) == index)
+                ++end;
             const Box box{{columns[first].begin, row.begin}, {columns[end - 1].end, row.end}};
-            if (index < 0) hatch(d, box);
-            else d.canvas.fill(box, table[static_cast<std::size_t>(index)]);
+            if (index < 0)
+                hatch(d, box);
+            else
+                d.canvas.fill(box, table[static_cast<std::size_t>(index)]);
             first = end;
         }
     }

@@ -25,7 +25,7 @@ void draw_halo(const Drawing& d, SeriesLook look) {
     draw_lines(d.canvas, d.buffers.lines, look, d.buffers.strokes);
 }
 
-void find_marks(const Drawing& d, std::size_t index, std::vector<Point>& marks) {
+void find_marks(const Drawing& d, std::size_t index, bool x_never_falls, std::vector<Point>& marks) {
     const Series& series = d.model.series[index];
     // Few samples are marked each, so that one sees how few they are; many get a mark now and then.
     const auto room = static_cast<std::size_t>(d.layout.area.width() / d.style.px(sample_spacing));
@@ -35,7 +35,7 @@ void find_marks(const Drawing& d, std::size_t index, std::vector<Point>& marks) 
         scatter(series.xs, series.ys, d.x, d.y, 1, marks);
     } else {
         const float spacing = d.style.px(mark_spacing);
-        spaced(d.buffers.lines, spacing, spacing * (0.25f + 0.31f * static_cast<float>(index % 3)), marks);
+        spaced(d.buffers.lines, spacing, spacing * (0.25f + 0.31f * static_cast<float>(index % 3)), x_never_falls, marks);
         std::erase_if(marks, [&d](Point at) { return !d.layout.area.contains(at); });
     }
 }
@@ -74,14 +74,20 @@ void draw_marker(Canvas& canvas, const SeriesLook& look, Point at) {
     const Real up = -std::numbers::pi / 2;
     std::array<Point, 12> corners;
     switch (look.marker) {
-        case Marker::none: return;
-        case Marker::circle: return at_angles(corners, r, 0);
-        case Marker::square: return canvas.fill(shape(at, 0.9f * r), look.colour);
-        case Marker::triangle: return at_angles(std::span(corners).first(3), 1.35f * r, up);
-        case Marker::diamond: return at_angles(std::span(corners).first(4), 1.35f * r, up);
+        case Marker::none:
+            return;
+        case Marker::circle:
+            return at_angles(corners, r, 0);
+        case Marker::square:
+            return canvas.fill(shape(at, 0.9f * r), look.colour);
+        case Marker::triangle:
+            return at_angles(std::span(corners).first(3), 1.35f * r, up);
+        case Marker::diamond:
+            return at_angles(std::span(corners).first(4), 1.35f * r, up);
         case Marker::cross:
             canvas.segment({at.x - diagonal, at.y - diagonal}, {at.x + diagonal, at.y + diagonal}, look.colour, look.width);
-            return canvas.segment({at.x - diagonal, at.y + diagonal}, {at.x + diagonal, at.y - diagonal}, look.colour, look.width);
+            return canvas.segment({at.x - diagonal, at.y + diagonal}, {at.x + diagonal, at.y - diagonal}, look.colour,
+                                  look.width);
         case Marker::plus:
             canvas.segment({at.x - 1.2f * r, at.y}, {at.x + 1.2f * r, at.y}, look.colour, look.width);
             return canvas.segment({at.x, at.y - 1.2f * r}, {at.x, at.y + 1.2f * r}, look.colour, look.width);
@@ -93,8 +99,10 @@ void draw_lines(Canvas& canvas, const Runs& lines, const SeriesLook& look, Runs&
     dot.marker = Marker::circle;
     for (std::size_t i = 0; i < lines.count(); ++i) {
         const auto run = lines.run(i);
-        if (run.size() == 1) draw_marker(canvas, dot, run.front());
-        else if (look.dash == Dash::solid) canvas.line(run, look.colour, look.width);
+        if (run.size() == 1)
+            draw_marker(canvas, dot, run.front());
+        else if (look.dash == Dash::solid)
+            canvas.line(run, look.colour, look.width);
     }
     if (look.dash == Dash::solid) return;
     dash(lines, dash_pattern(look.dash, look.width), strokes);
@@ -111,12 +119,13 @@ void draw_curves(const Drawing& d) {
             d.buffers.marks[i].clear();
             if (d.hidden(series)) continue;
             const SeriesLook look = look_of(d.model, i, d.style);
+            bool x_never_falls = true;
             if (series.kind != SeriesKind::points) {
-                trace(series.xs, series.ys, d.x, d.y, 2 * look.width, d.buffers.lines);
+                x_never_falls = trace(series.xs, series.ys, d.x, d.y, 2 * look.width, d.buffers.lines);
                 if (d.model.heat) draw_halo(d, look);
                 draw_lines(d.canvas, d.buffers.lines, look, d.buffers.strokes);
             }
-            if (look.marker != Marker::none) find_marks(d, i, d.buffers.marks[i]);
+            if (look.marker != Marker::none) find_marks(d, i, x_never_falls, d.buffers.marks[i]);
         }
     }
 }

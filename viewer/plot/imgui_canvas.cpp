@@ -22,8 +22,10 @@ void ImguiCanvas::line(std::span<const Point> points, Rgba8 colour, float width)
     // The longest stretch that ImGui may take at once: its vertices are counted with 16 bits.
     constexpr int longest = 2048;
     const auto stroke = [&] {
-        if (list_._Path.Size > 1) list_.PathStroke(im(colour), 0, width);
-        else list_.PathClear();
+        if (list_._Path.Size > 1)
+            list_.PathStroke(im(colour), 0, width);
+        else
+            list_.PathClear();
     };
     Point before{}, last{};
     for (const Point point : points) {

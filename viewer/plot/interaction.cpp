@@ -40,11 +40,16 @@ void press(const Hand& h) {
     h.record.x_at_press = h.view.x;
     h.record.y_at_press = h.view.y;
     const bool in_area = h.layout.area.contains(at);
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) h.record.drag = in_area ? PlotDrag::box : PlotDrag::click;
-    else if (in_area) h.record.drag = PlotDrag::pan;
-    else if (h.layout.x_strip.contains(at)) h.record.drag = PlotDrag::pan_x;
-    else if (h.layout.y_strip.contains(at)) h.record.drag = PlotDrag::pan_y;
-    else h.record.drag = PlotDrag::click;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+        h.record.drag = in_area ? PlotDrag::box : PlotDrag::click;
+    else if (in_area)
+        h.record.drag = PlotDrag::pan;
+    else if (h.layout.x_strip.contains(at))
+        h.record.drag = PlotDrag::pan_x;
+    else if (h.layout.y_strip.contains(at))
+        h.record.drag = PlotDrag::pan_y;
+    else
+        h.record.drag = PlotDrag::click;
 }
 
 bool pan(const Hand& h) {
@@ -60,7 +65,8 @@ bool pan(const Hand& h) {
 
 Box dragged_box(const Hand& h) {
     const Box area = h.layout.area;
-    const Point at{std::clamp(pointer().x, area.min.x, area.max.x), std::clamp(pointer().y, area.min.y, area.max.y)}, from = h.record.pressed;
+    const Point at{std::clamp(pointer().x, area.min.x, area.max.x), std::clamp(pointer().y, area.min.y, area.max.y)},
+        from = h.record.pressed;
     return {{std::min(at.x, from.x), std::min(at.y, from.y)}, {std::max(at.x, from.x), std::max(at.y, from.y)}};
 }
 
@@ -109,7 +115,8 @@ void zoom_to(AxisMemory& axis, Range shown, AxisScale scale, Real a, Real b) {
 bool follow_pointer(const Hand& h) {
     bool changed = false;
     if (ImGui::IsItemHovered()) changed = wheel(h);
-    if (ImGui::IsItemHovered() && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right))) press(h);
+    if (ImGui::IsItemHovered() && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right)))
+        press(h);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) changed |= double_click(h);
     if (h.record.drag == PlotDrag::none) return changed;
     if (ImGui::IsItemActive()) return pan(h) || changed;

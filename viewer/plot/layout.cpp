@@ -8,9 +8,9 @@ namespace pliant::viewer {
 namespace {
 
 // Lengths in heights of a line of type.
-constexpr float small_height = 9, small_width = 15;      // below: no labels, no legend
-constexpr float least_area = 1.5f;                       // of either side
-constexpr float sample_length = 1.7f;                    // of the line beside a name in the legend
+constexpr float small_height = 9, small_width = 15;  // below: no labels, no legend
+constexpr float least_area = 1.5f;                   // of either side
+constexpr float sample_length = 1.7f;                // of the line beside a name in the legend
 constexpr float widest_name = 16, between_entries = 0.9f;
 
 class Layouter {
@@ -59,25 +59,31 @@ private:
         const float room = out_.menu.min.x - inner_.min.x - 0.4f * em_;
         std::string title = model_.title;
         if (small_) {
-            const Ticks y = view_.has_data ? ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, em_ * 4, true, canvas_) : Ticks{{}, model_.axes.y.unit, ""};
+            const Ticks y = view_.has_data ? ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, em_ * 4, true, canvas_)
+                                           : Ticks{{}, model_.axes.y.unit, ""};
             const std::string tail = axis_text("", {{}, y.unit, y.offset});
             if (!tail.empty() && !model_.heat) title = fit(title, room - width(tail) - width(" ")) + " " + tail;
         }
         out_.title = {fit(title, room), {inner_.min.x, row}};
     }
 
-    // The legend stands above the picture, so that it hides no data: at the end of the title's row if it fits, else in rows of its own.
+    // The legend stands above the picture, so that it hides no data: at the end of the title's row if it fits, else in rows of
+    // its own.
     void place_legend() {
-        const bool tells_nothing = model_.series.empty() || (model_.series.size() == 1 && (model_.heat || model_.series[0].name == model_.title));
+        const bool tells_nothing =
+            model_.series.empty() || (model_.series.size() == 1 && (model_.heat || model_.series[0].name == model_.title));
         if (tells_nothing) return;
         float total = 0;
         for (std::size_t i = 0; i < model_.series.size(); ++i) total += add_entry(i) + between_entries * em_;
         const float room = out_.menu.min.x - out_.title.at.x - width(out_.title.text) - 1.5f * em_;
-        if (total <= room) move_legend(out_.menu.min.x - total, out_.title.at.y);
-        else wrap_legend();
+        if (total <= room)
+            move_legend(out_.menu.min.x - total, out_.title.at.y);
+        else
+            wrap_legend();
     }
     float add_entry(std::size_t series) {
-        const std::string name = fit(model_.series[series].name, std::min(widest_name * em_, inner_.max.x - inner_.min.x - (sample_length + 1) * em_));
+        const std::string name =
+            fit(model_.series[series].name, std::min(widest_name * em_, inner_.max.x - inner_.min.x - (sample_length + 1) * em_));
         const float length = (sample_length + 0.4f) * em_ + width(name);
         out_.legend.push_back({series, {{0, 0}, {length, em_}}, {name, {(sample_length + 0.4f) * em_, 0}}});
         return length;
@@ -126,7 +132,8 @@ private:
 
     void place_y_axis() {
         out_.y.unit = model_.axes.y.unit;
-        if (view_.has_data) out_.y = ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, out_.area.height(), true, canvas_);
+        if (view_.has_data)
+            out_.y = ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, out_.area.height(), true, canvas_);
         // In steps of half a line, so that the picture does not shake while the numbers change.
         const float gutter = std::ceil((widest(out_.y) + 0.4f * em_) / (0.5f * em_)) * 0.5f * em_;
         out_.area.min.x = std::round(inner_.min.x + gutter);
@@ -139,7 +146,8 @@ private:
         out_.x_strip = {{out_.area.min.x, out_.area.max.y}, {out_.area.max.x, out_.whole.max.y}};
         out_.x.unit = model_.axes.x.unit;
         if (out_.area.width() < em_) return;
-        if (view_.has_data) out_.x = ticks_that_fit(view_.x, view_.x_scale, model_.axes.x.unit, out_.area.width(), false, canvas_);
+        if (view_.has_data)
+            out_.x = ticks_that_fit(view_.x, view_.x_scale, model_.axes.x.unit, out_.area.width(), false, canvas_);
         if (!small_ || out_.x.unit.empty()) return;
         // The unit stands at the end of the numbers, those that it would cover go.
         const std::string text = "[" + out_.x.unit + "]";
@@ -165,7 +173,9 @@ private:
 
         const std::string x = fit(axis_label(model_.axes.x, out_.x, memory_.x), inner_.max.x - inner_.min.x);
         const float middle = (out_.area.min.x + out_.area.max.x - width(x)) / 2;
-        out_.x_label = {x, {std::clamp(middle, inner_.min.x, std::max(inner_.min.x, inner_.max.x - width(x))), out_.area.max.y + (below_area + 1) * em_}};
+        out_.x_label = {x,
+                        {std::clamp(middle, inner_.min.x, std::max(inner_.min.x, inner_.max.x - width(x))),
+                         out_.area.max.y + (below_area + 1) * em_}};
     }
 
     const PlotModel& model_;
@@ -184,7 +194,9 @@ private:
 Ticks ticks_that_fit(Range range, AxisScale scale, std::string_view unit, float length, bool vertical, const Canvas& canvas) {
     const float em = canvas.line_height();
     const AxisMap map(range, scale, 0, length);
-    const auto numbers_of = [](const Ticks& ticks) { return std::ranges::count_if(ticks.ticks, [](const Tick& tick) { return !tick.text.empty(); }); };
+    const auto numbers_of = [](const Ticks& ticks) {
+        return std::ranges::count_if(ticks.ticks, [](const Tick& tick) { return !tick.text.empty(); });
+    };
     const auto fits = [&](const Ticks& ticks, float gap) {
         Real end = -1e9;  // of the last number
         for (const Tick& tick : ticks.ticks) {

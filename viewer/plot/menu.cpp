@@ -30,8 +30,10 @@ void axis_switches(const char* name, AxisMemory& memory, AxisScale scale, Range 
     }
     ImGui::SameLine();
     if (ImGui::Checkbox("fixed range", &fixed)) {
-        if (fixed) memory.fixed = shown;
-        else reset_axis(memory);
+        if (fixed)
+            memory.fixed = shown;
+        else
+            reset_axis(memory);
     }
     ImGui::PopID();
 }
@@ -39,8 +41,10 @@ void axis_switches(const char* name, AxisMemory& memory, AxisScale scale, Range 
 void colour_switch(AxisMemory& memory, Range shown) {
     bool fixed = memory.fixed.has_value();
     if (!ImGui::Checkbox("fixed range of colours", &fixed)) return;
-    if (fixed) memory.fixed = shown;
-    else reset_axis(memory);
+    if (fixed)
+        memory.fixed = shown;
+    else
+        reset_axis(memory);
 }
 
 void series_switches(const Hand& h) {
@@ -48,21 +52,25 @@ void series_switches(const Hand& h) {
     for (const Series& series : h.model.series) {
         bool shown = !hidden.contains(series.name);
         if (!ImGui::Checkbox(series.name.c_str(), &shown)) continue;
-        if (shown) hidden.erase(series.name);
-        else hidden.insert(series.name);
+        if (shown)
+            hidden.erase(series.name);
+        else
+            hidden.insert(series.name);
     }
 }
 
 std::string as_svg(const Hand& h, const Canvas& measure) {
     SvgCanvas canvas(h.layout.whole, measure);
     DrawBuffers buffers;
-    draw_plot({canvas, h.model, h.record.memory, h.view, h.layout, h.style, buffers, h.layout.x_map(h.view), h.layout.y_map(h.view)});
+    draw_plot(
+        {canvas, h.model, h.record.memory, h.view, h.layout, h.style, buffers, h.layout.x_map(h.view), h.layout.y_map(h.view)});
     return canvas.document();
 }
 
 std::vector<Real> middles(Range extent, AxisScale declared, Index count) {
     std::vector<Real> result;
-    for (Index i = 0; i < count; ++i) result.push_back(value_at(extent, declared, (static_cast<Real>(i) + 0.5) / static_cast<Real>(count)));
+    for (Index i = 0; i < count; ++i)
+        result.push_back(value_at(extent, declared, (static_cast<Real>(i) + 0.5) / static_cast<Real>(count)));
     return result;
 }
 
@@ -72,8 +80,8 @@ std::string plot_csv(const PlotModel& model, const PlotMemory& memory) {
     const Axis &x = model.axes.x, &y = model.axes.y;
     if (model.heat && model.series.empty()) {
         const HeatMap& heat = *model.heat;
-        return grid_to_csv(with_unit(x.label, x.unit), with_unit(y.label, y.unit), with_unit(heat.name, heat.unit), middles(heat.x, x.scale, heat.nx),
-                           middles(heat.y, y.scale, heat.ny), heat.values);
+        return grid_to_csv(with_unit(x.label, x.unit), with_unit(y.label, y.unit), with_unit(heat.name, heat.unit),
+                           middles(heat.x, x.scale, heat.nx), middles(heat.y, y.scale, heat.ny), heat.values);
     }
     std::vector<CsvSeries> columns;
     for (const Series& series : model.series) {

@@ -47,7 +47,9 @@ Range shown_range(const Axis& axis, AxisMemory& memory, AxisScale scale, const s
     if (data) memory.automatic.follow(*data, scale, margin);
     if (valid_range(memory.fixed, scale)) return *memory.fixed;
     if (valid_range(axis.range, scale)) return *axis.range;
-    return valid_range(memory.automatic.shown, scale) ? *memory.automatic.shown : scale == AxisScale::log ? Range{1, 10} : Range{0, 1};
+    return valid_range(memory.automatic.shown, scale) ? *memory.automatic.shown
+           : scale == AxisScale::log                  ? Range{1, 10}
+                                                      : Range{0, 1};
 }
 
 Range colour_range(const HeatMap& heat, AxisMemory& memory) {

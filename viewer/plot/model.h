@@ -13,8 +13,8 @@
 namespace pliant::viewer {
 
 struct Axis {
-    std::string label{};  // "time t"
-    std::string unit{};   // "s"; empty: dimensionless
+    std::string label{};                  // "time t"
+    std::string unit{};                   // "s"; empty: dimensionless
     AxisScale scale = AxisScale::linear;  // at first: the person may change it
     std::optional<Range> range{};         // shown instead of the range of the data, until the person zooms
 };

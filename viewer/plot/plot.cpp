@@ -26,7 +26,8 @@ void draw_switches(Canvas& canvas, const PlotLayout& layout, const PlotStyle& st
     const Box menu = layout.menu;
     for (int bar = 0; bar < 3; ++bar) {
         const float y = std::round(menu.min.y + menu.height() * (0.3f + 0.22f * static_cast<float>(bar)));
-        canvas.fill({{menu.min.x + 0.15f * menu.width(), y}, {menu.max.x - 0.1f * menu.width(), y + style.width(1.25f)}}, style.faint_text);
+        canvas.fill({{menu.min.x + 0.15f * menu.width(), y}, {menu.max.x - 0.1f * menu.width(), y + style.width(1.25f)}},
+                    style.faint_text);
     }
     if (!focused) return;
     const Box w{{layout.whole.min.x + 1, layout.whole.min.y + 1}, {layout.whole.max.x - 1, layout.whole.max.y - 1}};
@@ -38,8 +39,8 @@ PlotShot shot_of(const std::string& title, Box whole) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 origin = ImGui::GetMainViewport()->Pos, scale = io.DisplayFramebufferScale;
     const auto pixels = [](float length) { return static_cast<int>(std::lround(length)); };
-    return {title, pixels((whole.min.x - origin.x) * scale.x), pixels((whole.min.y - origin.y) * scale.y), pixels(whole.width() * scale.x),
-            pixels(whole.height() * scale.y)};
+    return {title, pixels((whole.min.x - origin.x) * scale.x), pixels((whole.min.y - origin.y) * scale.y),
+            pixels(whole.width() * scale.x), pixels(whole.height() * scale.y)};
 }
 
 }  // namespace
@@ -56,7 +57,8 @@ bool Plot::begin(const std::string& title, Point size, const Axes& axes) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(title.c_str());
     id_ = ImGui::GetID("##plot");
-    const bool pressed = ImGui::InvisibleButton("##plot", {size.x, size.y}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const bool pressed =
+        ImGui::InvisibleButton("##plot", {size.x, size.y}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     const bool by_mouse = ImGui::IsMouseReleased(ImGuiMouseButton_Left) || ImGui::IsMouseReleased(ImGuiMouseButton_Right);
     pressed_by_key_ = pressed && !by_mouse;
     if (!ImGui::IsItemVisible()) {
@@ -91,8 +93,8 @@ void Plot::horizontal_line(const std::string& label, Real y, Dash dash) { model_
 
 void Plot::heat_map(HeatMap heat) {
     if (heat.nx < 0 || heat.ny < 0 || static_cast<std::size_t>(heat.nx * heat.ny) != heat.values.size())
-        throw Refused("The heat map '" + heat.name + "' has " + std::to_string(heat.values.size()) + " values for " + std::to_string(heat.nx) + " x " +
-                      std::to_string(heat.ny) + " cells.");
+        throw Refused("The heat map '" + heat.name + "' has " + std::to_string(heat.values.size()) + " values for " +
+                      std::to_string(heat.nx) + " x " + std::to_string(heat.ny) + " cells.");
     model_.heat = std::move(heat);
 }
 

@@ -1,5 +1,5 @@
-// Plots for ImGui windows: axes with units, linear and log scales, curves, points, references, limits and heat maps, with zoom, pan,
-// read-out and export.
+// Plots for ImGui windows: axes with units, linear and log scales, curves, points, references, limits and heat maps, with zoom,
+// pan, read-out and export.
 //
 //     PlotState plots;                                      // kept from frame to frame
 //     ...
@@ -12,9 +12,9 @@
 //         plot.end();
 //     }
 //
-// By hand: the wheel zooms about the pointer, a drag pans, a right drag zooms to a box, a double click resets; each of them acts on
-// one axis when done on its numbers. A click in the legend hides or shows a curve. A right click, the ≡ switch, or Enter when the
-// plot has the focus of the keys, opens a menu that can do all of it too.
+// By hand: the wheel zooms about the pointer, a drag pans, a right drag zooms to a box, a double click resets; each of them acts
+// on one axis when done on its numbers. A click in the legend hides or shows a curve. A right click, the ≡ switch, or Enter when
+// the plot has the focus of the keys, opens a menu that can do all of it too.
 #pragma once
 #include <functional>
 #include <map>
@@ -69,13 +69,13 @@ class Plot {
 public:
     Plot(PlotState& state, const PlotStyle& style, const PlotHooks& hooks = {}) : state_(state), style_(style), hooks_(hooks) {}
 
-    // A plot `size` px wide and high at ImGui's cursor; 0 takes the width that is left, or a height of twelve lines. What follows ##
-    // in the title tells plots of one title apart and is not shown. False when the plot is out of sight: add nothing then, and do not
-    // call end.
+    // A plot `size` px wide and high at ImGui's cursor; 0 takes the width that is left, or a height of twelve lines. What follows
+    // ## in the title tells plots of one title apart and is not shown. False when the plot is out of sight: add nothing then, and
+    // do not call end.
     bool begin(const std::string& title, Point size, const Axes& axes);
 
-    // Samples are vectors or spans that stay in place until end, or temporaries. Those with a number that is not finite, or not positive on a log axis, leave a gap. Throws Refused when xs and ys differ in
-    // size.
+    // Samples are vectors or spans that stay in place until end, or temporaries. Those with a number that is not finite, or not
+    // positive on a log axis, leave a gap. Throws Refused when xs and ys differ in size.
     void line(const std::string& name, Samples xs, Samples ys, const SeriesStyle& style = {});
     void points(const std::string& name, Samples xs, Samples ys, const SeriesStyle& style = {});
     // An exact or published curve: dashed, over the measured ones.

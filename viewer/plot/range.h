@@ -31,8 +31,8 @@ std::optional<Range> united(const std::optional<Range>& a, const std::optional<R
 // The smallest of 1, 2 or 5 times a power of ten that divides `span` > 0 into at most `most` > 0 steps.
 Real nice_step(Real span, Real most);
 
-// The interval itself where an axis can show it; else one about it: a single value gets room on both sides, and numbers that differ
-// only in their last bits are spread apart.
+// The interval itself where an axis can show it; else one about it: a single value gets room on both sides, and numbers that
+// differ only in their last bits are spread apart.
 Range widened(Range range, AxisScale scale);
 
 // Room between the data and the ends of the axis; a log axis, which ends on powers of ten, has it anyway.

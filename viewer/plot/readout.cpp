@@ -39,7 +39,8 @@ std::optional<Sample> sample_under(const Hand& h, Point at) {
         if (h.record.memory.hidden.contains(series.name)) continue;
         const auto index = nearest_sample(series.xs, series.ys, x, y, at, radius);
         if (!index) continue;
-        radius = static_cast<float>(std::hypot(x.pixel(series.xs.view()[*index]) - at.x, y.pixel(series.ys.view()[*index]) - at.y));
+        radius =
+            static_cast<float>(std::hypot(x.pixel(series.xs.view()[*index]) - at.x, y.pixel(series.ys.view()[*index]) - at.y));
         best = Sample{s, *index};
     }
     return best;

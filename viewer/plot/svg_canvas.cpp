@@ -8,10 +8,14 @@ namespace {
 std::string escaped(std::string_view words) {
     std::string text;
     for (const char c : words) {
-        if (c == '&') text += "&amp;";
-        else if (c == '<') text += "&lt;";
-        else if (c == '>') text += "&gt;";
-        else if (static_cast<unsigned char>(c) >= 0x20) text += c;
+        if (c == '&')
+            text += "&amp;";
+        else if (c == '<')
+            text += "&lt;";
+        else if (c == '>')
+            text += "&gt;";
+        else if (static_cast<unsigned char>(c) >= 0x20)
+            text += c;
     }
     return text;
 }
@@ -30,7 +34,8 @@ std::string list_of(std::span<const Point> points) {
 }
 
 std::string rectangle(Box box) {
-    return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"", box.min.x, box.min.y, box.width(), box.height());
+    return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"", box.min.x, box.min.y, box.width(),
+                       box.height());
 }
 
 }  // namespace
@@ -40,8 +45,8 @@ SvgCanvas::SvgCanvas(Box view, const Canvas& measure) : view_(view), measure_(me
 void SvgCanvas::fill(Box box, Rgba8 colour) { body_ += rectangle(box) + " " + paint("fill", colour) + "/>\n"; }
 
 void SvgCanvas::line(std::span<const Point> points, Rgba8 colour, float width) {
-    body_ += fmt::format("<polyline points=\"{}\" fill=\"none\" {} stroke-width=\"{:.3g}\" stroke-linejoin=\"round\"/>\n", list_of(points),
-                         paint("stroke", colour), width);
+    body_ += fmt::format("<polyline points=\"{}\" fill=\"none\" {} stroke-width=\"{:.3g}\" stroke-linejoin=\"round\"/>\n",
+                         list_of(points), paint("stroke", colour), width);
 }
 
 void SvgCanvas::polygon(std::span<const Point> corners, Rgba8 colour) {
@@ -50,13 +55,17 @@ void SvgCanvas::polygon(std::span<const Point> corners, Rgba8 colour) {
 
 void SvgCanvas::text(Point top_left, Rgba8 colour, std::string_view words) {
     const Point size = text_size(words);
-    // The base line of DejaVu Sans lies at about four fifths of the height of a line. textLength keeps the layout in another typeface.
-    body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.3g}\" textLength=\"{:.2f}\" lengthAdjust=\"spacingAndGlyphs\" {}>{}</text>\n",
-                         top_left.x, top_left.y + 0.8f * size.y, 0.86f * size.y, size.x, paint("fill", colour), escaped(words));
+    // The base line of DejaVu Sans lies at about four fifths of the height of a line. textLength keeps the layout in another
+    // typeface.
+    body_ += fmt::format(
+        "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.3g}\" textLength=\"{:.2f}\" lengthAdjust=\"spacingAndGlyphs\" "
+        "{}>{}</text>\n",
+        top_left.x, top_left.y + 0.8f * size.y, 0.86f * size.y, size.x, paint("fill", colour), escaped(words));
 }
 
 void SvgCanvas::push_clip(Box box) {
-    body_ += fmt::format("<clipPath id=\"clip{}\">{}/></clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_, rectangle(box), clips_);
+    body_ +=
+        fmt::format("<clipPath id=\"clip{}\">{}/></clipPath>\n<g clip-path=\"url(#clip{})\">\n", clips_, rectangle(box), clips_);
     ++clips_;
 }
 
@@ -64,7 +73,8 @@ void SvgCanvas::pop_clip() { body_ += "</g>\n"; }
 
 std::string SvgCanvas::document() const {
     return fmt::format(
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"{2:.0f} {3:.0f} {0:.0f} {1:.0f}\" "
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"{2:.0f} {3:.0f} {0:.0f} "
+               "{1:.0f}\" "
                "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n",
                view_.width(), view_.height(), view_.min.x, view_.min.y) +
            body_ + "</svg>\n";

@@ -131,8 +131,10 @@ Ticks make_ticks(Range range, AxisScale scale, int most, std::string_view unit) 
 std::string axis_text(std::string_view label, const Ticks& ticks) {
     std::string text(label);
     const auto append = [&text](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
-    if (ticks.offset.starts_with('-')) append("+ " + ticks.offset.substr(1));
-    else if (!ticks.offset.empty()) append("- " + ticks.offset);
+    if (ticks.offset.starts_with('-'))
+        append("+ " + ticks.offset.substr(1));
+    else if (!ticks.offset.empty())
+        append("- " + ticks.offset);
     if (!ticks.unit.empty()) append("[" + ticks.unit + "]");
     return text;
 }

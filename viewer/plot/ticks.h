@@ -13,7 +13,8 @@ struct Tick {
     std::string text;  // empty for a minor tick
 };
 
-// The ticks of one axis, from low to high. Numbers along a linear axis are in `unit`, which may carry an SI prefix or a power of ten
+// The ticks of one axis, from low to high. Numbers along a linear axis are in `unit`, which may carry an SI prefix or a power of
+// ten
 // ("kPa", "10³ N/m³"), and are counted from `offset` when they would differ only in late digits.
 struct Ticks {
     std::vector<Tick> ticks;
@@ -21,8 +22,8 @@ struct Ticks {
     std::string offset;  // "1000000 Pa": what is left out of every number; empty when nothing is
 };
 
-// At most `most` >= 1 labelled ticks. Linear: multiples of 1, 2 or 5 times a power of ten. Log: powers of ten, with minor ticks, and
-// numbers in between when less than two decades are shown.
+// At most `most` >= 1 labelled ticks. Linear: multiples of 1, 2 or 5 times a power of ten. Log: powers of ten, with minor ticks,
+// and numbers in between when less than two decades are shown.
 Ticks make_ticks(Range range, AxisScale scale, int most, std::string_view unit);
 
 // "10³", "10⁻¹²".

@@ -1,9 +1,7 @@
 #include "plot/trace.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace pliant::viewer {
 namespace {
@@ -45,8 +43,10 @@ private:
         const auto cut = [&](Real direction, Real distance) {
             if (direction == 0) return distance >= 0;
             const Real t = distance / direction;
-            if (direction < 0) enter = std::max(enter, t);
-            else leave = std::min(leave, t);
+            if (direction < 0)
+                enter = std::max(enter, t);
+            else
+                leave = std::min(leave, t);
             return enter <= leave;
         };
         const Real dx = b.x - a.x, dy = b.y - a.y;
@@ -68,7 +68,8 @@ bool never_falls(std::span<const Real> xs) {
 }
 
 // Every sample, less those that fall on the one before.
-void trace_all(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, Real apart, LineBuilder& lines) {
+void trace_all(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, Real apart,
+               LineBuilder& lines) {
     Place last{};
     bool open = false;
     for (std::size_t i = 0; i < xs.size(); ++i) {
@@ -86,40 +87,43 @@ void trace_all(std::span<const Real> xs, std::span<const Real> ys, const AxisMap
     }
 }
 
-// Adds the first, lowest, highest and last of the samples in [begin, end), in their order. A gap among them is kept at the end of the
+// Adds the lowest and the highest of the samples in [begin, end), in their order. A gap among them is kept at the end of the
 // column where it lies.
-void trace_column(std::span<const Real> xs, std::span<const Real> ys, std::size_t begin, std::size_t end, const AxisMap& x, const AxisMap& y,
-                  LineBuilder& lines) {
-    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::size_t first = none, last = none, low = none, high = none;
+void trace_column(std::span<const Real> xs, std::span<const Real> ys, std::size_t begin, std::size_t end, const AxisMap& x,
+                  const AxisMap& y, LineBuilder& lines) {
+    std::size_t low = end, high = end;
     bool gap_inside = false;
     for (std::size_t i = begin; i < end; ++i) {
         if (!y.plots(ys[i])) {
-            if (first == none) lines.gap();
-            else gap_inside = true;
+            if (low == end)
+                lines.gap();
+            else
+                gap_inside = true;
             continue;
         }
-        if (first == none) first = low = high = i;
+        if (low == end) low = high = i;
         if (ys[i] < ys[low]) low = i;
         if (ys[i] > ys[high]) high = i;
-        last = i;
     }
-    if (first == none) return;
-    std::array<std::size_t, 4> kept{first, std::min(low, high), std::max(low, high), last};
-    const auto kept_end = std::unique(kept.begin(), kept.end());
-    for (auto i = kept.begin(); i != kept_end; ++i) lines.add({x.pixel(xs[*i]), y.pixel(ys[*i])});
+    if (low == end) return;
+    const auto [first, second] = std::minmax(low, high);
+    lines.add({x.pixel(xs[first]), y.pixel(ys[first])});
+    if (second != first) lines.add({x.pixel(xs[second]), y.pixel(ys[second])});
     if (gap_inside) lines.gap();
 }
 
 }  // namespace
 
-void trace(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float around, Runs& out) {
+bool trace(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float around, Runs& out) {
     const std::size_t count = std::min(xs.size(), ys.size());
     xs = xs.first(count), ys = ys.first(count);
     const Real left = std::min(x.low(), x.high()) - around, right = std::max(x.low(), x.high()) + around;
     LineBuilder lines({left, std::min(y.low(), y.high()) - around}, {right, std::max(y.low(), y.high()) + around}, out);
     constexpr Real same_place = 0.25;  // px
-    if (!never_falls(xs)) return trace_all(xs, ys, x, y, same_place, lines);
+    if (!never_falls(xs)) {
+        trace_all(xs, ys, x, y, same_place, lines);
+        return false;
+    }
 
     // One sample more on either side, so that lines run out of the picture.
     const auto offset = [&xs](auto it) { return static_cast<std::size_t>(it - xs.begin()); };
@@ -129,22 +133,29 @@ void trace(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x,
     if (end < count) ++end;
     while (begin < end && !x.plots(xs[begin])) ++begin;
     const auto columns = static_cast<std::size_t>(right - left) + 1;
-    if (end - begin <= 4 * columns) return trace_all(xs.subspan(begin, end - begin), ys.subspan(begin, end - begin), x, y, 0, lines);
+    if (end - begin <= 4 * columns) {
+        trace_all(xs.subspan(begin, end - begin), ys.subspan(begin, end - begin), x, y, 0, lines);
+        return true;
+    }
 
     for (std::size_t column = 0; begin < end; ++column) {
         const Real edge = x.value(left + static_cast<Real>(column) + 1);
-        std::size_t stop = offset(std::upper_bound(xs.begin() + static_cast<std::ptrdiff_t>(begin), xs.begin() + static_cast<std::ptrdiff_t>(end), edge));
+        std::size_t stop = offset(std::upper_bound(xs.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                   xs.begin() + static_cast<std::ptrdiff_t>(end), edge));
         if (column >= columns) stop = end;
         trace_column(xs, ys, begin, stop, x, y, lines);
         begin = stop;
     }
+    return true;
 }
 
-void scatter(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float cell, std::vector<Point>& out) {
+void scatter(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float cell,
+             std::vector<Point>& out) {
     out.clear();
     const Real left = std::min(x.low(), x.high()), right = std::max(x.low(), x.high());
     const Real top = std::min(y.low(), y.high()), bottom = std::max(y.low(), y.high());
-    const auto columns = static_cast<std::size_t>((right - left) / cell) + 1, rows = static_cast<std::size_t>((bottom - top) / cell) + 1;
+    const auto columns = static_cast<std::size_t>((right - left) / cell) + 1,
+               rows = static_cast<std::size_t>((bottom - top) / cell) + 1;
     std::vector<bool> taken(columns * rows);
     for (std::size_t i = 0; i < std::min(xs.size(), ys.size()); ++i) {
         if (!x.plots(xs[i]) || !y.plots(ys[i])) continue;
@@ -157,8 +168,8 @@ void scatter(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& 
     }
 }
 
-std::optional<std::size_t> nearest_sample(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, Point at,
-                                          float radius) {
+std::optional<std::size_t> nearest_sample(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y,
+                                          Point at, float radius) {
     // Only samples inside the square about the place are worth a logarithm.
     const auto around = [radius](const AxisMap& map, Real pixel) {
         const Real a = map.value(pixel - radius), b = map.value(pixel + radius);

@@ -35,22 +35,25 @@ struct Runs {
     }
 };
 
-// The curve through the samples (xs[i], ys[i]), cut at the edges of the area of the two maps plus `around` px. A sample with a value
-// that cannot be shown leaves a gap. Where x never falls and there are many samples, each pixel column keeps its first, lowest,
-// highest and last sample, so that a million samples cost some thousand points; else points that fall on the previous one go.
-void trace(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float around, Runs& out);
+// The curve through the samples (xs[i], ys[i]), cut at the edges of the area of the two maps plus `around` px. A sample with a
+// value that cannot be shown leaves a gap. Where x never falls and there are many samples, each pixel column keeps its lowest and
+// highest sample, so that a million samples cost some thousand points; else points that fall on the previous one go. True when x
+// never falls.
+bool trace(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float around, Runs& out);
 
 // The places of samples inside the area, at most one per cell of `cell` px.
-void scatter(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float cell, std::vector<Point>& out);
+void scatter(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, float cell,
+             std::vector<Point>& out);
 
 // Cuts lines into strokes of the given lengths in px: pattern[0] drawn, pattern[1] left out, and so on; an even count.
 void dash(const Runs& lines, std::span<const float> pattern, Runs& out);
 
-// Points of the lines for a mark every `spacing` px, the first after `first` px.
-void spaced(const Runs& lines, float spacing, float first, std::vector<Point>& out);
+// Points of the lines for a mark every `spacing` px, the first after `first` px; counted in x alone where x never falls, lest a
+// noisy curve drown in marks.
+void spaced(const Runs& lines, float spacing, float first, bool x_alone, std::vector<Point>& out);
 
 // The sample closest to a place, in pixels; none when all are as far as `radius` or further.
-std::optional<std::size_t> nearest_sample(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y, Point at,
-                                          float radius);
+std::optional<std::size_t> nearest_sample(std::span<const Real> xs, std::span<const Real> ys, const AxisMap& x, const AxisMap& y,
+                                          Point at, float radius);
 
 }  // namespace pliant::viewer

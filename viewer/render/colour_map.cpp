@@ -63,7 +63,8 @@ Msh msh_from_rgb(const Triple& rgb) {
 }
 
 Triple rgb_from_msh(const Msh& msh) {
-    const Triple lab{msh.m * std::cos(msh.s), msh.m * std::sin(msh.s) * std::cos(msh.h), msh.m * std::sin(msh.s) * std::sin(msh.h)};
+    const Triple lab{msh.m * std::cos(msh.s), msh.m * std::sin(msh.s) * std::cos(msh.h),
+                     msh.m * std::sin(msh.s) * std::sin(msh.h)};
     const Real y_curve = (lab[0] + 16) / 116;
     const Real x = white[0] * lab_curve_inverse(y_curve + lab[1] / 500);
     const Real y = white[1] * lab_curve_inverse(y_curve);
@@ -78,10 +79,12 @@ Rgba8 diverging(Real t) {
     const bool lower_half = t < 0.5;
     const Msh end = msh_from_rgb(lower_half ? low : high);
     // Hue of the grey end: the paper's AdjustHue, which turns away from purple on both sides.
-    const Real spin = end.s * std::sqrt(std::max(0.0, middle_magnitude * middle_magnitude - end.m * end.m)) / (end.m * std::sin(end.s));
+    const Real spin =
+        end.s * std::sqrt(std::max(0.0, middle_magnitude * middle_magnitude - end.m * end.m)) / (end.m * std::sin(end.s));
     const Real grey_hue = end.m >= middle_magnitude ? end.h : end.h > -1.0471975511965976 ? end.h + spin : end.h - spin;
     const Real from_end = lower_half ? 2 * t : 2 * (1 - t);  // 0 at the end, 1 in the middle
-    return to_colour(rgb_from_msh({end.m + from_end * (middle_magnitude - end.m), (1 - from_end) * end.s, end.h + from_end * (grey_hue - end.h)}));
+    return to_colour(rgb_from_msh(
+        {end.m + from_end * (middle_magnitude - end.m), (1 - from_end) * end.s, end.h + from_end * (grey_hue - end.h)}));
 }
 
 ColourTable make_table(Rgba8 (*map)(Real)) {

@@ -137,7 +137,7 @@ void ModuliLesson::declare_stages() {
                .run = [this] { solve_pass(); },
                .reads = {"load", "displacement"},
                .writes = {"displacement", "residual", "reaction"},
-               .again = [this] { return solver_->running(); },
+               .again = [this] { return advancing_ && solver_->running(); },
                .begin = [this] { begin_solve(); },
                .end = [this] { end_solve(); }},
               {.name = "strain_and_stress",
@@ -156,14 +156,16 @@ void ModuliLesson::declare_stages() {
                .loop_from = "apply_load"}};
 }
 
-// The next load; the full one stays.
+// The next load; after the full one nothing is left to do.
 void ModuliLesson::apply_load() {
+    advancing_ = !at_rest();
     level_[0] = static_cast<Real>(std::min<Index>(level() + 1, load_levels));
     load_force_ = applied() * specimen_->unit_load();
 }
 
 // Starts from the displacement under the load before.
 void ModuliLesson::begin_solve() {
+    if (!advancing_) return;
     const StaticProblem<3>& problem = specimen_->problem();
     problem.right_side(load_force_, right_side_);
     problem.system().reduce(displacement_.reshaped(), first_guess_);
@@ -171,6 +173,7 @@ void ModuliLesson::begin_solve() {
 }
 
 void ModuliLesson::solve_pass() {
+    if (!advancing_) return;
     const Index before = solver_->iterations();
     solver_->iterate();
     iterations_[0] += static_cast<Real>(solver_->iterations() - before);
@@ -181,7 +184,7 @@ void ModuliLesson::solve_pass() {
 
 void ModuliLesson::end_solve() {
     // A residual that rounding keeps above the tolerance is told by an assumption; running out of iterations is a failure.
-    if (solver_->status() == ConjugateGradients::Status::capped) solver_->require_convergence();
+    if (advancing_ && solver_->status() == ConjugateGradients::Status::capped) solver_->require_convergence();
     specimen_->problem().reaction(displacement_, load_force_, reaction_);
 }
 

@@ -69,6 +69,7 @@ private:
     std::unique_ptr<Specimen> specimen_;
     std::unique_ptr<ConjugateGradients> solver_;
     VecX right_side_, first_guess_;
+    bool advancing_ = false;  // does this pass through the stages go on to another load?
 
     // What defines now: displacement and support forces [m, N], measured points, loads done, iterations spent, residual left.
     Points<3> displacement_, reaction_;

@@ -1,0 +1,117 @@
+// The figure: a heat map of the field that is chosen, the velocity as arrows, and the walls.
+#include "navier_stokes.h"
+
+#include <pliant/lesson/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace pliant::navier_stokes {
+namespace {
+
+constexpr Index most_arrows = 18;    // along each side
+constexpr Real longest_arrow = 1.8;  // in spacings; faster fluid has arrows of this length
+constexpr float wall_width = 5;      // px
+
+}  // namespace
+
+void NavierStokes::draw(Scene& scene) const {
+    draw_field(scene);
+    if (scene.show_arrows) draw_velocity(scene);
+    draw_walls(scene);
+    write_notes(scene);
+    scene.frame(position(-0.06, -0.06), position(1.06, 1.12));
+}
+
+void NavierStokes::draw_field(Scene& scene) const {
+    GridMarks map;
+    map.nx = map.ny = static_cast<int>(Index(resolution));
+    map.lower = position(0, 0);
+    map.upper = position(1, 1);
+    map.values = scene.values(*this, On::cell);
+    if (map.values.empty()) map.values.assign(static_cast<std::size_t>(grid_->cells().size()), 0.0f);
+    scene.grids.push_back(std::move(map));
+}
+
+// The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
+Real NavierStokes::arrow_speed() const {
+    switch (scenario) {
+        case Scenario::box:
+            return 0.5;
+        case Scenario::cavity:
+            return lid_speed == 0 ? 1 : 0.4 * std::abs(lid_speed);
+        case Scenario::taylor_green:
+            return 1;
+    }
+    return 1;
+}
+
+void NavierStokes::draw_velocity(Scene& scene) const {
+    const Index count = std::min<Index>(most_arrows, resolution);
+    const Real spacing = Real(1) / static_cast<Real>(count), scale = spacing / arrow_speed();
+    ArrowMarks arrows{.from = {}, .to = {}, .ink = Ink::velocity, .width = 1.6f};
+    for (Index j = 0; j < count; ++j) {
+        for (Index i = 0; i < count; ++i) {
+            const Vec<2> x = spacing * Vec<2>(static_cast<Real>(i) + 0.5, static_cast<Real>(j) + 0.5);
+            const GridPlace<2> u = fields_of_flow_.flow().at({x[0] / dx(), x[1] / dx()});
+            Vec<2> arrow = scale * Vec<2>(u[0], u[1]);
+            const Real length = arrow.norm();
+            if (length < 0.05 * spacing) continue;
+            if (length > longest_arrow * spacing) arrow *= longest_arrow * spacing / length;
+            arrows.from.push_back(position<2>(x - 0.5 * arrow));
+            arrows.to.push_back(position<2>(x + 0.5 * arrow));
+        }
+    }
+    scene.arrows.push_back(std::move(arrows));
+}
+
+void NavierStokes::draw_walls(Scene& scene) const {
+    if (scenario == Scenario::taylor_green) {
+        scene.box(position(0, 0), position(1, 1), Ink::rest, 2, true);
+        if (scene.show_labels)
+            scene.label(position(0.5, 1), "periodic: what leaves on one side enters on the other", Ink::text, 0, -14);
+        return;
+    }
+    scene.box(position(0, 0), position(1, 1), Ink::ground, wall_width);
+    if (scenario == Scenario::cavity) {
+        scene.line(position(0, 1), position(1, 1), Ink::accent, wall_width + 2);
+        if (lid_speed == 0) return;
+        const Real half = 0.14 * std::clamp(Real(lid_speed), Real(-1), Real(1));
+        scene.arrows.push_back(
+            {.from = {position(0.5 - half, 1.035)}, .to = {position(0.5 + half, 1.035)}, .ink = Ink::accent, .width = 4});
+        if (scene.show_labels)
+            scene.label(position(0.5, 1.035), "lid: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
+    } else if (stirred()) {
+        // A ring with the sense in which the fluid is turned.
+        const Vec<2> middle = stirrer_place();
+        LineMarks ring{.ends = {}, .ink = Ink::force, .width = 2.5f};
+        const auto at = [&](Real turn) {
+            return Vec<2>(middle + 0.07 * Vec<2>(std::cos(2 * std::numbers::pi * turn), std::sin(2 * std::numbers::pi * turn)));
+        };
+        constexpr int pieces = 32;
+        for (int k = 0; k < pieces; ++k) {
+            ring.ends.push_back(position<2>(at(k / Real(pieces))));
+            ring.ends.push_back(position<2>(at((k + 1) / Real(pieces))));
+        }
+        scene.lines.push_back(std::move(ring));
+        for (const Real turn : {0.0, 0.5}) {
+            const Real ahead = stirring > 0 ? 0.08 : -0.08;
+            scene.arrows.push_back(
+                {.from = {position<2>(at(turn))}, .to = {position<2>(at(turn + ahead))}, .ink = Ink::force, .width = 3});
+        }
+    }
+    if (pull_) scene.arrow(position(pull_->from[0], pull_->from[1]), position(pull_->to[0], pull_->to[1]), Ink::force, "jet");
+}
+
+void NavierStokes::write_notes(Scene& scene) const {
+    scene.notes.push_back(fmt::format("{0} × {0} cells, Δx = {1}", Index(resolution), format_quantity(dx(), "m", 3)));
+    scene.notes.push_back("ν = " + format_quantity(viscosity, "m²/s", 3));
+    if (const auto Re = reynolds()) scene.notes.push_back("Re = U · 1 m / ν = " + format_quantity(*Re, "", 3));
+    if (scene.show_arrows)
+        scene.notes.push_back("arrows: as long as they are apart at " + format_quantity(arrow_speed(), "m/s", 3));
+}
+
+}  // namespace pliant::navier_stokes

@@ -1,0 +1,131 @@
+#include "mass_spring.h"
+
+#include <pliant/lesson/format.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::mass_spring {
+
+void MassSpringLesson::draw(Scene& picture) const {
+    set_frame(picture);
+    draw_ground(picture);
+    const Field* shown = find_field(picture.colour_by.field);
+    if (shown && shown->on == On::edge)
+        draw_springs(picture);
+    else
+        draw_surface(picture);
+    draw_nodes(picture);
+    draw_arrows(picture);
+    write_notes(picture);
+}
+
+// The same corners from step to step: room for the fall, the bounce and the turning block.
+void MassSpringLesson::set_frame(Scene& picture) const {
+    const Vec<3> edges = block_->lengths();
+    const Real reach = 0.5 * edges.norm();
+    const Real bottom = setting == Setting::spin ? std::min(Real(0), 0.5 * edges[1] - reach) : 0;
+    const Real top = setting == Setting::spin ? 0.5 * edges[1] + reach
+                                              : edges[1] + drop_height + (setting == Setting::drop ? 0.1 * edges[0] : 0);
+    const Real side = setting == Setting::hang ? 0.6 * edges[0] : 1.1 * reach;
+    picture.frame(position(-side, bottom, -side), position(side, top, side));
+}
+
+void MassSpringLesson::draw_surface(Scene& picture) const {
+    TriangleMarks body{.corners = {}, .triangles = {}, .values = picture.values(*this, On::node), .ink = Ink::body};
+    for (Index n = 0; n < position_.cols(); ++n) body.corners.push_back(position<3>(position_.col(n)));
+    for (const auto& [a, b, c] : block_->surface()) body.triangles.push_back({int(a), int(b), int(c)});
+    picture.triangles.push_back(std::move(body));
+
+    // The edges of the cells on the surface, as in the lattice at rest.
+    LineMarks mesh{.ends = {}, .ink = Ink::edge, .width = 1.5f};
+    const Springs& springs = block_->springs();
+    const auto& cells = block_->lattice().cells();
+    for (Index s = 0; s < springs.size(); ++s) {
+        const auto a = block_->lattice().position(springs.i(s)), b = block_->lattice().position(springs.j(s));
+        int steps = 0, sides = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            steps += static_cast<int>(b[axis] - a[axis] != 0 ? std::abs(b[axis] - a[axis]) : 0);
+            sides += a[axis] == b[axis] && (a[axis] == 0 || a[axis] == cells[axis]);
+        }
+        if (steps != 1 || sides == 0) continue;
+        mesh.ends.push_back(position<3>(position_.col(springs.i(s))));
+        mesh.ends.push_back(position<3>(position_.col(springs.j(s))));
+    }
+    picture.lines.push_back(std::move(mesh));
+}
+
+void MassSpringLesson::draw_springs(Scene& picture) const {
+    LineMarks marks{.ends = {},
+                    .values = picture.values(*this, On::edge),
+                    .ink = Ink::edge,
+                    .width = 2,
+                    .pick = {.pickable = true, .on = On::edge}};
+    const Springs& springs = block_->springs();
+    for (Index s = 0; s < springs.size(); ++s) {
+        marks.ends.push_back(position<3>(position_.col(springs.i(s))));
+        marks.ends.push_back(position<3>(position_.col(springs.j(s))));
+    }
+    picture.lines.push_back(std::move(marks));
+}
+
+void MassSpringLesson::draw_nodes(Scene& picture) const {
+    PointMarks nodes{.at = {},
+                     .values = picture.values(*this, On::node),
+                     .ink = Ink::body,
+                     .radius = 4,
+                     .pick = {.pickable = true, .on = On::node}};
+    PointMarks fixed{.at = {}, .ink = Ink::fixed, .radius = 6};
+    for (Index n = 0; n < position_.cols(); ++n) {
+        nodes.at.push_back(position<3>(position_.col(n)));
+        if (block_->inertia().fixed(3 * n)) fixed.at.push_back(nodes.at.back());
+    }
+    picture.points.push_back(std::move(nodes));
+    if (!fixed.at.empty()) picture.points.push_back(std::move(fixed));
+}
+
+void MassSpringLesson::draw_ground(Scene& picture) const {
+    if (!grounded()) return;
+    // A grid of squares as large as the cells of a block of five, out to where the block may roll.
+    const Real square = size / 5, reach = std::ceil(1.1 * block_->lengths().norm() / square) * square;
+    LineMarks grid{.ends = {}, .ink = Ink::ground, .width = 1};
+    for (Real at = -reach; at <= reach + square / 2; at += square) {
+        grid.ends.insert(grid.ends.end(), {position(at, 0, -reach), position(at, 0, reach)});
+        grid.ends.insert(grid.ends.end(), {position(-reach, 0, at), position(reach, 0, at)});
+    }
+    picture.lines.push_back(std::move(grid));
+}
+
+void MassSpringLesson::draw_arrows(Scene& picture) const {
+    const Vec<3> edges = block_->lengths();
+    if (picture.show_arrows && weight_acceleration() > 0) {
+        const Real x = -0.5 * edges.norm(), top = edges[1] + drop_height, length = 0.4 * edges[1];
+        picture.arrow(position(x, top, 0), position(x, top - length, 0), Ink::force,
+                      "g = " + format_quantity(gravity, "m/s²", 3));
+    }
+    if (!pulled()) return;
+    const Vec<3> from = position_.col(load_.pull.node), to = load_.pull.target;
+    picture.arrow(position<3>(from), position<3>(to), Ink::force, format_quantity(pull_stiffness * (to - from).norm(), "N", 3));
+}
+
+void MassSpringLesson::write_notes(Scene& picture) const {
+    const auto& cells = block_->lattice().cells();
+    picture.notes.push_back(fmt::format("{} × {} × {} cells: {} nodes of {}, {} springs", cells[0], cells[1], cells[2],
+                                        position_.cols(), format_quantity(block_->mass()[0], "kg", 3), block_->springs().size()));
+    if (implicit()) {
+        picture.notes.push_back(fmt::format("Δt = {}, ω Δt = {}: implicit, no limit", format_quantity(dt, "s", 3),
+                                            format_quantity(rates().omega * dt, "", 3)));
+    } else if (const std::string too_large = too_large_a_step(); too_large.empty()) {
+        picture.notes.push_back(fmt::format("Δt = {} ≤ {}, the stability limit", format_quantity(dt, "s", 3),
+                                            format_quantity(stable_time_step(), "s", 3)));
+    } else {
+        picture.notes.push_back(stable_time_step() == 0
+                                    ? fmt::format("Δt = {}: unstable at every Δt", format_quantity(dt, "s", 3))
+                                    : fmt::format("Δt = {} > {}, the stability limit", format_quantity(dt, "s", 3),
+                                                  format_quantity(stable_time_step(), "s", 3)));
+    }
+}
+
+}  // namespace pliant::mass_spring

@@ -1,0 +1,103 @@
+// A run that blows up: exit code 3, the place and the limit named, and no number anywhere that is not finite.
+#include "pliant.h"
+
+#include <cmath>
+#include <cstdlib>
+
+using namespace pliant::test;
+
+namespace {
+
+constexpr int diverged = 3;
+
+// Forward Euler grows without bound on springs without damping, whatever the time step; with this one within a few steps.
+const Arguments blow_up{"run",   "mesh/mass_spring", "--set",   "integrator=explicit_euler",
+                        "--set", "time_step=0.05",   "--steps", "2000"};
+
+Outcome run_with(Arguments more) {
+    more.insert(more.begin(), blow_up.begin(), blow_up.end());
+    return pliant(more);
+}
+
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("a run that diverges names stage, field, index, step and limit", "[process]") {
+    const Outcome outcome = run_with({"--json"});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == diverged);
+    const Json run = Json::parse(outcome.out), failure = run["failure"];
+    CHECK(run["status"] == "diverged");
+    CHECK(failure["index"] >= 0);
+    CHECK(failure["step"] == run["steps"].get<int>() + 1);
+    for (const char* key : {"stage", "field", "what", "limit"}) {
+        CAPTURE(key);
+        CHECK_FALSE(failure[key].get<std::string>().empty());
+        CHECK(contains(outcome.err, failure[key]));
+    }
+    CHECK(contains(outcome.err, "step " + failure["step"].dump()));
+    CHECK(contains(outcome.err, "index " + failure["index"].dump()));
+
+    // Stage and field are those of the lesson, and the hint has a number in it.
+    const Json description = json_of({"describe", "mesh/mass_spring"});
+    CHECK(contains(description["stages"].dump(), "\"name\":" + failure["stage"].dump()));
+    CHECK(contains(description["fields"].dump(), "\"name\":" + failure["field"].dump()));
+    CHECK(failure["limit"].get<std::string>().find_first_of("0123456789") != std::string::npos);
+    CHECK(contains(failure["limit"], "time_step"));
+}
+
+TEST_CASE("the report and the CSV file of a diverged run hold finite numbers only", "[process]") {
+    const Scratch scratch;
+    const std::string csv = scratch.path("probes.csv");
+    const Outcome outcome = run_with({"--csv", csv});
+    REQUIRE(outcome.exit_code == diverged);
+    CHECK(contains(outcome.out, "diverged"));
+    for (const std::string& text : {lower_case(outcome.out), lower_case(contents_of(csv))}) {
+        CHECK_FALSE(contains(text, "nan"));
+        CHECK_FALSE(contains(text, "inf"));
+    }
+    std::istringstream lines(contents_of(csv));
+    std::string line;
+    std::getline(lines, line);
+    const auto columns = std::ranges::count(line, ',');
+    int rows = 0;
+    for (; std::getline(lines, line); ++rows) {
+        CHECK(std::ranges::count(line, ',') == columns);
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            CHECK((cell.empty() || std::isfinite(std::strtod(cell.c_str(), nullptr))));
+    }
+    CHECK(rows > 1);
+}
+
+TEST_CASE("the last good state of a diverged run is that of the steps before", "[process]") {
+    const Outcome outcome = run_with({"--json"});
+    REQUIRE(outcome.exit_code == diverged);
+    const Json run = Json::parse(outcome.out);
+    Arguments shorter = blow_up;
+    shorter.back() = run["steps"].dump();
+    CHECK(json_of(shorter)["probes"] == run["probes"]);
+}
+
+TEST_CASE("a diverged run has no picture, and says why", "[process]") {
+    const Scratch scratch;
+    Arguments shot = blow_up;
+    shot[0] = "shot";
+    shot.insert(shot.end(), {"--out", scratch.path("picture.png")});
+    const Outcome outcome = pliant(shot);
+    CHECK(outcome.exit_code == diverged);
+    CHECK(contains(outcome.err, "stage"));
+    CHECK(scratch.names().empty());
+}
+
+TEST_CASE("a body that never rests is reported, not run for ever", "[process][slow]") {
+    const Outcome outcome = pliant({"run", "mesh/mass_spring", "--set", "cells_x=1", "--set", "cells_y=1", "--set", "cells_z=1",
+                                    "--set", "damping_mode=none", "--rest"});
+    INFO(outcome.err);
+    CHECK((outcome.exit_code == 0 || outcome.exit_code == diverged));
+    if (outcome.exit_code == diverged) CHECK(contains(outcome.err, "no rest"));
+}

@@ -1,0 +1,56 @@
+// The program `pliant` as a person calls it, and what it tells about its lessons.
+#pragma once
+#include "process.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace pliant::test {
+
+using Json = nlohmann::ordered_json;
+
+// None of these needs a display, so none is given one unless it is in the environment asked for.
+inline Outcome pliant(const Arguments& arguments, const Environment& more = {}) {
+    Environment environment{{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}};
+    environment.insert(environment.end(), more.begin(), more.end());
+    return run_process(PLIANT_PROGRAM, arguments, environment);
+}
+
+inline std::string sentence(const Arguments& arguments) {
+    std::string text = "pliant";
+    for (const std::string& a : arguments) text += " " + a;
+    return text;
+}
+
+// Standard output of a call that has to go well.
+inline std::string output_of(const Arguments& arguments) {
+    const Outcome outcome = pliant(arguments);
+    INFO(sentence(arguments) << "\n" << outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.out;
+}
+
+inline Json json_of(Arguments arguments) {
+    arguments.push_back("--json");
+    return Json::parse(output_of(arguments));
+}
+
+inline std::vector<std::string> lesson_names() {
+    std::vector<std::string> names;
+    for (const Json& lesson : json_of({"list"})) names.push_back(lesson["lesson"]);
+    return names;
+}
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// What a run found, without what it cost.
+inline Json without_cost(Json run) {
+    run.erase("cost");
+    return run;
+}
+
+}  // namespace pliant::test

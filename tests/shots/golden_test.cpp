@@ -1,0 +1,78 @@
+// Pictures of known scenes against those in tests/shots/golden, which somebody has looked at. To renew them after a change that
+// is meant to be seen, run this program with PLIANT_UPDATE_GOLDEN=1 in the environment, look at every picture, and commit them:
+//   PLIANT_UPDATE_GOLDEN=1 build/release/tests/pliant_shots_tests "[golden]"
+// Drivers and compilers may differ in the last digit: a picture may differ a little in a few pixels, and a scene with one
+// parameter changed has to differ by more.
+#include "picture.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+#include <cstdlib>
+
+using namespace pliant;
+using namespace pliant::test;
+
+namespace {
+
+constexpr int amount = 24;              // of 255, that a colour may be off
+constexpr Real largest_part = 0.002;    // of the pixels, that may be off by more
+constexpr Real smallest_change = 0.01;  // of the pixels, that a changed parameter must change
+
+struct Golden {
+    std::string name;
+    Shot shot;
+    std::string changed;  // a setting for the twin that must look different
+};
+
+std::vector<Golden> goldens() {
+    PictureOptions small;
+    small.size = "640x360";
+    PictureOptions projector = small;
+    projector.theme = "projector";
+    return {
+        {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
+        {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
+        {"mass_spring", {"mesh/mass_spring", {}, 40, small}, "time_step=0.002"},
+        {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.0002"},
+    };
+}
+
+fs::path golden_path(const std::string& name) { return fs::path(PLIANT_SOURCE_DIR) / "tests/shots/golden" / (name + ".png"); }
+
+bool updating() {
+    const char* wish = std::getenv("PLIANT_UPDATE_GOLDEN");
+    return wish && std::string(wish) == "1";
+}
+
+}  // namespace
+
+TEST_CASE("pictures of known scenes are as they were", "[shots][golden]") {
+    for (const Golden& golden : goldens()) {
+        CAPTURE(golden.name);
+        if (updating()) take(golden.shot, golden_path(golden.name));
+        const Image expected = viewer::read_png(golden_path(golden.name)), image = picture_of(golden.shot);
+        const auto difference = viewer::compare(image, expected, amount);
+        CAPTURE(difference.largest, difference.fraction_over);
+        CHECK(difference.fraction_over <= largest_part);
+    }
+}
+
+TEST_CASE("a changed parameter changes the picture", "[shots][golden]") {
+    for (const Golden& golden : goldens()) {
+        CAPTURE(golden.name, golden.changed);
+        Shot twin = golden.shot;
+        twin.settings.push_back(golden.changed);
+        const auto difference = viewer::compare(picture_of(twin), viewer::read_png(golden_path(golden.name)), amount);
+        CHECK(difference.fraction_over >= smallest_change);
+    }
+}
+
+TEST_CASE("the golden pictures stay small", "[shots][golden]") {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(golden_path("x").parent_path())) {
+        CAPTURE(entry.path().string());
+        CHECK(entry.file_size() < 100000);
+        ++count;
+    }
+    CHECK(count == goldens().size());
+}

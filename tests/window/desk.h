@@ -1,0 +1,156 @@
+// A person at the lab: a screen of its own (Xvfb), the program in its window, a mouse and keys (xdotool), and what the lab tells
+// of its state in the file that --state names.
+#pragma once
+#include "../process/process.h"
+#include "close_request.h"
+
+#include <poll.h>
+
+#include <catch2/catch_test_macros.hpp>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+
+namespace pliant::test {
+
+using Json = nlohmann::json;
+using namespace std::chrono_literals;
+
+// The lab needs a frame to see a pointer move, a button go down and a button go up.
+inline constexpr auto a_moment = 300ms;
+
+inline bool on_path(const std::string& program) {
+    std::istringstream folders(std::getenv("PATH") ? std::getenv("PATH") : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+inline void need_screen_and_mouse() {
+    for (const char* program : {"Xvfb", "xdotool"})
+        if (!on_path(program)) SKIP(program << " is not installed: apt-get install xvfb xdotool");
+}
+
+// A display that no one else has.
+class Screen {
+public:
+    explicit Screen(const Scratch& scratch) {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+        server_ = std::make_unique<Child>(
+            "Xvfb", Arguments{"-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24", "-nolisten", "tcp"},
+            scratch.path("xvfb.out"), scratch.path("xvfb.err"), Environment{}, std::vector<int>{ends[1]});
+        close(ends[1]);
+        // The server writes the number of its display once it is ready.
+        pollfd ready{ends[0], POLLIN, 0};
+        char number[16] = {};
+        const bool answered = poll(&ready, 1, 20000) > 0 && read(ends[0], number, sizeof number - 1) > 0;
+        close(ends[0]);
+        if (!answered) throw std::runtime_error("Xvfb does not start: " + contents_of(scratch.path("xvfb.err")));
+        display_ = ":" + std::to_string(std::atoi(number));
+    }
+    ~Screen() { server_->end(SIGTERM); }
+    const std::string& display() const { return display_; }
+
+private:
+    std::unique_ptr<Child> server_;
+    std::string display_;
+};
+
+struct Spot {
+    int x = 0, y = 0;  // px, in the window
+};
+
+class Desk {
+public:
+    explicit Desk(const Arguments& more = {}) {
+        Arguments arguments{"--size", "1280x800", "--state", state_path_};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        lab_ = std::make_unique<Child>(PLIANT_PROGRAM, arguments, scratch_.path("lab.out"), scratch_.path("lab.err"),
+                                       Environment{{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", std::nullopt}},
+                                       std::vector<int>{}, scratch_.folder());
+        const auto deadline = std::chrono::steady_clock::now() + 30s;
+        while (!fs::exists(state_path_) && lab_->running() && std::chrono::steady_clock::now() < deadline)
+            std::this_thread::sleep_for(20ms);
+        INFO(contents_of(scratch_.path("lab.err")));
+        REQUIRE(fs::exists(state_path_));
+        window_ = xdotool({"search", "--sync", "--onlyvisible", "--name", "Pliant"});
+        window_ = window_.substr(0, window_.find('\n'));
+        REQUIRE_FALSE(window_.empty());
+        xdotool({"windowfocus", "--sync", window_});
+    }
+
+    const Scratch& scratch() const { return scratch_; }
+    Json state() const { return Json::parse(contents_of(state_path_)); }
+    double parameter(const std::string& key) const { return std::stod(state()["parameters"][key].get<std::string>()); }
+    // Waits until the state is as wanted; false when it does not become so in time.
+    bool becomes(const std::function<bool(const Json&)>& wanted, std::chrono::milliseconds limit = 8s) const {
+        const auto deadline = std::chrono::steady_clock::now() + limit;
+        while (std::chrono::steady_clock::now() < deadline) {
+            if (wanted(state())) return true;
+            std::this_thread::sleep_for(20ms);
+        }
+        return wanted(state());
+    }
+    bool becomes(const std::string& key, const Json& value) const {
+        return becomes([&](const Json& s) { return s[key] == value; });
+    }
+    // The same, and stays so for a moment.
+    bool stays(const std::string& key, const Json& value) const {
+        if (!becomes(key, value)) return false;
+        std::this_thread::sleep_for(a_moment);
+        return state()[key] == value;
+    }
+
+    void key(const std::string& name) { xdotool({"key", name}), rest(); }
+    void type(const std::string& text) { xdotool({"type", "--delay", "40", text}), rest(); }
+    void move(Spot s) { xdotool({"mousemove", "--window", window_, std::to_string(s.x), std::to_string(s.y)}), rest(); }
+    void press() { xdotool({"mousedown", "1"}), rest(); }
+    void release() { xdotool({"mouseup", "1"}), rest(); }
+    void click(Spot s) { move(s), press(), release(); }
+    void click(const std::string& control) { click(on(control)); }
+    // As a hand does it: the second press is held for some frames.
+    void double_click(Spot s) {
+        move(s);
+        xdotool({"mousedown", "1", "sleep", "0.04", "mouseup", "1", "sleep", "0.06", "mousedown", "1", "sleep", "0.12", "mouseup",
+                 "1"});
+        rest();
+    }
+    void drag(Spot from, Spot to) { move(from), press(), move({(from.x + to.x) / 2, (from.y + to.y) / 2}), move(to), release(); }
+    void hold(const std::string& name) { xdotool({"keydown", name}), rest(); }
+    void let_go(const std::string& name) { xdotool({"keyup", name}), rest(); }
+
+    // The place at these fractions of a control's width and height.
+    Spot on(const std::string& control, double across = 0.5, double down = 0.5) const {
+        const Json controls = state()["controls"];
+        INFO("control " << control);
+        REQUIRE(controls.contains(control));
+        const Json& r = controls[control];
+        return {static_cast<int>(r[0].get<double>() + across * r[2].get<double>()),
+                static_cast<int>(r[1].get<double>() + down * r[3].get<double>())};
+    }
+
+    // Closes the window as a window manager does and gives the exit code; -1 when the program does not end.
+    int close_window() {
+        XConnection(screen_.display()).ask_to_close(static_cast<std::uint32_t>(std::stoul(window_)));
+        return lab_->wait(10s) ? lab_->exit_code() : -1;
+    }
+    std::string complaints() const { return contents_of(scratch_.path("lab.err")); }
+
+private:
+    static void rest() { std::this_thread::sleep_for(a_moment); }
+    std::string xdotool(const Arguments& arguments) const {
+        const Outcome outcome = run_process("xdotool", arguments, {{"DISPLAY", screen_.display()}}, 20s);
+        INFO("xdotool " << arguments[0] << ": " << outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return outcome.out;
+    }
+
+    Scratch scratch_;
+    Screen screen_{scratch_};
+    std::string state_path_ = scratch_.path("state.json"), window_;
+    std::unique_ptr<Child> lab_;
+};
+
+}  // namespace pliant::test

@@ -1,0 +1,130 @@
+// The lab under the mouse.
+#include "desk.h"
+
+#include <cmath>
+
+using namespace pliant::test;
+
+namespace {
+
+void pause(Desk& desk) {
+    desk.key("space");
+    REQUIRE(desk.becomes("playing", false));
+}
+
+// A place where the pointer is on something of the lesson.
+Spot find_something(Desk& desk) {
+    for (const double down : {0.5, 0.4, 0.6, 0.7, 0.3})
+        for (const double across : {0.5, 0.45, 0.55, 0.4, 0.6}) {
+            const Spot spot = desk.on("scene", across, down);
+            desk.move(spot);
+            if (desk.state()["hovered"] >= 0) return spot;
+        }
+    FAIL("nothing lies under the pointer anywhere");
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("a click on its name opens a lesson", "[window]") {
+    need_screen_and_mouse();
+    Desk desk;
+    for (const std::string lesson : {"fluids/navier_stokes", "elasticity/moduli", "mesh/mass_spring"}) {
+        desk.click("lesson " + lesson);
+        CHECK(desk.becomes("lesson", lesson));
+    }
+}
+
+TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
+    need_screen_and_mouse();
+    Desk desk({"--lesson", "elasticity/moduli"});
+    pause(desk);
+    const std::string key = "poisson_ratio";
+    const double initial = desk.parameter(key);
+    CHECK(initial == 0.3);
+
+    // Linear from -0.5 to 0.49.
+    desk.drag(desk.on(key), desk.on(key, 0.25));
+    const double dragged = desk.parameter(key);
+    CHECK(std::abs(dragged - (-0.5 + 0.25 * 0.99)) < 0.05);
+    CHECK(desk.stays("parameters", desk.state()["parameters"]));
+
+    desk.double_click(desk.on(key, 0.75));
+    CHECK(desk.becomes([&](const Json& s) { return s["parameters"][key] == "0.3"; }));
+    CHECK(desk.stays("parameters", desk.state()["parameters"]));
+
+    const auto type = [&](const std::string& number) {
+        desk.hold("ctrl");
+        desk.click(key);
+        desk.let_go("ctrl");
+        desk.key("ctrl+a");
+        desk.type(number);
+        desk.key("Return");
+    };
+    type("0.125");
+    CHECK(desk.parameter(key) == 0.125);
+    type("7");
+    CHECK(std::abs(desk.parameter(key) - 0.49) < 1e-5);
+    CHECK(desk.parameter(key) <= 0.49);
+
+    desk.key("ctrl+z");
+    CHECK(desk.parameter(key) == 0.125);
+}
+
+TEST_CASE("a choice is made from its list", "[window]") {
+    need_screen_and_mouse();
+    Desk desk({"--lesson", "elasticity/moduli"});
+    pause(desk);
+    CHECK(desk.state()["parameters"]["test"] == "tension");
+    const Spot box = desk.on("test");
+    const double height = desk.state()["controls"]["test"][3];
+    desk.click(box);
+    desk.click({box.x, box.y + static_cast<int>(2.0 * height)});
+    CHECK(desk.becomes([](const Json& s) { return s["parameters"]["test"] != "tension"; }));
+    CHECK(desk.state()["lesson"] == "elasticity/moduli");
+}
+
+TEST_CASE("the buttons of time do what they say", "[window]") {
+    need_screen_and_mouse();
+    Desk desk;
+    desk.click("play");
+    CHECK(desk.stays("playing", false));
+    const long step = desk.state()["step"];
+    desk.click("step");
+    CHECK(desk.stays("step", step + 1));
+    desk.click("back");
+    CHECK(desk.stays("step", step));
+    desk.click("stage");
+    CHECK(desk.becomes([](const Json& s) { return s["passes"] > 0; }));
+    desk.click("reset");
+    CHECK(desk.stays("step", 0));
+    // A key does one thing, whatever was clicked before.
+    desk.key("space");
+    CHECK(desk.stays("playing", true));
+}
+
+TEST_CASE("the body is pulled with the mouse", "[window]") {
+    need_screen_and_mouse();
+    Desk desk;
+    pause(desk);
+    const Spot grip = find_something(desk);
+    desk.press();
+    REQUIRE(desk.becomes([](const Json& s) { return s["pulling"] >= 0; }));
+    const Json before = desk.state();
+    desk.move({grip.x + 60, grip.y - 120});
+    CHECK(desk.state()["pulling"] == before["pulling"]);
+    CHECK(desk.state()["probes"] == before["probes"]);  // paused: nothing moves yet
+    for (int i = 0; i < 5; ++i) desk.key("period");
+    const Json pulled = desk.state();
+    CHECK(pulled["step"] == before["step"].get<long>() + 5);
+    CHECK(pulled["probes"] != before["probes"]);
+    desk.release();
+    CHECK(desk.becomes("pulling", -1));
+
+    // Without the hand the same five steps end elsewhere.
+    for (int i = 0; i < 5; ++i) desk.key("comma");
+    REQUIRE(desk.state()["step"] == before["step"]);
+    for (int i = 0; i < 5; ++i) desk.key("period");
+    CHECK(desk.state()["step"] == pulled["step"]);
+    CHECK(desk.complaints().empty());
+}
