@@ -26,7 +26,7 @@ void Scene::frame(const Position& lower_corner, const Position& upper_corner) { 
 
 void Scene::arrow(const Position& from, const Position& to, Ink ink, std::string text) {
     arrows.push_back({.from = {from}, .to = {to}, .ink = ink});
-    if (!text.empty()) label(to, std::move(text), ink, 0, -14);
+    if (!text.empty()) labels.push_back({.at = to, .text = std::move(text), .ink = ink, .away_from = from});
 }
 
 void Scene::line(const Position& from, const Position& to, Ink ink, float width, bool dashed) {

@@ -7,6 +7,7 @@
 #include <pliant/math/types.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -96,6 +97,7 @@ struct LabelMark {
     Ink ink = Ink::text;
     float offset_x = 0, offset_y = 0;  // px, y down: of the label's middle from `at`
     bool large = false;
+    std::optional<Position> away_from{};  // the words then stand beyond `at`, as seen from here: behind the head of an arrow
 };
 
 class Lesson;

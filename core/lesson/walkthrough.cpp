@@ -104,7 +104,8 @@ Walkthrough walkthrough_of(const LessonEntry& entry) {
     return parse_walkthrough(text, path);
 }
 
-WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough) : runner_(runner), walkthrough_(std::move(walkthrough)) {}
+WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
+    : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {}
 
 void WalkthroughPlayer::refuse(int line, const std::string& what) const { throw Refused(fmt::format("{}:{}: {}", walkthrough_.path, line, what)); }
 
@@ -163,11 +164,11 @@ Runner::Assignments assignments_of(const std::vector<std::string>& words) {
 }
 
 // "run 20 steps", "run 0.5 s", "run rest", "run to advection".
-void run_for(Runner& runner, const std::vector<std::string>& words) {
-    if (words.size() == 2 && words[1] == "rest") return advance(runner, Until::at_rest());
+void run_for(Runner& runner, const std::vector<std::string>& words, const std::function<void()>& after_step) {
+    if (words.size() == 2 && words[1] == "rest") return advance(runner, Until::at_rest(), after_step);
     const auto amount = words.size() == 3 ? as_number(words[1]) : std::nullopt;
-    if (amount && words[2] == "s") return advance(runner, Until::after_time(*amount));
-    if (amount && words[2].starts_with("step")) return advance(runner, Until::after_steps(static_cast<Index>(*amount)));
+    if (amount && words[2] == "s") return advance(runner, Until::after_time(*amount), after_step);
+    if (amount && words[2].starts_with("step")) return advance(runner, Until::after_steps(static_cast<Index>(*amount)), after_step);
     if (words.size() == 3 && words[1] == "to") return runner.run_to_stage(words[2]);
     throw Refused("run needs one of: N steps, T s, rest, to STAGE");
 }
@@ -191,7 +192,7 @@ void WalkthroughPlayer::act(const std::string& line, int number) {
     try {
         if (words[0] == "set") return runner_.assign(assignments_of(words));
         if (words[0] == "reset") return runner_.reset();
-        if (words[0] == "run") return run_for(runner_, words);
+        if (words[0] == "run") return run_for(runner_, words, after_step_);
         if (words[0] == "release") return runner_.pull(std::nullopt);
         if (words[0] == "pull") return runner_.pull(pull_of(words));
         if (words[0] == "preset" && words.size() == 2) return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);

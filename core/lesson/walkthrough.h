@@ -15,6 +15,7 @@
 #pragma once
 #include <pliant/lesson/runner.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -58,7 +59,8 @@ struct ExpectationResult {
 // (answer and what was expected).
 class WalkthroughPlayer {
 public:
-    WalkthroughPlayer(Runner& runner, Walkthrough walkthrough);
+    // after_step, where given, is called behind each whole step that an action runs.
+    WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step = {});
 
     const Walkthrough& walkthrough() const { return walkthrough_; }
     std::size_t slide_number() const { return slide_; }
@@ -83,6 +85,7 @@ private:
 
     Runner& runner_;
     Walkthrough walkthrough_;
+    std::function<void()> after_step_;
     std::size_t slide_ = 0;
     bool revealed_ = false;
     std::string shown_field_;

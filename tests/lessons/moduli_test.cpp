@@ -93,7 +93,7 @@ TEST_CASE("moduli: one step is the whole test and further ones change nothing", 
     CHECK(runner.lesson().at_rest());
     const auto hash = state_hash(runner.lesson());
     const Real modulus = measured(runner, "measured_modulus");
-    runner.steps(3);
+    advance(runner, Until::after_steps(3));
     CHECK(state_hash(runner.lesson()) == hash);
     CHECK(measured(runner, "measured_modulus") == modulus);
 }

@@ -28,7 +28,6 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     auto runner = std::make_unique<Runner>(entry, assignments);
     runner_ = std::move(runner);
     entry_ = &entry;
-    recorder_.clear();
     undo_.clear();
     message_.reset();
     walkthrough.reset();
@@ -36,8 +35,8 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     camera.reset();
     colours = lesson().first_colours();
     range = {};
-    owed_ = reached_speed_ = 0;
-    moved();
+    reached_speed_ = 0;
+    begin_run();
 }
 
 void Session::open_next(int direction) {
@@ -78,6 +77,14 @@ bool Session::guarded(Action action) {
     }
     playing = false;
     return false;
+}
+
+void Session::begin_run() {
+    ++run_count_;
+    recorder_.clear();
+    range.forget();
+    owed_ = 0;
+    moved();
 }
 
 void Session::moved() {
@@ -171,10 +178,7 @@ void Session::stage_back() {
 void Session::reset() {
     dismiss();
     guarded([&] { runner_->reset(); });
-    recorder_.clear();
-    range.forget();
-    owed_ = 0;
-    moved();
+    begin_run();
 }
 
 // ---------------------------------------------------------------------------------------------------------- parameters
@@ -183,12 +187,9 @@ bool Session::set(const Parameter& parameter, Real value) {
     const bool rebuilds = parameter.info.effect == Effect::rebuild;
     if (!guarded([&] { runner_->assign(parameter.info.key, value); })) return false;
     dismiss();
-    if (rebuilds) {
-        recorder_.clear();
-        range.forget();
-        if (lesson().dimension() == 2) camera.reset();  // the domain may have another size
-    }
-    moved();
+    if (!rebuilds) return moved(), true;
+    if (lesson().dimension() == 2) camera.reset();  // the domain may have another size
+    begin_run();
     return true;
 }
 
@@ -227,27 +228,40 @@ void Session::start_walkthrough() {
     guarded([&] {
         Walkthrough text = walkthrough_of(*entry_);
         open(*entry_);
-        walkthrough.emplace(*runner_, std::move(text));
+        walkthrough.emplace(*runner_, std::move(text), [this] { record_of_walkthrough(); });
     });
+}
+
+// A slide may start the lesson again, so a step that was recorded before begins another run.
+void Session::record_of_walkthrough() {
+    if (!recorder_.empty() && runner_->place().step <= recorder_.steps().back()) begin_run();
+    else moved();
+}
+
+// Without a run in the slide, a reset shows by the step alone.
+void Session::after_walkthrough() {
+    const bool restarted = !recorder_.empty() && runner_->place().step < recorder_.steps().back();
+    restarted ? begin_run() : moved();
 }
 
 void Session::walkthrough_next() {
     if (!walkthrough) return;
     playing = false;
-    recorder_.clear();
     guarded([&] {
         if (!walkthrough->next()) say(Message::Kind::info, "This was the last slide.");
     });
-    if (!walkthrough->shown_field().empty()) colours = {walkthrough->shown_field(), -1};
-    moved();
+    if (!walkthrough->shown_field().empty() && walkthrough->shown_field() != colours.field) {
+        colours = {walkthrough->shown_field(), -1};
+        range.forget();
+    }
+    after_walkthrough();
 }
 
 void Session::walkthrough_back() {
     if (!walkthrough) return;
     playing = false;
-    recorder_.clear();
     guarded([&] { walkthrough->back(); });
-    moved();
+    after_walkthrough();
 }
 
 }  // namespace pliant::viewer

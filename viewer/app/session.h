@@ -44,6 +44,9 @@ public:
     const Lesson& lesson() const { return runner_->lesson(); }
     const Recorder& recorder() const { return recorder_; }
 
+    // Counts the runs that began here: a lesson opened, a reset. What was measured before belongs to another run.
+    int run_count() const { return run_count_; }
+
     // --- time ---
     bool playing = false;
     Real speed = 1;  // simulated seconds asked for per second
@@ -106,7 +109,10 @@ private:
     template <class Action>
     bool guarded(Action action);  // an error becomes a message and a pause
     bool set(const Parameter& parameter, Real value);
+    void begin_run();             // nothing of the run before is shown any longer
     void moved();                 // records, and keeps the view up to date
+    void record_of_walkthrough();
+    void after_walkthrough();
     bool advance_one();
 
     const LessonEntry* entry_ = nullptr;
@@ -114,6 +120,7 @@ private:
     Recorder recorder_;
     std::vector<Undo> undo_;
     std::optional<Message> message_;
+    int run_count_ = 0;
     Real owed_ = 0;  // simulated seconds asked for and not yet run
     Real reached_speed_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -142,6 +143,7 @@ bool shown_now(const LabState& lab, const std::string& name) {
 
 void draw_plots(LabState& lab) {
     choose_first(lab);
+    if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
     if (lab.layout == Layout::lab) choice_menu(lab);
     Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
     std::vector<std::string> shown;

@@ -36,8 +36,13 @@ void draw_labels(LabState& lab, const View& view) {
         if (p.z() >= 1) continue;
         ImGui::PushFont(l.large ? lab.fonts.large : lab.fonts.normal);
         const ImVec2 size = ImGui::CalcTextSize(l.text.c_str());
-        const float x = std::clamp(p.x() + lab.px(l.offset_x) - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
-        const float y = std::clamp(p.y() + lab.px(l.offset_y) - size.y / 2, 2.f, std::max(2.f, view.size.y - size.y - 2));
+        Eigen::Vector2f beyond(0, 0);
+        if (l.away_from) {
+            const Eigen::Vector2f d = (p - view.projection.pixel(*l.away_from)).head<2>().normalized();
+            beyond = d * (lab.px(6) + std::abs(d.x()) * size.x / 2 + std::abs(d.y()) * size.y / 2);
+        }
+        const float x = std::clamp(p.x() + beyond.x() + lab.px(l.offset_x) - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
+        const float y = std::clamp(p.y() + beyond.y() + lab.px(l.offset_y) - size.y / 2, 2.f, std::max(2.f, view.size.y - size.y - 2));
         haloed_text(lab, {view.origin.x + x, view.origin.y + y}, lab.ink(l.ink), l.text);
         ImGui::PopFont();
     }

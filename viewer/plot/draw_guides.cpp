@@ -41,7 +41,7 @@ private:
     bool write(Point at, Point size, const std::string& label) {
         at.x = std::clamp(at.x, d_.layout.area.min.x, std::max(d_.layout.area.min.x, d_.layout.area.max.x - size.x));
         const Box plate{{at.x - 0.15f * em_, at.y}, {at.x + size.x + 0.15f * em_, at.y + size.y}};
-        if (std::ranges::any_of(taken_, [&](Box box) { return overlap(box, plate); })) return false;
+        if (std::any_of(taken_.begin(), taken_.end(), [&](Box box) { return overlap(box, plate); })) return false;
         taken_.push_back(plate);
         d_.canvas.fill(plate, d_.style.plate);
         d_.canvas.text(at, d_.style.text, label);

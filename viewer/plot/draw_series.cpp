@@ -9,12 +9,13 @@ namespace pliant::viewer {
 namespace {
 
 // Between marks along a curve, and least between those of single samples; px at UI scale 1.
-constexpr float mark_spacing = 95, sample_spacing = 16;
+constexpr float mark_spacing = 70, sample_spacing = 16;
 
 Box shape(Point centre, float radius) { return {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}}; }
 
 std::size_t samples_in_view(const Series& series, Range x) {
-    return static_cast<std::size_t>(std::ranges::count_if(series.xs.view(), [x](Real value) { return x.contains(value); }));
+    const std::span<const Real> xs = series.xs;
+    return static_cast<std::size_t>(std::count_if(xs.begin(), xs.end(), [x](Real value) { return x.contains(value); }));
 }
 
 // Sets a curve off from the colours of a heat map.
@@ -44,10 +45,13 @@ void find_marks(const Drawing& d, std::size_t index, bool x_never_falls, std::ve
 
 SeriesLook look_of(const PlotModel& model, std::size_t index, const PlotStyle& style) {
     const Series& series = model.series[index];
-    const auto earlier = std::span(model.series).first(index);
-    const auto is_reference = [](const Series& s) { return s.kind == SeriesKind::reference; };
-    const auto references_before = static_cast<std::size_t>(std::ranges::count_if(earlier, is_reference));
-    const auto measured = model.series.size() - static_cast<std::size_t>(std::ranges::count_if(model.series, is_reference));
+    const auto references_in_first = [&model](std::size_t count) {
+        const auto begin = model.series.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
+        return static_cast<std::size_t>(
+            std::count_if(begin, end, [](const Series& s) { return s.kind == SeriesKind::reference; }));
+    };
+    const std::size_t references_before = references_in_first(index);
+    const std::size_t measured = model.series.size() - references_in_first(model.series.size());
     const std::size_t place = index - references_before;
 
     SeriesLook look{palette_colour(style, series.style.colour.value_or(place)), series.style.dash, Marker::none,

@@ -195,7 +195,7 @@ Ticks ticks_that_fit(Range range, AxisScale scale, std::string_view unit, float 
     const float em = canvas.line_height();
     const AxisMap map(range, scale, 0, length);
     const auto numbers_of = [](const Ticks& ticks) {
-        return std::ranges::count_if(ticks.ticks, [](const Tick& tick) { return !tick.text.empty(); });
+        return std::count_if(ticks.ticks.begin(), ticks.ticks.end(), [](const Tick& tick) { return !tick.text.empty(); });
     };
     const auto fits = [&](const Ticks& ticks, float gap) {
         Real end = -1e9;  // of the last number

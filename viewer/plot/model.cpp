@@ -68,8 +68,8 @@ Range colour_range(const HeatMap& heat, AxisMemory& memory) {
 std::string why_empty(const PlotModel& model, const PlotMemory& memory, const PlotView& view) {
     const auto has_samples = [](const Series& s) { return s.xs.size() > 0 && s.ys.size() > 0; };
     const auto visible = [&](const Series& s) { return has_samples(s) && !memory.hidden.contains(s.name); };
-    if (std::ranges::none_of(model.series, has_samples)) return model.axes.empty_hint;
-    if (std::ranges::none_of(model.series, visible)) return "every curve is hidden";
+    if (std::none_of(model.series.begin(), model.series.end(), has_samples)) return model.axes.empty_hint;
+    if (std::none_of(model.series.begin(), model.series.end(), visible)) return "every curve is hidden";
     const bool log = view.x_scale == AxisScale::log || view.y_scale == AxisScale::log;
     return log ? "no positive values for the log axis" : "no finite values";
 }

@@ -124,7 +124,8 @@ Ticks make_ticks(Range range, AxisScale scale, int most, std::string_view unit) 
     if (scale == AxisScale::linear) return linear_ticks(range, most, unit);
     Ticks ticks = log_ticks(range, most, unit);
     // A stretch so short that it holds less than two round numbers is numbered as a linear axis is.
-    const auto numbered = std::ranges::count_if(ticks.ticks, [](const Tick& tick) { return !tick.text.empty(); });
+    const auto numbered =
+        std::count_if(ticks.ticks.begin(), ticks.ticks.end(), [](const Tick& tick) { return !tick.text.empty(); });
     return numbered < 2 && range.hi / range.lo < 100 ? linear_ticks(range, most, unit) : ticks;
 }
 

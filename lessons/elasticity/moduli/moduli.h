@@ -22,7 +22,7 @@ public:
     void draw(Scene& scene) const override;
     std::string blow_up_hint() const override;
     ColourBy first_colours() const override { return {"displacement", 0}; }
-    std::vector<std::string_view> first_plots() const override { return {"stress_strain", "displacement"}; }
+    std::vector<std::string_view> first_plots() const override { return {"measured_stress", "displacement"}; }
     std::vector<std::string_view> key_numbers() const override { return {"stress", "strain", "measured_modulus"}; }
 
 private:
@@ -55,7 +55,7 @@ private:
 
     // --- the picture (moduli_picture.cpp) ---
     Real drawn_magnification() const;
-    Vec<3> drawn(const Vec<3>& X, const Vec<3>& u) const { return X + drawn_magnification() * u; }
+    Vec<3> drawn(const Vec<3>& X, const Vec<3>& u) const;
     Vec<3> drawn_exact(const Vec<3>& X) const { return drawn(X, specimen_->exact_displacement(applied(), X)); }
     void draw_body(Scene& scene) const;
     void draw_supports(Scene& scene) const;

@@ -18,8 +18,7 @@ Real round_down(Real value) {
     return decade * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
 }
 
-// Moves a point of the box [0, size] outward along one axis where it lies on the box's far side.
-Position corner(const Vec<3>& x) { return position<3>(x); }
+Position at(const Vec<3>& x) { return position<3>(x); }
 
 }  // namespace
 
@@ -31,6 +30,15 @@ Real ModuliLesson::drawn_magnification() const {
     if (full == 0) return 1;
     const Real wanted = round_down(0.2 / full);
     return wanted < 1 && full < 0.6 ? 1 : wanted;
+}
+
+// The block is drawn about its middle, as textbooks do: a narrowing shows on both sides of it, and not only on those that are not
+// on rollers. That moves the whole block, so that no strain changes.
+Vec<3> ModuliLesson::drawn(const Vec<3>& X, const Vec<3>& u) const {
+    Vec<3> middle = Vec<3>::Zero();
+    if (test != Test::shear) middle = specimen_->exact_displacement(applied(), 0.5 * Vec<3>(length, width, width));
+    if (test == Test::tension) middle[0] = 0;
+    return X + drawn_magnification() * (u - middle);
 }
 
 void ModuliLesson::draw(Scene& scene) const {
@@ -49,7 +57,7 @@ void ModuliLesson::draw(Scene& scene) const {
     }
     write_notes(scene);
     const Real w = width;
-    scene.frame(corner({-0.25 * w, -0.3 * w, -0.1 * w}), corner({length + 0.6 * w, 1.3 * w, 1.1 * w}));
+    scene.frame(at({-0.25 * w, -0.3 * w, -0.1 * w}), at({length + 0.6 * w, 1.3 * w, 1.1 * w}));
 }
 
 // The deformed surface; a field of elements colours each facet by the element that it bounds.
@@ -71,7 +79,7 @@ void ModuliLesson::draw_body(Scene& scene) const {
     surface.pick.pickable = true;
     surface.pick.on = On::element;
     scene.triangles.push_back(std::move(surface));
-    scene.box(corner(Vec<3>::Zero()), corner({length, width, width}), Ink::rest, 2, true);
+    scene.box(at(Vec<3>::Zero()), at({length, width, width}), Ink::rest, 2, true);
 }
 
 // A plate behind the face that is held.
@@ -80,113 +88,112 @@ void ModuliLesson::draw_supports(Scene& scene) const {
     const Real w = width, out = 0.2 * w, below = -0.004 * w;
     TriangleMarks plate{.corners = {}, .triangles = {{0, 1, 2}, {0, 2, 3}}, .ink = Ink::fixed, .opacity = 0.45f};
     if (test == Test::tension)
-        plate.corners = {corner({below, -out, -out}), corner({below, w + out, -out}), corner({below, w + out, w + out}),
-                         corner({below, -out, w + out})};
+        plate.corners = {at({below, -out, -out}), at({below, w + out, -out}), at({below, w + out, w + out}),
+                         at({below, -out, w + out})};
     else
-        plate.corners = {corner({-out, below, -out}), corner({length + out, below, -out}), corner({length + out, below, w + out}),
-                         corner({-out, below, w + out})};
+        plate.corners = {at({-out, below, -out}), at({length + out, below, -out}), at({length + out, below, w + out}),
+                         at({-out, below, w + out})};
     scene.triangles.push_back(std::move(plate));
 }
 
 void ModuliLesson::draw_tension(Scene& scene) const {
-    const Real L = length, w = width, reach = 0.4 * w * level_[0] / static_cast<Real>(load_levels) * (load < 0 ? -1 : 1);
-    const Vec<3> end = drawn_exact({L, w, w});
+    const Real L = length, w = width, reach = 0.4 * w * std::abs(level_[0]) / static_cast<Real>(load_levels);
+    const Vec<3> low = drawn_exact({L, 0, 0}), high = drawn_exact({L, w, w});
 
     // The pull on the free end. A push is drawn towards the face.
-    ArrowMarks pull{.from = {}, .to = {}};
-    for (const Real y : {0.2, 0.5, 0.8})
-        for (const Real z : {0.2, 0.5, 0.8}) {
-            const Vec<3> on_face(end[0], y * end[1], z * end[2]), off = on_face + Vec<3>(std::abs(reach), 0, 0);
-            pull.from.push_back(corner(reach > 0 ? on_face : off));
-            pull.to.push_back(corner(reach > 0 ? off : on_face));
-        }
-    if (reach != 0) {
+    if (level() > 0 && load != 0) {
+        ArrowMarks pull{.from = {}, .to = {}};
+        for (const Real y : {0.2, 0.5, 0.8})
+            for (const Real z : {0.2, 0.5, 0.8}) {
+                const Vec<3> on_face(high[0], low[1] + y * (high[1] - low[1]), low[2] + z * (high[2] - low[2]));
+                const Vec<3> off_face = on_face + Vec<3>(reach, 0, 0);
+                pull.from.push_back(at(load > 0 ? on_face : off_face));
+                pull.to.push_back(at(load > 0 ? off_face : on_face));
+            }
         scene.arrows.push_back(std::move(pull));
-        scene.label(corner(Vec<3>(end[0] + std::abs(reach), 0.5 * end[1], 0.5 * end[2])),
-                    fmt::format("F = {}", format_quantity(specimen_->support_force(reaction_), "N")), Ink::force, 14, -24);
+        scene.label(at({high[0] + reach, 0.5 * w, 0.5 * w}),
+                    fmt::format("F = {}", format_quantity(specimen_->support_force(reaction_), "N")), Ink::force, 52, 22);
     }
 
-    // Length below the front edge, lengthening beyond it; width at the end.
-    const Real below = -0.14 * w;
-    scene.dimension_line(corner({0, below, w}), corner({L, below, w}), fmt::format("L = {}", format_quantity(L, "m")), 0, 16);
-    scene.line(corner({L, 0, w}), corner({L, 1.6 * below, w}), Ink::rest);
+    // Length below the front edge, lengthening beyond it; width across the middle.
+    const Real below = -0.2 * w, front = 1.02 * w;
+    scene.dimension_line(at({0, below, w}), at({L, below, w}), fmt::format("L = {}", format_quantity(L, "m")), 0, 16);
+    scene.line(at({L, 0, w}), at({L, 1.4 * below, w}), Ink::rest);
     if (const Real longer = specimen_->strain(displacement_) * L; longer != 0) {
-        scene.line(corner({end[0], below, w}), corner({L, below, w}), Ink::accent, 4);
-        scene.line(corner({end[0], 0, end[2]}), corner({end[0], 1.6 * below, w}), Ink::accent);
-        scene.label(corner({0.5 * (L + end[0]), 1.6 * below, w}), fmt::format("ΔL = {}", format_quantity(longer, "m")),
-                    Ink::accent, 0, 14);
+        scene.line(at({high[0], below, w}), at({L, below, w}), Ink::accent, 4);
+        scene.line(at({high[0], low[1], high[2]}), at({high[0], 1.4 * below, w}), Ink::accent);
+        scene.label(at({0.5 * (L + high[0]), 1.4 * below, w}), fmt::format("ΔL = {}", format_quantity(longer, "m")), Ink::accent,
+                    0, 14);
     }
-    scene.dimension_line(corner({0.5 * L, 1.0 * w, 1.12 * w}), corner({0.5 * L, 0, 1.12 * w}),
-                         fmt::format("w = {}", format_quantity(w, "m")), 46, 0);
-    scene.label(corner({0.02 * L, w, 0}), fmt::format("A = {}", format_quantity(specimen_->area(), "m²")), Ink::fixed, 0, -14);
+    scene.dimension_line(at({0.5 * L, w, front}), at({0.5 * L, 0, front}), fmt::format("w = {}", format_quantity(w, "m")), 46, 0);
+    scene.label(at({0, 1.2 * w, 0.5 * w}), fmt::format("A = {}", format_quantity(specimen_->area(), "m²")), Ink::fixed, 0, -26);
 }
 
 void ModuliLesson::draw_shear(Scene& scene) const {
     const Real L = length, w = width, reach = 0.5 * w * level_[0] / static_cast<Real>(load_levels) * (load < 0 ? -1 : 1);
     const Vec<3> shift = drawn_exact({0, w, 0}) - Vec<3>(0, w, 0);
 
-    // The shear on the top, and the support's answer below.
-    if (reach != 0) {
+    // The shear along the top, and the support's answer below.
+    if (reach != 0 && load != 0) {
         ArrowMarks top{.from = {}, .to = {}}, bottom{.from = {}, .to = {}, .ink = Ink::fixed};
         for (const Real x : {0.15, 0.5, 0.85})
-            for (const Real z : {0.25, 0.75}) {
-                const Vec<3> at = Vec<3>(x * L - 0.5 * reach, 1.03 * w, z * w) + shift;
-                top.from.push_back(corner(at));
-                top.to.push_back(corner(at + Vec<3>(reach, 0, 0)));
+            for (const Real z : {0.1, 0.9}) {
+                const Vec<3> from = Vec<3>(x * L - 0.5 * reach, 1.12 * w, z * w) + shift;
+                top.from.push_back(at(from));
+                top.to.push_back(at(from + Vec<3>(reach, 0, 0)));
             }
-        for (const Real x : {0.25, 0.75}) {
-            const Vec<3> at(x * L + 0.5 * reach, -0.05 * w, 1.05 * w);
-            bottom.from.push_back(corner(at));
-            bottom.to.push_back(corner(at - Vec<3>(reach, 0, 0)));
+        for (const Real x : {0.15, 0.5, 0.85}) {
+            const Vec<3> from(x * L + 0.5 * reach, -0.03 * w, 1.12 * w);
+            bottom.from.push_back(at(from));
+            bottom.to.push_back(at(from - Vec<3>(reach, 0, 0)));
         }
         scene.arrows.push_back(std::move(top));
         scene.arrows.push_back(std::move(bottom));
-        scene.label(corner(Vec<3>(L, 1.03 * w, 0.5 * w) + shift),
-                    fmt::format("F = {}", format_quantity(specimen_->support_force(reaction_), "N")), Ink::force, 40, -20);
+        scene.label(at(Vec<3>(L + 0.2 * w, 1.12 * w, 0.5 * w) + shift),
+                    fmt::format("F = {}", format_quantity(specimen_->support_force(reaction_), "N")), Ink::force, 30, -24);
     }
 
     // Sideways shift over height, on the front face.
-    scene.dimension_line(corner({-0.1 * w, 0, w}), corner({-0.1 * w, w, w}), fmt::format("L = {}", format_quantity(w, "m")), -46,
-                         0);
+    const Real front = 1.005 * w;
+    scene.dimension_line(at({-0.1 * w, 0, w}), at({-0.1 * w, w, w}), fmt::format("L = {}", format_quantity(w, "m")), -46, 0);
     if (const Real shifted = specimen_->strain(displacement_) * w; shifted != 0) {
-        scene.line(corner({0, w, w}), corner(Vec<3>(0, w, w) + shift), Ink::accent, 4);
-        scene.line(corner({0, 0, w}), corner({0, w, w}), Ink::accent);
-        scene.line(corner({0, 0, w}), corner(Vec<3>(0, w, w) + shift), Ink::accent);
-        scene.label(corner(Vec<3>(0, w, w) + 0.5 * shift), fmt::format("ΔL = {}", format_quantity(shifted, "m")), Ink::accent, -6,
-                    -16);
+        scene.line(at({0, 1.04 * w, front}), at(Vec<3>(0, 1.04 * w, front) + shift), Ink::accent, 4);
+        scene.line(at({0, 0, front}), at({0, w, front}), Ink::accent);
+        scene.line(at({0, 0, front}), at(Vec<3>(0, w, front) + shift), Ink::accent, 2.5f);
+        scene.label(at(Vec<3>(0, 1.04 * w, front) + 0.5 * shift), fmt::format("ΔL = {}", format_quantity(shifted, "m")),
+                    Ink::accent, -40, -14);
     }
-    scene.label(corner({0.5 * L, 0, w}), fmt::format("A = {}", format_quantity(specimen_->area(), "m²")), Ink::fixed, 0, 26);
+    scene.label(at({0.5 * L, 0, 1.2 * w}), fmt::format("A = {}", format_quantity(specimen_->area(), "m²")), Ink::fixed, 0, 30);
 }
 
 void ModuliLesson::draw_pressure(Scene& scene) const {
-    const Real L = length, w = width, share = level_[0] / static_cast<Real>(load_levels), gap = 0.03 * w;
-    const Real reach = 0.35 * w * share * (load < 0 ? -1 : 1);
-    const Vec<3> end = drawn_exact({L, w, w});
+    const Real L = length, w = width, gap = 0.03 * w, reach = 0.35 * w * level_[0] / static_cast<Real>(load_levels);
+    const Vec<3> low = drawn_exact(Vec<3>::Zero()), high = drawn_exact({L, w, w});
 
     // Arrows onto the three faces that can be seen (off them under a negative pressure).
-    ArrowMarks push{.from = {}, .to = {}};
-    const auto arrow = [&](const Vec<3>& on_face, const Vec<3>& outward) {
-        const Vec<3> near = on_face + gap * outward, far = near + std::abs(reach) * outward;
-        push.from.push_back(corner(reach > 0 ? far : near));
-        push.to.push_back(corner(reach > 0 ? near : far));
-    };
-    for (const Real a : {0.25, 0.75})
-        for (const Real b : {0.25, 0.75}) arrow({end[0], a * end[1], b * end[2]}, Vec<3>::UnitX());
-    for (const Real x : {0.15, 0.5, 0.85})
+    if (level() > 0 && load != 0) {
+        ArrowMarks push{.from = {}, .to = {}};
+        const auto arrow = [&](const Vec<3>& share, int axis) {
+            Vec<3> near = low + share.cwiseProduct(high - low);
+            near[axis] += gap;
+            const Vec<3> far = near + reach * Vec<3>::Unit(axis);
+            push.from.push_back(at(load > 0 ? far : near));
+            push.to.push_back(at(load > 0 ? near : far));
+        };
         for (const Real b : {0.25, 0.75}) {
-            arrow({x * end[0], end[1], b * end[2]}, Vec<3>::UnitY());
-            arrow({x * end[0], b * end[1], end[2]}, Vec<3>::UnitZ());
+            for (const Real a : {0.25, 0.75}) arrow({1, a, b}, 0);
+            for (const Real x : {0.15, 0.5, 0.85}) {
+                arrow({x, 1, b}, 1);
+                arrow({x, b, 1}, 2);
+            }
         }
-    if (reach != 0) {
         scene.arrows.push_back(std::move(push));
-        scene.label(corner({end[0] + gap + std::abs(reach), 0.75 * end[1], 0.25 * end[2]}),
-                    fmt::format("ΔP = {}", format_quantity(stresses_[level()], "Pa")), Ink::force, 10, -20);
+        scene.label(at({high[0] + gap + reach, 0.75 * w, 0.25 * w}),
+                    fmt::format("ΔP = {}", format_quantity(stresses_[level()], "Pa")), Ink::force, 40, -20);
+        scene.label(at({0.5 * L, high[1] + reach, 0.5 * w}), fmt::format("ΔV/V = {}", format_quantity(strains_[level()], "")),
+                    Ink::accent, 0, -34);
     }
-    scene.dimension_line(corner({0, -0.14 * w, w}), corner({L, -0.14 * w, w}), fmt::format("L = {}", format_quantity(L, "m")), 0,
-                         16);
-    scene.label(corner({0.5 * L, w, 0.5 * w}),
-                fmt::format("ΔV = {}", format_quantity(specimen_->strain(displacement_) * specimen_->mesh().volume(), "m³")),
-                Ink::accent, 0, -56);
+    scene.dimension_line(at({0, -0.14 * w, w}), at({L, -0.14 * w, w}), fmt::format("L = {}", format_quantity(L, "m")), 0, 16);
 }
 
 void ModuliLesson::write_notes(Scene& scene) const {

@@ -138,7 +138,7 @@ void ModuliLesson::declare_probes() {
 }
 
 void ModuliLesson::declare_lines() {
-    lines = {{.name = "stress_strain",
+    lines = {{.name = "measured_stress",
               .unit = "Pa",
               .position_name = "strain",
               .position_unit = "",

@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-// The stirrer swirls the fluid within about this distance of its middle, which goes around the box's middle.
-constexpr Real stirrer_radius = 0.07, stirrer_path = 0.24, stirrer_period = 6;  // m, m, s
+// The stirrer pushes the fluid within about this distance ahead of it, on its way around a figure of eight.
+constexpr Real stirrer_radius = 0.05, stirrer_width = 0.3, stirrer_height = 0.25, stirrer_period = 8;  // m, m, m, s
 // A pull is a jet at its start, of this acceleration per metre that it is drawn out.
 constexpr Real pull_radius = 0.06, pull_stiffness = 40;  // m, 1/s²
 constexpr Index most_iterations = 200;
@@ -35,7 +35,7 @@ NavierStokes::NavierStokes()
       resolution(*this, {.key = "resolution",
                          .symbol = "n",
                          .help = "cells along each side of the square; Δx = 1 m / n",
-                         .initial = 64,
+                         .initial = 96,
                          .useful = {8, 256},
                          .accepted = Interval{1, 512},
                          .effect = Effect::rebuild}),
@@ -57,9 +57,9 @@ NavierStokes::NavierStokes()
       stirring(*this, {.key = "stirring",
                        .symbol = "S",
                        .unit = "m/s²",
-                       .help = "body force per unit mass at the rim of the stirrer; negative stirs the other way",
-                       .initial = 4,
-                       .useful = {-10, 10},
+                       .help = "body force per unit mass in the middle of the stirrer; negative pushes backwards",
+                       .initial = 8,
+                       .useful = {-20, 20},
                        .accepted = Interval{-1e6, 1e6},
                        .used = [this] { return scenario == Scenario::box; }}),
       lid_speed(*this, {.key = "lid_speed",
@@ -129,6 +129,7 @@ void NavierStokes::reset() {
     divergence(*grid_, velocity_, divergence_after_);
     divergence_before_ = divergence_after_;
     fields_of_flow_.reset(*grid_, velocity_);
+    initial_energy_ = specific_energy();
 }
 
 // u = sin 2πx cos 2πy, v = −cos 2πx sin 2πy, in m/s [TaylorGreen1937].
@@ -178,28 +179,30 @@ void NavierStokes::declare_stages() {
          .end = [this] { end_projection(); }}};
 }
 
-void NavierStokes::external_forces() {
-    add_force(*grid_, velocity_, dt, [this](const Vec<2>& x) { return acceleration(x); });
-    fields_of_flow_.renew();
-}
-
+// The middle of the stirrer: a figure of eight around the middle of the box.
 Vec<2> NavierStokes::stirrer_place() const {
     const Real angle = 2 * pi * time() / stirrer_period;
-    return Vec<2>(0.5, 0.5) + stirrer_path * Vec<2>(std::cos(angle), std::sin(angle));
+    return {0.5 + stirrer_width * std::sin(angle), 0.5 + stirrer_height * std::sin(2 * angle)};
 }
 
-// m/s²: a swirl around the stirrer that is strongest, S, at its rim, and the jet of a pull.
-Vec<2> NavierStokes::acceleration(const Vec<2>& x) const {
+Vec<2> NavierStokes::stirrer_heading() const {
+    const Real angle = 2 * pi * time() / stirrer_period;
+    return Vec<2>(stirrer_width * std::cos(angle), 2 * stirrer_height * std::cos(2 * angle)).normalized();
+}
+
+void NavierStokes::external_forces() {
+    // m/s²: full strength in the middle, nothing beyond four radii.
     const auto bell = [](const Vec<2>& r, Real radius) {
-        return std::exp(Real(0.5) - Real(0.5) * r.squaredNorm() / (radius * radius));
+        const Real square = r.squaredNorm() / (radius * radius);
+        return square < 16 ? std::exp(Real(-0.5) * square) : 0;
     };
-    Vec<2> f = Vec<2>::Zero();
-    if (stirred()) {
-        const Vec<2> r = x - stirrer_place();
-        f += stirring / stirrer_radius * bell(r, stirrer_radius) * Vec<2>(-r[1], r[0]);
-    }
-    if (pull_) f += pull_stiffness * bell(x - pull_->from.head<2>(), pull_radius) * (pull_->to - pull_->from).head<2>();
-    return f;
+    const Vec<2> stirrer = stirrer_place(), push = stirred() ? Vec<2>(stirring * stirrer_heading()) : Vec<2>(Vec<2>::Zero());
+    const Vec<2> hand = pull_ ? Vec<2>(pull_->from.head<2>()) : Vec<2>(Vec<2>::Zero());
+    const Vec<2> jet = pull_ ? Vec<2>(pull_stiffness * (pull_->to - pull_->from).head<2>()) : Vec<2>(Vec<2>::Zero());
+    add_force(*grid_, velocity_, dt, [&](const Vec<2>& x) -> Vec<2> {
+        return bell(x - stirrer, stirrer_radius) * push + bell(x - hand, pull_radius) * jet;
+    });
+    fields_of_flow_.renew();
 }
 
 void NavierStokes::advect() {

@@ -60,14 +60,16 @@ private:
     bool forced() const { return stirred() || pull_.has_value(); }
     Real dx() const { return Real(1) / static_cast<Real>(Index(resolution)); }
     Real time() const { return elapsed_[0]; }
-    Vec<2> stirrer_place() const;
-    Vec<2> acceleration(const Vec<2>& x) const;
+    Vec<2> stirrer_place() const;    // m
+    Vec<2> stirrer_heading() const;  // unit vector
 
     // --- what is measured ---
     std::optional<Real> reynolds() const;
     std::optional<Real> effective_viscosity() const;
     Real interpolation_viscosity() const;
     Real specific_energy() const;  // J/kg
+    std::optional<Real> table_difference() const;
+    Real velocity_on_centre_line(int axis, Real along) const;  // component across `axis`, m/s, at a distance from the wall in m
     void profile(int axis, Curve& curve) const;
     void published_profile(int axis, Curve& curve) const;
 
@@ -88,6 +90,7 @@ private:
     FaceField<2> velocity_;
     VecX pressure_;
     Eigen::Array2d elapsed_ = Eigen::Array2d::Zero();
+    Real initial_energy_ = 0;  // J/kg
     // What the stages make of it: ∇·u before and after the projection [1/s].
     VecX divergence_before_, divergence_after_;
     FlowFields fields_of_flow_;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -40,7 +39,7 @@ void NavierStokes::draw_field(Scene& scene) const {
 Real NavierStokes::arrow_speed() const {
     switch (scenario) {
         case Scenario::box:
-            return 0.5;
+            return 0.7;
         case Scenario::cavity:
             return lid_speed == 0 ? 1 : 0.4 * std::abs(lid_speed);
         case Scenario::taylor_green:
@@ -85,23 +84,11 @@ void NavierStokes::draw_walls(Scene& scene) const {
         if (scene.show_labels)
             scene.label(position(0.5, 1.035), "lid: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
     } else if (stirred()) {
-        // A ring with the sense in which the fluid is turned.
-        const Vec<2> middle = stirrer_place();
-        LineMarks ring{.ends = {}, .ink = Ink::force, .width = 2.5f};
-        const auto at = [&](Real turn) {
-            return Vec<2>(middle + 0.07 * Vec<2>(std::cos(2 * std::numbers::pi * turn), std::sin(2 * std::numbers::pi * turn)));
-        };
-        constexpr int pieces = 32;
-        for (int k = 0; k < pieces; ++k) {
-            ring.ends.push_back(position<2>(at(k / Real(pieces))));
-            ring.ends.push_back(position<2>(at((k + 1) / Real(pieces))));
-        }
-        scene.lines.push_back(std::move(ring));
-        for (const Real turn : {0.0, 0.5}) {
-            const Real ahead = stirring > 0 ? 0.08 : -0.08;
-            scene.arrows.push_back(
-                {.from = {position<2>(at(turn))}, .to = {position<2>(at(turn + ahead))}, .ink = Ink::force, .width = 3});
-        }
+        const Vec<2> middle = stirrer_place(), push = (stirring > 0 ? 0.09 : -0.09) * stirrer_heading();
+        scene.points.push_back({.at = {position<2>(middle)}, .ink = Ink::force, .radius = 6});
+        scene.arrows.push_back(
+            {.from = {position<2>(middle)}, .to = {position<2>(middle + push)}, .ink = Ink::force, .width = 4});
+        if (scene.show_labels) scene.label(position<2>(middle), "f", Ink::force, 0, -16);
     }
     if (pull_) scene.arrow(position(pull_->from[0], pull_->from[1]), position(pull_->to[0], pull_->to[1]), Ink::force, "jet");
 }

@@ -15,6 +15,9 @@ namespace pliant::mass_spring {
 enum class Setting { drop, hang, spin };
 enum class Support { top, side };
 
+// Strains below this are rounding.
+inline constexpr Real strain_rounding = 1e-12;
+
 class MassSpringLesson final : public Lesson {
 public:
     MassSpringLesson();
@@ -94,13 +97,15 @@ private:
     std::string too_large_a_step() const;
 
     // --- the picture (mass_spring_picture.cpp) ---
-    void draw_surface(Scene& picture) const;
+    void draw_surface(Scene& picture, float opacity) const;
+    void draw_cell_edges(Scene& picture) const;
     void draw_springs(Scene& picture) const;
     void draw_nodes(Scene& picture) const;
     void draw_ground(Scene& picture) const;
     void draw_arrows(Scene& picture) const;
     void write_notes(Scene& picture) const;
     void set_frame(Scene& picture) const;
+    Real frame_side() const;
 
     std::unique_ptr<SpringBlock> block_;
     std::unique_ptr<SpringSystem<3>> system_;  // of the implicit scheme

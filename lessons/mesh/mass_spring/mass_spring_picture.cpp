@@ -13,13 +13,21 @@ void MassSpringLesson::draw(Scene& picture) const {
     set_frame(picture);
     draw_ground(picture);
     const Field* shown = find_field(picture.colour_by.field);
-    if (shown && shown->on == On::edge)
+    if (shown && shown->on == On::edge) {
+        draw_surface(picture, 0.45f);
         draw_springs(picture);
-    else
-        draw_surface(picture);
+    } else {
+        draw_surface(picture, 1);
+        draw_cell_edges(picture);
+    }
     draw_nodes(picture);
     draw_arrows(picture);
     write_notes(picture);
+}
+
+Real MassSpringLesson::frame_side() const {
+    const Vec<3> edges = block_->lengths();
+    return setting == Setting::hang ? 0.6 * std::max(edges[0], edges[2]) : 0.55 * edges.norm();
 }
 
 // The same corners from step to step: room for the fall, the bounce and the turning block.
@@ -29,46 +37,43 @@ void MassSpringLesson::set_frame(Scene& picture) const {
     const Real bottom = setting == Setting::spin ? std::min(Real(0), 0.5 * edges[1] - reach) : 0;
     const Real top = setting == Setting::spin ? 0.5 * edges[1] + reach
                                               : edges[1] + drop_height + (setting == Setting::drop ? 0.1 * edges[0] : 0);
-    const Real side = setting == Setting::hang ? 0.6 * edges[0] : 1.1 * reach;
+    const Real side = frame_side();
     picture.frame(position(-side, bottom, -side), position(side, top, side));
 }
 
-void MassSpringLesson::draw_surface(Scene& picture) const {
-    TriangleMarks body{.corners = {}, .triangles = {}, .values = picture.values(*this, On::node), .ink = Ink::body};
+void MassSpringLesson::draw_surface(Scene& picture, float opacity) const {
+    TriangleMarks body{
+        .corners = {}, .triangles = {}, .values = picture.values(*this, On::node), .ink = Ink::body, .opacity = opacity};
     for (Index n = 0; n < position_.cols(); ++n) body.corners.push_back(position<3>(position_.col(n)));
     for (const auto& [a, b, c] : block_->surface()) body.triangles.push_back({int(a), int(b), int(c)});
     picture.triangles.push_back(std::move(body));
-
-    // The edges of the cells on the surface, as in the lattice at rest.
-    LineMarks mesh{.ends = {}, .ink = Ink::edge, .width = 1.5f};
-    const Springs& springs = block_->springs();
-    const auto& cells = block_->lattice().cells();
-    for (Index s = 0; s < springs.size(); ++s) {
-        const auto a = block_->lattice().position(springs.i(s)), b = block_->lattice().position(springs.j(s));
-        int steps = 0, sides = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            steps += static_cast<int>(b[axis] - a[axis] != 0 ? std::abs(b[axis] - a[axis]) : 0);
-            sides += a[axis] == b[axis] && (a[axis] == 0 || a[axis] == cells[axis]);
-        }
-        if (steps != 1 || sides == 0) continue;
-        mesh.ends.push_back(position<3>(position_.col(springs.i(s))));
-        mesh.ends.push_back(position<3>(position_.col(springs.j(s))));
-    }
-    picture.lines.push_back(std::move(mesh));
 }
 
-void MassSpringLesson::draw_springs(Scene& picture) const {
-    LineMarks marks{.ends = {},
-                    .values = picture.values(*this, On::edge),
-                    .ink = Ink::edge,
-                    .width = 2,
-                    .pick = {.pickable = true, .on = On::edge}};
-    const Springs& springs = block_->springs();
-    for (Index s = 0; s < springs.size(); ++s) {
-        marks.ends.push_back(position<3>(position_.col(springs.i(s))));
-        marks.ends.push_back(position<3>(position_.col(springs.j(s))));
+// The edges of the cells on the surface.
+void MassSpringLesson::draw_cell_edges(Scene& picture) const {
+    LineMarks edges{.ends = {}, .ink = Ink::edge, .width = 1.5f};
+    for (const auto& [i, j] : block_->surface_edges()) {
+        edges.ends.push_back(position<3>(position_.col(i)));
+        edges.ends.push_back(position<3>(position_.col(j)));
     }
-    picture.lines.push_back(std::move(marks));
+    picture.lines.push_back(std::move(edges));
+}
+
+// Springs to the next node but one lie on the structural ones, and so are drawn below them.
+void MassSpringLesson::draw_springs(Scene& picture) const {
+    const std::vector<float> values = picture.values(*this, On::edge);
+    const Springs& springs = block_->springs();
+    constexpr std::array<float, family_count> widths{3, 1.5f, 1};
+    for (const Family family : {bending, shear, structural}) {
+        LineMarks marks{.ends = {}, .ink = Ink::edge, .width = widths[family], .pick = {.pickable = true, .on = On::edge}};
+        marks.pick.first = block_->first(family);
+        for (Index s = block_->first(family); s < block_->last(family); ++s) {
+            marks.ends.push_back(position<3>(position_.col(springs.i(s))));
+            marks.ends.push_back(position<3>(position_.col(springs.j(s))));
+        }
+        if (!values.empty()) marks.values.assign(values.begin() + block_->first(family), values.begin() + block_->last(family));
+        picture.lines.push_back(std::move(marks));
+    }
 }
 
 void MassSpringLesson::draw_nodes(Scene& picture) const {
@@ -101,7 +106,7 @@ void MassSpringLesson::draw_ground(Scene& picture) const {
 void MassSpringLesson::draw_arrows(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
     if (picture.show_arrows && weight_acceleration() > 0) {
-        const Real x = -0.5 * edges.norm(), top = edges[1] + drop_height, length = 0.4 * edges[1];
+        const Real x = -frame_side() - 0.4 * edges[1], top = edges[1] + drop_height, length = 0.4 * edges[1];
         picture.arrow(position(x, top, 0), position(x, top - length, 0), Ink::force,
                       "g = " + format_quantity(gravity, "m/s²", 3));
     }
@@ -113,7 +118,8 @@ void MassSpringLesson::draw_arrows(Scene& picture) const {
 void MassSpringLesson::write_notes(Scene& picture) const {
     const auto& cells = block_->lattice().cells();
     picture.notes.push_back(fmt::format("{} × {} × {} cells: {} nodes of {}, {} springs", cells[0], cells[1], cells[2],
-                                        position_.cols(), format_quantity(block_->mass()[0], "kg", 3), block_->springs().size()));
+                                        position_.cols(), format_quantity(1000 * block_->mass()[0], "g", 3),
+                                        block_->springs().size()));
     if (implicit()) {
         picture.notes.push_back(fmt::format("Δt = {}, ω Δt = {}: implicit, no limit", format_quantity(dt, "s", 3),
                                             format_quantity(rates().omega * dt, "", 3)));

@@ -156,7 +156,7 @@ Real MassSpringLesson::stretch() const {
         const Real strain = (position_.col(springs.j(s)) - position_.col(springs.i(s))).norm() / rest - 1;
         largest = std::max(largest, std::abs(strain));
     }
-    return largest;
+    return largest < strain_rounding ? 0 : largest;
 }
 
 std::optional<Real> MassSpringLesson::sag() const {

@@ -12,7 +12,15 @@ SpringBlock::SpringBlock(const NodeLattice<3>::Cells& cells, Real cell_size)
                Vec<3>(-0.5 * cell_size * Real(cells[0]), 0, -0.5 * cell_size * Real(cells[2]))),
       cell_size_(cell_size),
       rest_(lattice_.points()),
-      surface_(surface_triangles(lattice_)) {}
+      surface_(surface_triangles(lattice_)) {
+    for (const NodePair& pair : lattice_.structural()) {
+        const auto a = lattice_.position(pair[0]), b = lattice_.position(pair[1]);
+        bool outside = false;
+        for (int axis = 0; axis < 3; ++axis)
+            outside = outside || (a[axis] == b[axis] && (a[axis] == 0 || a[axis] == cells[axis]));
+        if (outside) surface_edges_.push_back(pair);
+    }
+}
 
 Vec<3> SpringBlock::lengths() const {
     const auto& cells = lattice_.cells();

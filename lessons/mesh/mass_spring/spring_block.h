@@ -20,7 +20,8 @@ public:
     const NodeLattice<3>& lattice() const { return lattice_; }
     const Points<3>& rest() const { return rest_; }  // m
     const std::vector<NodeTriple>& surface() const { return surface_; }
-    Vec<3> lengths() const;  // m, of the edges
+    const std::vector<NodePair>& surface_edges() const { return surface_edges_; }  // edges of the cells
+    Vec<3> lengths() const;                                                        // m, of the edges
 
     // Nodes of the layer with the largest (or smallest) coordinate along an axis.
     std::vector<Index> layer(int axis, bool last) const;
@@ -31,6 +32,9 @@ public:
     void set_mass(Real total, const std::vector<Index>& fixed);
 
     const Springs& springs() const { return springs_; }
+    // The springs of a family: from first to before last.
+    Index first(Family family) const { return first_[family]; }
+    Index last(Family family) const { return first_[family + 1]; }
     const VecX& mass() const { return mass_; }  // kg, one per node
     const DiagonalMass& inertia() const { return inertia_; }
 
@@ -45,6 +49,7 @@ private:
     Real cell_size_;
     Points<3> rest_;
     std::vector<NodeTriple> surface_;
+    std::vector<NodePair> surface_edges_;
     Springs springs_;
     Stiffnesses stiffness_{};
     std::array<Index, family_count + 1> first_{};  // of each family in springs_
