@@ -37,10 +37,12 @@ bool is_special(const std::string& path) {
     return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-// A link stays a link: the file it leads to is replaced.
-std::string target_of(const std::string& path) {
+// A link stays a link: the file it leads to, which need not be there yet, is replaced.
+fs::path target_of(const std::string& path) {
+    fs::path target(path);
     std::error_code ignored;
-    return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
+    for (int links = 0; links < 40 && fs::is_symlink(target, ignored); ++links) target = target.parent_path() / fs::read_symlink(target, ignored);
+    return target;
 }
 
 void fill(const std::string& name, std::string_view contents, const std::string& path) {
@@ -53,7 +55,7 @@ void fill(const std::string& name, std::string_view contents, const std::string&
 
 // Fills a file beside the target and removes it again when that fails.
 std::string fill_part(const std::string& path, std::string_view contents) {
-    const std::string part = target_of(path) + ".part";
+    const std::string part = target_of(path).string() + ".part";
     try {
         fill(part, contents, path);
     } catch (const Refused&) {

@@ -88,7 +88,7 @@ Json assumptions_json(const Lesson& lesson) {
 
 Json conserved_json(const Runner& runner) {
     Json list = Json::object();
-    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
+    for (const std::size_t i : runner.shown_laws()) {
         const Conserved& c = runner.lesson().conserved[i];
         const Holds holds = runner.holds(i);
         Json& j = list[std::string(c.probe)] = {{"unit", runner.lesson().probe(c.probe).unit}, {"status", name_of(holds)}};
@@ -232,7 +232,7 @@ std::string run_text(const Runner& runner) {
                           fmt::format("{} against {}{}", format_quantity(value, a.unit), format_quantity(limit, a.unit), value <= limit ? "" : fmt::format(": {}", a.broken)));
     }
     if (!lesson.conserved.empty()) text += "\nConserved\n";
-    for (std::size_t i = 0; i < lesson.conserved.size(); ++i) text += table_row(lesson.conserved[i].probe, name_of(runner.holds(i)));
+    for (const std::size_t i : runner.shown_laws()) text += table_row(lesson.conserved[i].probe, name_of(runner.holds(i)));
     text += "\nCost\n";
     for (const Stage* s : runner.stages()) {
         const StageCost& c = runner.cost(static_cast<std::size_t>(s - lesson.stages.data()));

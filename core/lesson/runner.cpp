@@ -386,6 +386,18 @@ Real Runner::drift(std::size_t i) const {
     return 0;
 }
 
+std::vector<std::size_t> Runner::shown_laws() const {
+    const auto& laws = lesson_->conserved;
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+        const auto of_same_probe = [&](std::size_t j) { return laws[j].probe == laws[i].probe; };
+        const auto rival = std::ranges::find_if(shown, of_same_probe);
+        if (rival == shown.end()) shown.push_back(i);
+        else if (holds(*rival) == Holds::not_expected && holds(i) != Holds::not_expected) *rival = i;
+    }
+    return shown;
+}
+
 Holds Runner::holds(std::size_t i) const {
     const Conserved& c = lesson_->conserved[i];
     if (!references_[i] || (c.expected && !c.expected())) return Holds::not_expected;

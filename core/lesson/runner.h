@@ -107,6 +107,8 @@ public:
     std::optional<Real> exact(const Probe& probe) const;
     Holds holds(std::size_t conserved) const;  // index in lesson().conserved
     Real drift(std::size_t conserved) const;   // distance from what the law demands, in the unit of the probe
+    // The laws to show: of several laws for one probe those that are expected to hold now, or else the first.
+    std::vector<std::size_t> shown_laws() const;
 
 private:
     using Values = std::vector<std::pair<Parameter*, Real>>;

@@ -107,7 +107,7 @@ TEST_CASE("the presets of a lesson run", "[process]") {
 
 TEST_CASE("every walkthrough finds what it expects", "[process][slow]") {
     for (const std::string& lesson : lesson_names()) {
-        const Outcome outcome = pliant({"walkthrough", lesson, "--check"});
+        const Outcome outcome = call({"walkthrough", lesson, "--check"});
         INFO(lesson << "\n" << outcome.out << outcome.err);
         CHECK(outcome.exit_code == 0);
         CHECK(contains(outcome.out, ", 0 missed"));

@@ -16,7 +16,7 @@ const Arguments blow_up{"run",   "mesh/mass_spring", "--set",   "integrator=expl
 
 Outcome run_with(Arguments more) {
     more.insert(more.begin(), blow_up.begin(), blow_up.end());
-    return pliant(more);
+    return call(more);
 }
 
 std::string lower_case(std::string text) {
@@ -88,14 +88,14 @@ TEST_CASE("a diverged run has no picture, and says why", "[process]") {
     Arguments shot = blow_up;
     shot[0] = "shot";
     shot.insert(shot.end(), {"--out", scratch.path("picture.png")});
-    const Outcome outcome = pliant(shot);
+    const Outcome outcome = call(shot);
     CHECK(outcome.exit_code == diverged);
     CHECK(contains(outcome.err, "stage"));
     CHECK(scratch.names().empty());
 }
 
 TEST_CASE("a body that never rests is reported, not run for ever", "[process][slow]") {
-    const Outcome outcome = pliant({"run", "mesh/mass_spring", "--set", "cells_x=1", "--set", "cells_y=1", "--set", "cells_z=1",
+    const Outcome outcome = call({"run", "mesh/mass_spring", "--set", "cells_x=1", "--set", "cells_y=1", "--set", "cells_z=1",
                                     "--set", "damping_mode=none", "--rest"});
     INFO(outcome.err);
     CHECK((outcome.exit_code == 0 || outcome.exit_code == diverged));

@@ -14,7 +14,7 @@ namespace pliant::test {
 using Json = nlohmann::ordered_json;
 
 // None of these needs a display, so none is given one unless it is in the environment asked for.
-inline Outcome pliant(const Arguments& arguments, const Environment& more = {}) {
+inline Outcome call(const Arguments& arguments, const Environment& more = {}) {
     Environment environment{{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}};
     environment.insert(environment.end(), more.begin(), more.end());
     return run_process(PLIANT_PROGRAM, arguments, environment);
@@ -28,7 +28,7 @@ inline std::string sentence(const Arguments& arguments) {
 
 // Standard output of a call that has to go well.
 inline std::string output_of(const Arguments& arguments) {
-    const Outcome outcome = pliant(arguments);
+    const Outcome outcome = call(arguments);
     INFO(sentence(arguments) << "\n" << outcome.err);
     REQUIRE(outcome.exit_code == 0);
     return outcome.out;
@@ -43,6 +43,12 @@ inline std::vector<std::string> lesson_names() {
     std::vector<std::string> names;
     for (const Json& lesson : json_of({"list"})) names.push_back(lesson["lesson"]);
     return names;
+}
+
+inline Json parameters_of(const std::string& lesson) {
+    Json parameters = json_of({"describe", lesson})["parameters"];
+    REQUIRE_FALSE(parameters.empty());
+    return parameters;
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

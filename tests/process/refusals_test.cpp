@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The message of a call that has to be refused, and which says all of `words`.
 std::string refusal(const Arguments& arguments, const std::vector<std::string>& words = {}) {
-    const Outcome outcome = pliant(arguments);
+    const Outcome outcome = call(arguments);
     INFO(sentence(arguments) << "\n" << outcome.out << outcome.err);
     CHECK(outcome.exit_code == refused);
     CHECK(outcome.out.empty());
@@ -120,13 +120,13 @@ TEST_CASE("pictures and windows that cannot be are refused", "[process]") {
 
 TEST_CASE("a number that is none is refused for every parameter", "[process]") {
     for (const std::string& lesson : lesson_names())
-        for (const Json& p : json_of({"describe", lesson})["parameters"])
+        for (const Json& p : parameters_of(lesson))
             if (is_numeric(p)) check_refused(lesson, p, "nan");
 }
 
 TEST_CASE("infinite numbers, and numbers just outside the range, are refused for every parameter", "[process][slow]") {
     for (const std::string& lesson : lesson_names())
-        for (const Json& p : json_of({"describe", lesson})["parameters"]) {
+        for (const Json& p : parameters_of(lesson)) {
             if (!is_numeric(p)) continue;
             check_refused(lesson, p, "inf");
             check_refused(lesson, p, "-inf");
@@ -143,7 +143,7 @@ TEST_CASE("infinite numbers, and numbers just outside the range, are refused for
 
 TEST_CASE("a value of the wrong kind is refused for every parameter", "[process][slow]") {
     for (const std::string& lesson : lesson_names())
-        for (const Json& p : json_of({"describe", lesson})["parameters"]) {
+        for (const Json& p : parameters_of(lesson)) {
             const std::string key = p["key"];
             const auto refuse = [&](const char* value, const std::string& word) {
                 refusal({"run", lesson, "--set", key + "=" + value}, {key + " = ", word});
@@ -219,7 +219,7 @@ TEST_CASE("output that cannot be written is an error", "[process]") {
 
 TEST_CASE("without a display the window says what to do instead", "[process]") {
     for (const Environment& environment : {Environment{}, Environment{{"DISPLAY", ""}}, Environment{{"DISPLAY", ":987"}}}) {
-        const Outcome outcome = pliant({}, environment);
+        const Outcome outcome = call({}, environment);
         INFO(outcome.err);
         CHECK(outcome.exit_code == machine_lacks);
         CHECK(contains(outcome.err, "display"));

@@ -24,10 +24,10 @@ std::vector<Wrong> wrong_scenes() {
         {"not JSON", "youngs_modulus = 5\n", 1, 1, "not JSON"},
         {"a list", "[1, 2]", 1, 1, "one JSON object"},
         {"a number", "3", 1, 1, "one JSON object"},
-        {"cut off", head + R"( "parameters": {"youngs_modulus": 1)", 2, 34, "end of input"},
+        {"cut off", head + R"( "parameters": {"youngs_modulus": 1)", 2, 36, "end of input"},
         {"text behind the end", head + R"( "parameters": {}} {})", 2, 20, "not JSON"},
         {"a comment", head + "// words\n}", 2, 1, "not JSON"},
-        {"a comma too many", head + R"( "parameters": {},})", 2, 20, "not JSON"},
+        {"a comma too many", head + R"( "parameters": {},})", 2, 19, "not JSON"},
         {"no version", R"({"lesson": "elasticity/moduli"})", 1, 1, "\"pliant\""},
         {"version 0", R"({"pliant": 0, "lesson": "elasticity/moduli"})", 1, 2, "give 1"},
         {"a newer version", "{\n  \"pliant\": 2, \"lesson\": \"elasticity/moduli\"}", 2, 3, "newer than this program"},
@@ -92,7 +92,7 @@ std::vector<Wrong> wrong_scenes() {
 }
 
 std::string message_for(const Scratch& scratch, const std::string& text) {
-    const Outcome outcome = pliant({"run", "--scene", scratch.file("a.scene.json", text), "--steps", "1"});
+    const Outcome outcome = call({"run", "--scene", scratch.file("a.scene.json", text), "--steps", "1"});
     INFO(outcome.out << outcome.err);
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.out.empty());
@@ -123,7 +123,7 @@ TEST_CASE("a wrong scene file is refused with line and column", "[process]") {
 
 TEST_CASE("a scene file that is not text is refused", "[process]") {
     const Scratch scratch;
-    CHECK(contains(message_for(scratch, head + " \"parameters\": {\"l\xe4nge\": 1}}"), place(scratch, 2, 19)));
+    CHECK(contains(message_for(scratch, head + " \"parameters\": {\"l\xe4nge\": 1}}"), place(scratch, 2, 20)));
     std::mt19937 random(7);
     std::string noise(100000, ' ');
     for (char& c : noise) c = static_cast<char>(random());
@@ -151,7 +151,7 @@ TEST_CASE("every piece of a scene file that is cut off is refused with a place",
     const std::string whole = head + R"( "parameters": {"youngs_modulus": 1e6, "test": "shear"},
  "camera": {"target": [0, 0.5, 0], "distance": 3},
  "events": [{"step": 20, "set": {"load": 0}}]})";
-    REQUIRE(pliant({"run", "--scene", scratch.file("a.scene.json", whole), "--steps", "0"}).exit_code == 0);
+    REQUIRE(call({"run", "--scene", scratch.file("a.scene.json", whole), "--steps", "0"}).exit_code == 0);
     for (std::size_t length = 0; length < whole.size(); ++length) {
         CAPTURE(length);
         CHECK(names_a_place(scratch, message_for(scratch, whole.substr(0, length))));
@@ -162,7 +162,7 @@ TEST_CASE("a scene file that is not there, or is a folder, is refused", "[proces
     const Scratch scratch;
     for (const std::string& path :
          {scratch.path("missing.json"), scratch.folder().string(), scratch.file("file", "") + "/scene.json"}) {
-        const Outcome outcome = pliant({"run", "--scene", path});
+        const Outcome outcome = call({"run", "--scene", path});
         INFO(outcome.err);
         CHECK(outcome.exit_code == 2);
         CHECK(contains(outcome.err, path));
@@ -172,7 +172,7 @@ TEST_CASE("a scene file that is not there, or is a folder, is refused", "[proces
 TEST_CASE("a scene of another lesson is refused", "[process]") {
     const Scratch scratch;
     const std::string scene = scratch.file("scene.json", head + " \"parameters\": {}}");
-    const Outcome outcome = pliant({"run", "mesh/mass_spring", "--scene", scene});
+    const Outcome outcome = call({"run", "mesh/mass_spring", "--scene", scene});
     CHECK(outcome.exit_code == 2);
     CHECK(contains(outcome.err, "elasticity/moduli"));
     CHECK(contains(outcome.err, "mesh/mass_spring"));

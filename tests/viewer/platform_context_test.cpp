@@ -123,6 +123,16 @@ TEST_CASE("Two contexts live side by side") {
     }
 }
 
+TEST_CASE("A context goes on drawing when another one of its kind is closed") {
+    for (const Backend backend : {Backend::osmesa, Backend::egl}) {
+        auto a = open_or_skip(backend, {8, 8}), b = open_or_skip(backend, {8, 8});
+        b.reset();
+        a->make_current();
+        clear(1, 0, 0);
+        CHECK(read_pixels(*a).row(0)[0] == 255);
+    }
+}
+
 TEST_CASE("The driver's variables are as before once a context is open") {
     setenv("GALLIUM_DRIVER", "softpipe", 1);
     unsetenv("LIBGL_ALWAYS_SOFTWARE");

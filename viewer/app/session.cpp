@@ -162,6 +162,7 @@ void Session::step_back() {
     dismiss();
     bool found = true;
     guarded([&] { found = runner_->step_back(); });
+    keep_hand();
     if (!found) say(Message::Kind::info, runner_->place() == Place{} ? "This is the beginning." : "Steps before this one are no longer stored.");
     moved();
 }
@@ -171,6 +172,7 @@ void Session::stage_back() {
     dismiss();
     bool found = true;
     guarded([&] { found = runner_->stage_back(); });
+    keep_hand();
     if (!found) say(Message::Kind::info, "Nothing before this is stored.");
     moved();
 }
@@ -208,7 +210,15 @@ void Session::undo() {
     undo_.pop_back();
 }
 
-void Session::pull(const std::optional<Pull>& pulled) { runner_->pull(pulled); }
+void Session::pull(const std::optional<Pull>& pulled) {
+    hand_ = pulled;
+    hand_used_ = true;
+    runner_->pull(pulled);
+}
+
+void Session::keep_hand() {
+    if (hand_used_) runner_->pull(hand_);
+}
 
 // ---------------------------------------------------------------------------------------------------------------- view
 

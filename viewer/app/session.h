@@ -113,6 +113,7 @@ private:
     void moved();                 // records, and keeps the view up to date
     void record_of_walkthrough();
     void after_walkthrough();
+    void keep_hand();             // after a move back: the hand is where it is now, not where it was then
     bool advance_one();
 
     const LessonEntry* entry_ = nullptr;
@@ -121,6 +122,8 @@ private:
     std::vector<Undo> undo_;
     std::optional<Message> message_;
     int run_count_ = 0;
+    std::optional<Pull> hand_;
+    bool hand_used_ = false;
     Real owed_ = 0;  // simulated seconds asked for and not yet run
     Real reached_speed_ = 0;
 };

@@ -35,11 +35,11 @@ Image capture(Lab& lab, Context& context) {
 }
 
 void choose_view(Session& session, const PictureOptions& o) {
-    if (!o.field.empty()) {
-        const Field& field = session.lesson().field(o.field);
+    if (!o.field.empty() || o.component != -1) {
+        const Field& field = session.lesson().field(o.field.empty() ? session.colours.field : o.field);
         if (o.component < -1 || o.component >= field.components)
             throw Refused("--component", o.component, "", fmt::format("a number from 0 to {}, or -1 for the whole", field.components - 1));
-        session.colours = {o.field, o.component};
+        session.colours = {std::string(field.name), o.component};
         session.range = {};
     }
     if (!o.stage.empty()) session.runner().run_to_stage(o.stage);

@@ -72,16 +72,16 @@ std::string label_of(const Parameter& p) {
 void label_row(LabState& lab, const Parameter& p) {
     const bool number = p.info.kind != Kind::choice;
     const std::string value = number ? format_quantity(lab.session.runner().wanted(p), p.info.unit, 5) : "";
-    const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x;
+    const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x - lab.px(2);
+    const float top = ImGui::GetCursorPosY(), drop = ImGui::GetTextLineHeight();
     ImGui::PushFont(lab.fonts.small);
-    ImGui::AlignTextToFramePadding();
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(3));
+    ImGui::SetCursorPosY(top + drop - ImGui::GetTextLineHeight());
     fitted_text(label_of(p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
     tooltip(describe(p), lab.scale);
     if (!number) return;
     ImGui::SameLine(right);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(3));
+    ImGui::SetCursorPosY(top);
     ImGui::TextUnformatted(value.c_str());
 }
 

@@ -31,7 +31,7 @@ std::string_view law_text(Law law) { return law == Law::constant ? "stays consta
 
 void conserved_lights(LabState& lab) {
     const Runner& runner = lab.session.runner();
-    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
+    for (const std::size_t i : runner.shown_laws()) {
         const Conserved& c = runner.lesson().conserved[i];
         const std::string_view unit = runner.lesson().probe(c.probe).unit;
         const Holds holds = runner.holds(i);

@@ -6,8 +6,9 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <utility>
+
 #include "platform/environment.h"
-#include "platform/gl.h"
 #include "platform/gl_loader.h"
 #include "platform/headless_context.h"
 
@@ -18,34 +19,30 @@ namespace {
     throw MachineLacks("EGL without a display: " + what + "; install Mesa's libegl1 and libgl1-mesa-dri.");
 }
 
-EGLDisplay surfaceless_display() {
+EGLDisplay start_display() {
+    // The same software driver on every machine, so that pictures agree. Drivers read these variables when they start.
+    const ScopedEnvironment software("LIBGL_ALWAYS_SOFTWARE", "true");
+    const ScopedEnvironment driver("GALLIUM_DRIVER", "llvmpipe");
     const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (!get) lacks("the library has no eglGetPlatformDisplayEXT");
     const EGLDisplay display = get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY) lacks("no surfaceless platform");
+    if (!eglInitialize(display, nullptr, nullptr)) lacks("it cannot be started");
+    return display;
+}
+
+// EGL has one such display per process, which all contexts share: it stays until the end.
+EGLDisplay surfaceless_display() {
+    static const EGLDisplay display = start_display();
     return display;
 }
 
 EGLConfig choose_config(EGLDisplay display) {
-    const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                             EGL_PBUFFER_BIT,
-                             EGL_RENDERABLE_TYPE,
-                             EGL_OPENGL_BIT,
-                             EGL_RED_SIZE,
-                             8,
-                             EGL_GREEN_SIZE,
-                             8,
-                             EGL_BLUE_SIZE,
-                             8,
-                             EGL_ALPHA_SIZE,
-                             8,
-                             EGL_DEPTH_SIZE,
-                             24,
-                             EGL_STENCIL_SIZE,
-                             8,
-                             EGL_SAMPLES,
-                             0,
-                             EGL_NONE};
+    // clang-format off
+    const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                             EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8,
+                             EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8, EGL_SAMPLES, 0, EGL_NONE};
+    // clang-format on
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted, &config, 1, &count) || count == 0)
@@ -56,11 +53,6 @@ EGLConfig choose_config(EGLDisplay display) {
 class EglContext final : public HeadlessContext {
 public:
     explicit EglContext(Size size) : HeadlessContext(size) {
-        // The same software driver on every machine, so that pictures agree.
-        const ScopedEnvironment software("LIBGL_ALWAYS_SOFTWARE", "true");
-        const ScopedEnvironment driver("GALLIUM_DRIVER", "llvmpipe");
-        display_ = surfaceless_display();
-        if (!eglInitialize(display_, nullptr, nullptr)) lacks("it cannot be started");
         try {
             create_context();
             create_surface();
@@ -77,10 +69,9 @@ public:
         check_size(size);
         size_ = size;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglDestroySurface(display_, surface_);
+        eglDestroySurface(display_, std::exchange(surface_, EGL_NO_SURFACE));
         create_surface();
         bind();
-        glViewport(0, 0, size.width, size.height);
     }
     void present() override { finish_gl(); }
     std::string description() const override { return "EGL: " + describe_gl(); }
@@ -89,9 +80,10 @@ private:
     void create_context() {
         if (!eglBindAPI(EGL_OPENGL_API)) lacks("no desktop OpenGL");
         config_ = choose_config(display_);
-        const EGLint wanted[] = {
-            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        // clang-format off
+        const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        // clang-format on
         context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, wanted);
         if (context_ == EGL_NO_CONTEXT) lacks("no OpenGL 3.3 core context");
     }
@@ -113,10 +105,9 @@ private:
         if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);
         if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-        eglTerminate(display_);
     }
 
-    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLDisplay display_ = surfaceless_display();
     EGLConfig config_ = nullptr;
     EGLContext context_ = EGL_NO_CONTEXT;
     EGLSurface surface_ = EGL_NO_SURFACE;

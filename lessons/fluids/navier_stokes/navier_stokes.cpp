@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 // The stirrer pushes the fluid within about this distance ahead of it, on its way around a figure of eight.
-constexpr Real stirrer_radius = 0.05, stirrer_width = 0.3, stirrer_height = 0.25, stirrer_period = 8;  // m, m, m, s
+constexpr Real stirrer_radius = 0.06, stirrer_width = 0.3, stirrer_height = 0.25, stirrer_period = 8;  // m, m, m, s
 // A pull is a jet at its start, of this acceleration per metre that it is drawn out.
 constexpr Real pull_radius = 0.06, pull_stiffness = 40;  // m, 1/s²
 constexpr Index most_iterations = 200;
@@ -58,7 +58,7 @@ NavierStokes::NavierStokes()
                        .symbol = "S",
                        .unit = "m/s²",
                        .help = "body force per unit mass in the middle of the stirrer; negative pushes backwards",
-                       .initial = 8,
+                       .initial = 6,
                        .useful = {-20, 20},
                        .accepted = Interval{-1e6, 1e6},
                        .used = [this] { return scenario == Scenario::box; }}),

@@ -95,10 +95,10 @@ void NavierStokes::draw_walls(Scene& scene) const {
 
 void NavierStokes::write_notes(Scene& scene) const {
     scene.notes.push_back(fmt::format("{0} × {0} cells, Δx = {1}", Index(resolution), format_quantity(dx(), "m", 3)));
-    scene.notes.push_back("ν = " + format_quantity(viscosity, "m²/s", 3));
-    if (const auto Re = reynolds()) scene.notes.push_back("Re = U · 1 m / ν = " + format_quantity(*Re, "", 3));
-    if (scene.show_arrows)
-        scene.notes.push_back("arrows: as long as they are apart at " + format_quantity(arrow_speed(), "m/s", 3));
+    std::string fluid = "ν = " + format_quantity(viscosity, "m²/s", 3);
+    if (const auto Re = reynolds()) fluid += ", Re = U · 1 m / ν = " + format_quantity(*Re, "", 3);
+    scene.notes.push_back(std::move(fluid));
+    if (scene.show_arrows) scene.notes.push_back("arrow of one spacing: " + format_quantity(arrow_speed(), "m/s", 3));
 }
 
 }  // namespace pliant::navier_stokes

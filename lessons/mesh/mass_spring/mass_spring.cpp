@@ -216,6 +216,7 @@ void MassSpringLesson::reset() {
     for (Points<3>* force : {&damping_force_, &external_force_}) force->setZero();
     for (VecX* values : {&tension_, &strain_}) values->setZero(block_->springs().size());
     touching_ = 0;
+    energy_wobble_ = 0;
     start_gravity_ = gravity;
     start_mass_ = total_mass;
     interfered_ = false;

@@ -62,6 +62,7 @@ private:
 
     // --- what the parameters mean ---
     bool implicit() const { return integrator == Scheme::implicit_euler; }
+    bool semi_implicit() const { return integrator == Scheme::semi_implicit_euler; }
     bool grounded() const { return ground && setting != Setting::spin; }
     bool damped() const { return damping_mode != SpringDamping::none; }
     bool held() const { return setting == Setting::hang; }
@@ -85,8 +86,9 @@ private:
     // --- what can be read off (mass_spring_readings.cpp) ---
     Real elastic_energy() const { return spring_energy<3>(block_->springs(), position_); }
     Real total_energy() const;
-    Real energy_in_motion() const;
+    std::optional<Real> shadow_energy() const;
     Real energy_tolerance() const;
+    Real shadow_tolerance() const;
     Real momentum_tolerance() const;
     Real stretch() const;
     std::optional<Real> sag() const;
@@ -122,6 +124,7 @@ private:
     VecX tension_, strain_;
     std::vector<Real> arrested_;  // by the ground within an implicit step, m/s
     Index touching_ = 0;
+    Real energy_wobble_ = 0;  // largest Δt/2 |v·f| since the start, J
 
     // Rates of the net at rest, with the parameters that they belong to.
     struct RatesKey {

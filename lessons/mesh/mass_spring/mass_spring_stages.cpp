@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant::mass_spring {
@@ -39,6 +40,8 @@ void MassSpringLesson::declare_fields() {
               of_springs("strain", "ε", "", "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest", strain_)};
     // Springs a hundred times their length are those of a run that has blown up.
     fields.back().bound = [] { return 100.0; };
+    // So are nodes that cross the block a thousand times in one step.
+    fields[1].bound = [this] { return 1000 * size / dt; };
 }
 
 void MassSpringLesson::declare_stages() {
@@ -140,6 +143,7 @@ void MassSpringLesson::begin_integration() {
     total_force_ = spring_force_;
     if (damped()) total_force_ += damping_force_;
     if (loaded()) total_force_ += external_force_;
+    energy_wobble_ = std::max(energy_wobble_, 0.5 * dt * std::abs(flat(velocity_).dot(flat(total_force_))));
     if (!implicit()) return;
 
     if (!solver_) {
@@ -161,8 +165,7 @@ void MassSpringLesson::begin_integration() {
 void MassSpringLesson::integrate() {
     const DiagonalMass& inertia = block_->inertia();
     if (integrator == Scheme::explicit_euler) explicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
-    if (integrator == Scheme::semi_implicit_euler)
-        semi_implicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
+    if (semi_implicit()) semi_implicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
     if (!implicit()) return;
     // One Newton iteration; its iterate can be looked at.
     solver_->iterate();
@@ -177,7 +180,7 @@ void MassSpringLesson::end_integration() {
 void MassSpringLesson::contact_stage() {
     arrested_.clear();
     if (implicit()) arrested_speeds<3>(*solver_, block_->inertia(), dt, arrested_);
-    const Real moved_for = integrator == Scheme::semi_implicit_euler ? Real(dt) : 0;
+    const Real moved_for = semi_implicit() ? Real(dt) : 0;
     touching_ =
         resolve_ground_contact<3>({0, restitution, friction}, block_->inertia(), moved_for, position_, velocity_, arrested_);
 }
