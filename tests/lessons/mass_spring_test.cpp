@@ -1,6 +1,7 @@
 // The mass-spring lesson: what its scenes, dampers and integrators must show.
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/scene_file.h>
+#include <pliant/lesson/texts.h>
 #include <pliant/lesson/until.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -8,6 +9,9 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
+#include <initializer_list>
+#include <string>
+#include <utility>
 
 using namespace pliant;
 using Catch::Matchers::ContainsSubstring;
@@ -17,9 +21,11 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 struct Run : Runner {
-    explicit Run(const Assignments& assignments = {}) : Runner(find_lesson("mesh/mass_spring"), assignments) {}
+    using Setting = std::pair<std::string, std::string>;
+    explicit Run(std::initializer_list<Setting> settings = {}) : Runner(find_lesson("mesh/mass_spring"), Assignments(settings)) {}
+    Run(const Run&) = delete;
     Real probe(std::string_view name) const { return value(lesson().probe(name)).value(); }
-    bool has(std::string_view field) const { return lesson().find_field(field) && lesson().field(field).in_use(); }
+    bool has(std::string_view field) const { return lesson().find_field(field)->in_use(); }
     const Assumption& assumption(std::string_view name) const {
         for (const Assumption& a : lesson().assumptions)
             if (a.name == name) return a;
@@ -117,7 +123,8 @@ TEST_CASE("mass-spring: semi-implicit Euler is stable just below its limit and n
         return run.probe("stretch");
     };
     CHECK(largest_stretch(0.97) < 0.01);
-    CHECK_THROWS_AS(largest_stretch(1.05), Diverged);
+    // Naive damping is strongest on another mode than the springs, so that its limit errs on the safe side.
+    CHECK_THROWS_AS(largest_stretch(mode == "naive" ? 1.1 : 1.03), Diverged);
 }
 
 TEST_CASE("mass-spring: a step above the limit is reported with the limit, and the state of before is kept") {
@@ -152,6 +159,17 @@ TEST_CASE("mass-spring: every Newton iteration of an implicit step can be looked
 
     Run capped({{"integrator", "implicit_euler"}, {"time_step", "0.1"}, {"newton_iterations", "1"}, {"drop_height", "0"}});
     CHECK_THROWS_WITH(capped.step(), ContainsSubstring("did not converge") && ContainsSubstring("residual"));
+}
+
+TEST_CASE("mass-spring: implicit steps, gone back over and run again, give the same bits") {
+    Run run({{"integrator", "implicit_euler"}, {"time_step", "0.02"}, {"drop_height", "0.01"}});
+    for (int n = 0; n < 6; ++n) run.step();
+    const auto end = state_hash(run.lesson());
+    for (int n = 0; n < 4; ++n) REQUIRE(run.step_back());
+    run.step_pass();
+    for (int n = 0; n < 4; ++n) run.step();
+    CHECK(run.place().step == 6);
+    CHECK(state_hash(run.lesson()) == end);
 }
 
 TEST_CASE("mass-spring: a hand pulls a node, with every integrator") {

@@ -13,7 +13,7 @@ using namespace pliant;
 using namespace pliant::viewer;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
-using Kind = Session::Message::Kind;
+using Told = Session::Message::Kind;
 
 namespace {
 
@@ -138,7 +138,7 @@ TEST_CASE("stepping back from the beginning says so", "[session]") {
     Session session = walking();
     session.step_back();
     REQUIRE(session.message());
-    CHECK(session.message()->kind == Kind::info);
+    CHECK(session.message()->kind == Told::info);
     CHECK(session.runner().place() == Place{});
     session.step();
     session.step_back();
@@ -166,7 +166,7 @@ TEST_CASE("a run that blows up pauses, keeps the last good state and can step ba
     for (int frame = 0; frame < 60 && session.playing; ++frame) session.update(1.0 / 60, 1e9);
     CHECK_FALSE(session.playing);
     REQUIRE(session.message());
-    CHECK(session.message()->kind == Kind::diverged);
+    CHECK(session.message()->kind == Told::diverged);
     CHECK_THAT(session.message()->text, ContainsSubstring("walk") && ContainsSubstring("100"));
     CHECK(session.runner().place() == Place{3, 0});
     CHECK_THAT(x_of(session), WithinAbs(90, 1e-12));
@@ -204,7 +204,7 @@ TEST_CASE("a refused value changes nothing and is not undone", "[session]") {
     session.step();
     session.assign(parameter(session, "speed"), 1e9);
     REQUIRE(session.message());
-    CHECK(session.message()->kind == Kind::refused);
+    CHECK(session.message()->kind == Told::refused);
     CHECK_THAT(session.message()->text, ContainsSubstring("speed"));
     CHECK(value(session, "speed") == 1);
     CHECK(session.runner().place() == Place{1, 0});
@@ -302,7 +302,7 @@ TEST_CASE("a scene saved from a session opens as the same run", "[session]") {
         CAPTURE(entry.info.id);
         Session session(entry.info.id);
         for (const Parameter* p : session.lesson().parameters)
-            if (p->info.kind == pliant::Kind::toggle) session.assign(*p, p->info.initial == 0 ? 1 : 0);
+            if (p->info.kind == Kind::toggle) session.assign(*p, p->info.initial == 0 ? 1 : 0);
         session.camera = Camera{Vec<3>(0.1, 0.2, 0.3), 1.0 / 3, 0.7, -0.1};
         const std::string text = scene_text(session.scene_file());
         session.reset();

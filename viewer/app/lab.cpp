@@ -5,10 +5,22 @@
 #include <pliant/lesson/file.h>
 
 #include "platform/gl.h"
+#include "platform/image.h"
+#include "platform/png_file.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pliant::viewer {
+
+namespace {
+// "Kinetic energy" as the name of a file.
+std::string file_name(std::string_view title, std::string_view ending) {
+    std::string name;
+    for (const char c : title) name += c == ' ' || c == '/' ? '_' : c;
+    return name + std::string(ending);
+}
+}  // namespace
 
 Lab::Lab(Context& context, std::string_view lesson) : context_(context), gui_(context), state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {}
 
@@ -62,16 +74,25 @@ void Lab::perform(Action action) {
     }
 }
 
-void Lab::save_scene() {
+void Lab::write_and_tell(const std::string& file, const std::function<void()>& write) {
     Session& s = state_.session;
-    std::string name(s.entry().info.id.substr(s.entry().info.id.find('/') + 1));
-    name += ".scene.json";
     try {
-        write_file(name, scene_text(s.scene_file()));
-        s.say(Session::Message::Kind::info, "Saved as " + name + " in the folder where Pliant was started.");
+        write();
+        s.say(Session::Message::Kind::info, "Saved as " + file + " in the folder where Pliant was started.");
     } catch (const Error& e) {
         s.say(Session::Message::Kind::refused, e.what());
     }
+}
+
+void Lab::save_scene() {
+    const std::string_view id = state_.session.entry().info.id;
+    const std::string name = file_name(id, ".scene.json");
+    write_and_tell(name, [&] { write_file(name, scene_text(state_.session.scene_file())); });
+}
+
+void Lab::save_plot(const PlotShot& shot) {
+    const std::string name = file_name(shot.title, ".png");
+    write_and_tell(name, [&] { write_png(crop(read_pixels(context_), shot.left, shot.top, shot.width, shot.height), name); });
 }
 
 void Lab::drop_file(const std::string& path) {
@@ -109,6 +130,7 @@ void Lab::frame(Real dt) {
     if (state_.help_shown) draw_help(state_);
     ImGui::PopFont();
     gui_.end_frame();
+    if (const auto shot = std::exchange(plot_to_save_, std::nullopt)) save_plot(*shot);
 }
 
 void Lab::lab_layout(float width, float height) {

@@ -31,11 +31,14 @@ private:
     void lab_layout(float width, float height);
     void slide_layout(float width, float height);
     void save_scene();
+    void save_plot(const PlotShot& shot);
+    void write_and_tell(const std::string& file, const std::function<void()>& write);
 
     Context& context_;
     Gui gui_;
     SceneRenderer renderer_;
     LabState state_;
+    std::optional<PlotShot> plot_to_save_;
     bool restyle_ = true, fonts_loaded_ = false;
 };
 

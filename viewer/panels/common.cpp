@@ -46,7 +46,7 @@ std::string words(std::string_view key) {
     if (text.starts_with("youngs ")) text.replace(0, 7, "Young's ");
     if (text.starts_with("poisson ")) text.replace(0, 8, "Poisson ");
     if (text == "cfl") return "CFL";
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    if (text.size() > 1 && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
 }
 

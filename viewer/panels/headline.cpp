@@ -45,7 +45,8 @@ void draw_key_numbers(LabState& lab) {
     for (const Probe* p : key_probes(r.lesson())) {
         const auto value = r.value(*p), exact = r.exact(*p);
         ImGui::PushFont(lab.fonts.small);
-        ImGui::TextDisabled("%s%s%s", words(p->name).c_str(), p->symbol.empty() ? "" : "  ", std::string(p->symbol).c_str());
+        const std::string name = words(p->name), symbol = p->symbol == name ? "" : "  " + std::string(p->symbol);
+        ImGui::TextDisabled("%s%s", name.c_str(), symbol.c_str());
         ImGui::PopFont();
         ImGui::PushFont(lab.fonts.large);
         ImGui::TextUnformatted(value ? format_quantity(*value, p->unit).c_str() : "undefined");

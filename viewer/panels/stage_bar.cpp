@@ -69,7 +69,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
 
     draw->PushClipRect(at, {at.x + width, at.y + height}, true);
     const float pad = lab.px(6);
-    const std::string ms = cost.runs ? fmt::format("{:.2f} ms", cost.last_ms) : "";
+    const std::string ms = cost.runs ? format_quantity(cost.last_ms / 1000, "s", 3) : "";
     ImGui::PushFont(lab.fonts.small);
     const float ms_width = ImGui::CalcTextSize(ms.c_str()).x;
     ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
@@ -80,7 +80,10 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     std::string name = fmt::format("{} {}", i + 1, words(stage.name));
     if (next && runner.passes_in_stage() > 0) name += fmt::format(" · pass {}", runner.passes_in_stage());
     ImGui::SetCursorScreenPos({at.x + pad, at.y + pad * 0.4f});
-    fitted_text(name, width - ms_width - 3 * pad);
+    const float room = width - ms_width - 3 * pad;
+    ImGui::PushFont(ImGui::CalcTextSize(name.c_str()).x <= room ? lab.fonts.normal : lab.fonts.small);
+    fitted_text(name, room);
+    ImGui::PopFont();
     draw->PopClipRect();
 
     ImGui::SetCursorScreenPos(at);

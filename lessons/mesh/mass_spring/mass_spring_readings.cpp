@@ -142,7 +142,8 @@ std::optional<Real> MassSpringLesson::shadow_energy() const {
 Real MassSpringLesson::energy_tolerance() const {
     const Real scale = kinetic_energy<3>(block_->mass(), velocity_) + elastic_energy() + std::abs(total_energy());
     if (implicit()) return 1e-6 * scale;
-    return 2 * energy_wobble_ + shadow_tolerance();
+    const Real wobble_now = std::abs(shadow_energy().value_or(total_energy()) - total_energy());
+    return 2 * std::max(energy_wobble_, wobble_now) + shadow_tolerance();
 }
 
 // The next order is smaller by ω Δt; the rest is the rounding of many steps.
