@@ -1,5 +1,5 @@
-// What a frame of the lab costs, without and with the step of the lesson it shows; what opening it costs; what the runner adds to a
-// step; how fast a state is stored.
+// What a frame of the lab costs, without and with the step of the lesson it shows; what opening it costs; what the runner adds to
+// a step; how fast a state is stored.
 #include <benchmark/benchmark.h>
 #include <pliant/lesson/history.h>
 #include <pliant/lesson/runner.h>
@@ -53,7 +53,8 @@ void store_state(benchmark::State& state) {
         save_state(runner.lesson(), buffer);
         benchmark::ClobberMemory();
     }
-    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(buffer.size() * sizeof(Real)));
+    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
+                            static_cast<std::int64_t>(buffer.size() * sizeof(Real)));
 }
 BENCHMARK(store_state);
 

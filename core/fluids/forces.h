@@ -33,6 +33,15 @@ void add_force(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt
 template <int Dim>
 void add_uniform_force(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, const Vec<Dim>& acceleration);
 
+// A jet: the acceleration times exp(−r²/(2 radius²)) at the distance r from `centre` (metres from the corner of the domain), and
+// nothing beyond four radii. Along a periodic axis the nearest image of the centre counts. Throws Refused for a radius that is
+// not above 0.
+template <int Dim>
+void add_jet(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, const Vec<Dim>& centre, Real radius,
+             const Vec<Dim>& acceleration);
+
+extern template void add_jet(const StaggeredGrid<2>&, FaceField<2>&, Real, const Vec<2>&, Real, const Vec<2>&);
+extern template void add_jet(const StaggeredGrid<3>&, FaceField<3>&, Real, const Vec<3>&, Real, const Vec<3>&);
 extern template void add_uniform_force(const StaggeredGrid<2>&, FaceField<2>&, Real, const Vec<2>&);
 extern template void add_uniform_force(const StaggeredGrid<3>&, FaceField<3>&, Real, const Vec<3>&);
 

@@ -6,21 +6,30 @@ namespace pliant {
 
 std::string_view name_of(On on) {
     switch (on) {
-        case On::node: return "node";
-        case On::edge: return "edge";
-        case On::face: return "face";
-        case On::cell: return "cell";
-        case On::element: return "element";
-        case On::particle: return "particle";
+        case On::node:
+            return "node";
+        case On::edge:
+            return "edge";
+        case On::face:
+            return "face";
+        case On::cell:
+            return "cell";
+        case On::element:
+            return "element";
+        case On::particle:
+            return "particle";
     }
     return "";
 }
 
 std::string_view name_of(Rank rank) {
     switch (rank) {
-        case Rank::scalar: return "scalar";
-        case Rank::vector: return "vector";
-        case Rank::tensor: return "tensor";
+        case Rank::scalar:
+            return "scalar";
+        case Rank::vector:
+            return "vector";
+        case Rank::tensor:
+            return "tensor";
     }
     return "";
 }

@@ -27,7 +27,8 @@ std::string read_file(const std::string& path) {
 namespace {
 
 [[noreturn]] void cannot_write(const std::string& path, const std::string& reason) {
-    throw Refused(fmt::format("{} cannot be written: {}; give a path in a folder that exists and can be written to", path, reason));
+    throw Refused(
+        fmt::format("{} cannot be written: {}; give a path in a folder that exists and can be written to", path, reason));
 }
 
 // Pipes and devices are written to, never replaced.
@@ -41,7 +42,8 @@ bool is_special(const std::string& path) {
 fs::path target_of(const std::string& path) {
     fs::path target(path);
     std::error_code ignored;
-    for (int links = 0; links < 40 && fs::is_symlink(target, ignored); ++links) target = target.parent_path() / fs::read_symlink(target, ignored);
+    for (int links = 0; links < 40 && fs::is_symlink(target, ignored); ++links)
+        target = target.parent_path() / fs::read_symlink(target, ignored);
     return target;
 }
 

@@ -13,7 +13,8 @@ struct Prefix {
     int exponent;
     std::string_view symbol;
 };
-constexpr std::array<Prefix, 9> prefixes{{{-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}, {12, "T"}, {-12, "p"}}};
+constexpr std::array<Prefix, 9> prefixes{
+    {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}, {12, "T"}, {-12, "p"}}};
 
 // Units whose first symbol takes a prefix, with the smallest and largest exponent that people use for it.
 struct Prefixable {

@@ -50,7 +50,8 @@ void load_state(const Lesson& lesson, const std::vector<Real>& buffer) {
     const Real* end = from + buffer.size();
     for (const StateArray& a : lesson.state) {
         const auto to = a.view();
-        if (static_cast<std::size_t>(end - from) < to.size()) throw std::logic_error("a state array changed its size between two resets");
+        if (static_cast<std::size_t>(end - from) < to.size())
+            throw std::logic_error("a state array changed its size between two resets");
         std::copy_n(from, to.size(), to.data());
         from += to.size();
     }

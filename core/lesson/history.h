@@ -18,15 +18,17 @@ struct Snapshot {
     std::vector<std::optional<Real>> references;
     std::vector<Real> state;  // every state array, one after the other
 
-    std::size_t bytes() const { return sizeof(Snapshot) + sizeof(Real) * (state.size() + parameters.size() + 2 * references.size()); }
+    std::size_t bytes() const {
+        return sizeof(Snapshot) + sizeof(Real) * (state.size() + parameters.size() + 2 * references.size());
+    }
 };
 
 class History {
 public:
     explicit History(std::size_t cap_bytes) : cap_(cap_bytes) {}
 
-    // A snapshot to fill in for this step, at the end of the ring. It forgets what was stored for this and later steps, and as many
-    // of the oldest as the cap demands, whose memory it uses again.
+    // A snapshot to fill in for this step, at the end of the ring. It forgets what was stored for this and later steps, and as
+    // many of the oldest as the cap demands, whose memory it uses again.
     Snapshot& add(Index step);
     // The snapshot is full: counts its memory.
     void added();

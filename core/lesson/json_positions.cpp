@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 TextPlace place_of(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
     const auto newline = before.rfind('\n');
-    return {1 + static_cast<int>(std::ranges::count(before, '\n')), 1 + static_cast<int>(newline == std::string_view::npos ? before.size() : before.size() - newline - 1)};
+    return {1 + static_cast<int>(std::ranges::count(before, '\n')),
+            1 + static_cast<int>(newline == std::string_view::npos ? before.size() : before.size() - newline - 1)};
 }
 
 // An input iterator that tells how far the parser has read.
@@ -47,7 +48,8 @@ struct CountingIterator {
 // Follows the parser's events and notes where each key and array element is.
 class PlaceRecorder : public nlohmann::json_sax<Json> {
 public:
-    PlaceRecorder(std::string_view text, std::string_view path, const std::size_t& read) : text_(text), path_(path), read_(read) {}
+    PlaceRecorder(std::string_view text, std::string_view path, const std::size_t& read)
+        : text_(text), path_(path), read_(read) {}
     std::map<std::string, TextPlace> places;
 
     bool key(std::string& name) override {
@@ -72,7 +74,8 @@ public:
     bool binary(binary_t&) override { return element(); }
     bool parse_error(std::size_t offset, const std::string& token, const nlohmann::detail::exception& e) override {
         const TextPlace p = place_of(text_, offset == 0 ? 0 : offset - 1);
-        throw Refused(fmt::format("{}:{}:{}: this is not JSON at '{}': {}", path_, p.line, p.column, token, explanation(e.what())));
+        throw Refused(
+            fmt::format("{}:{}:{}: this is not JSON at '{}': {}", path_, p.line, p.column, token, explanation(e.what())));
     }
 
 private:

@@ -29,7 +29,9 @@ Parameter& Lesson::parameter(std::string_view key) const {
 
 const Field& Lesson::field(std::string_view name) const {
     const Field& f = named(fields, name, "field", [](const Field& item) { return item.name; });
-    if (!f.in_use()) throw Refused(fmt::format("the field '{}' is not computed with these parameters: see `describe` for what switches it on", name));
+    if (!f.in_use())
+        throw Refused(
+            fmt::format("the field '{}' is not computed with these parameters: see `describe` for what switches it on", name));
     return f;
 }
 

@@ -1,5 +1,6 @@
-// The lesson contract. A lesson declares its parameters, state, fields, stages, probes, lines, assumptions and conserved quantities
-// as data; sliders, command-line flags, scene files, plots, documentation and tests follow from these declarations alone.
+// The lesson contract. A lesson declares its parameters, state, fields, stages, probes, lines, assumptions and conserved
+// quantities as data; sliders, command-line flags, scene files, plots, documentation and tests follow from these declarations
+// alone.
 //
 // The Runner is the only one that advances a lesson: it runs the stages of a step in their order, one pass at a time if asked.
 #pragma once
@@ -35,8 +36,8 @@ struct Stage {
     bool in_use() const { return !active || active(); }
 };
 
-// A number to watch. `value` is empty where the quantity is not defined (a slope through one point). `exact` is the closed form at
-// time t, where one exists.
+// A number to watch. `value` is empty where the quantity is not defined (a slope through one point). `exact` is the closed form
+// at time t, where one exists.
 struct Probe {
     std::string_view name, symbol = "", unit = "", help = "";
     std::function<std::optional<Real>()> value;
@@ -50,10 +51,10 @@ struct Curve {
 struct Line {
     std::string_view name, unit = "", position_name = "", position_unit = "", help = "";
     std::function<void(Curve&)> sample;
-    std::function<void(Curve&)> reference{};   // exact, or published, values to draw beside it
+    std::function<void(Curve&)> reference{};  // exact, or published, values to draw beside it
     std::string_view reference_name = "exact";
-    std::string_view value_name = "";          // of the axis of values; the line's own name when not given
-    bool reference_points = false;             // draw the reference as points (a table) rather than as a curve
+    std::string_view value_name = "";  // of the axis of values; the line's own name when not given
+    bool reference_points = false;     // draw the reference as points (a table) rather than as a curve
     std::function<bool()> used{};
 
     bool in_use() const { return !used || used(); }
@@ -108,8 +109,8 @@ public:
     // Refuses combinations of parameters that are each legal alone. Throws Refused.
     virtual void check() const {}
 
-    // The initial state, from the parameters alone: two resets give equal bits. Every field in use has its size and finite numbers
-    // afterwards.
+    // The initial state, from the parameters alone: two resets give equal bits. Every field in use has its size and finite
+    // numbers afterwards.
     virtual void reset() = 0;
 
     // Size of a step in s; 0 for a static lesson, whose step is one whole solve.
@@ -126,7 +127,8 @@ public:
     // Takes effect in the steps that follow, until released (empty).
     virtual void pull(const std::optional<Pull>&) {}
 
-    // The limit that was exceeded and what to do: "Δt = 0.01 s is above the stability limit 2/ω = 0.004 s: lower time_step or ...".
+    // The limit that was exceeded and what to do: "Δt = 0.01 s is above the stability limit 2/ω = 0.004 s: lower time_step or
+    // ...".
     virtual std::string blow_up_hint() const { return ""; }
 
     // The field that the picture is coloured by at first; "" for none.
@@ -137,9 +139,9 @@ public:
     // The probes that a lecturer would read out, at most three, to show in large type.
     virtual std::vector<std::string_view> key_numbers() const { return {}; }
 
-    Parameter& parameter(std::string_view key) const;    // throws Refused, with the nearest known key
-    const Field& field(std::string_view name) const;     // throws Refused, likewise; names fields in use
-    const Probe& probe(std::string_view name) const;     // throws Refused, likewise
+    Parameter& parameter(std::string_view key) const;      // throws Refused, with the nearest known key
+    const Field& field(std::string_view name) const;       // throws Refused, likewise; names fields in use
+    const Probe& probe(std::string_view name) const;       // throws Refused, likewise
     const Field* find_field(std::string_view name) const;  // null when there is none
 };
 

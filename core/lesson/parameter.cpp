@@ -53,11 +53,14 @@ void Parameter::set(Real value) {
 void Parameter::check(Real value) const {
     const std::string shown = info.kind == Kind::number ? format_exact(value) : fmt::format("{}", value);
     if (!std::isfinite(value))
-        throw Refused(fmt::format("{} = {} is not a finite number: give a number in {}, {}", info.key, shown, accepted().text(), unit_or_dimensionless(info.unit)));
+        throw Refused(fmt::format("{} = {} is not a finite number: give a number in {}, {}", info.key, shown, accepted().text(),
+                                  unit_or_dimensionless(info.unit)));
     if (info.kind != Kind::number && !is_whole(value))
-        throw Refused(fmt::format("{} = {} is not a whole number: give a whole number in {}", info.key, shown, accepted().text()));
+        throw Refused(
+            fmt::format("{} = {} is not a whole number: give a whole number in {}", info.key, shown, accepted().text()));
     if (!accepted().contains(value))
-        throw Refused(fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
+        throw Refused(
+            fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
 }
 
 Real Parameter::parse(std::string_view text) const {
@@ -66,7 +69,8 @@ Real Parameter::parse(std::string_view text) const {
             if (info.options[i].key == text) return static_cast<Real>(i);
         std::vector<std::string> keys;
         for (const Option& o : info.options) keys.emplace_back(o.key);
-        throw Refused(fmt::format("{} = {} is not one of its options{}; give one of: {}", info.key, text, did_you_mean(text, keys), option_keys(info.options)));
+        throw Refused(fmt::format("{} = {} is not one of its options{}; give one of: {}", info.key, text,
+                                  did_you_mean(text, keys), option_keys(info.options)));
     }
     if (info.kind == Kind::toggle) {
         if (text == "true" || text == "on" || text == "1") return 1;
@@ -77,19 +81,26 @@ Real Parameter::parse(std::string_view text) const {
     const char* last = text.data() + text.size();
     const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
     const auto [end, error] = std::from_chars(first, last, value);
-    if (error == std::errc::result_out_of_range) throw Refused(fmt::format("{} = {} is too large or too small for a number: give a value in {}", info.key, text, accepted().text()));
+    if (error == std::errc::result_out_of_range)
+        throw Refused(
+            fmt::format("{} = {} is too large or too small for a number: give a value in {}", info.key, text, accepted().text()));
     if (error != std::errc() || end != last || text.empty())
-        throw Refused(fmt::format("{} = '{}' is not a number: give a number in {}, {}", info.key, text, accepted().text(), unit_or_dimensionless(info.unit)));
+        throw Refused(fmt::format("{} = '{}' is not a number: give a number in {}, {}", info.key, text, accepted().text(),
+                                  unit_or_dimensionless(info.unit)));
     check(value);
     return value;
 }
 
 std::string Parameter::text(Real value) const {
     switch (info.kind) {
-        case Kind::choice: return std::string(info.options[static_cast<std::size_t>(value)].key);
-        case Kind::toggle: return value != 0 ? "true" : "false";
-        case Kind::whole: return fmt::format("{}", static_cast<long long>(value));
-        case Kind::number: break;
+        case Kind::choice:
+            return std::string(info.options[static_cast<std::size_t>(value)].key);
+        case Kind::toggle:
+            return value != 0 ? "true" : "false";
+        case Kind::whole:
+            return fmt::format("{}", static_cast<long long>(value));
+        case Kind::number:
+            break;
     }
     return format_exact(value);
 }

@@ -12,7 +12,9 @@ namespace {
 
 constexpr Real gap = std::numeric_limits<Real>::quiet_NaN();
 
-std::string column(std::string_view name, std::string_view unit) { return unit.empty() ? std::string(name) : fmt::format("{} [{}]", name, unit); }
+std::string column(std::string_view name, std::string_view unit) {
+    return unit.empty() ? std::string(name) : fmt::format("{} [{}]", name, unit);
+}
 std::string cell(Real value) { return std::isfinite(value) ? format_exact(value) : ""; }
 
 }  // namespace

@@ -16,8 +16,8 @@ std::string describe_json(const LessonEntry& entry);
 // The page of the lesson in docs/lessons.
 std::string describe_markdown(const LessonEntry& entry);
 
-// `pliant run LESSON`: one object with lesson, parameters, dimension, steps, time, status, probes, lines, assumptions, conserved, cost
-// and, when the run stopped early, failure.
+// `pliant run LESSON`: one object with lesson, parameters, dimension, steps, time, status, probes, lines, assumptions, conserved,
+// cost and, when the run stopped early, failure.
 std::string run_json(const Runner& runner);
 // The same for people: probes against exact, assumptions, conserved quantities, milliseconds per stage.
 std::string run_text(const Runner& runner);

@@ -49,8 +49,8 @@ public:
     const Lesson& lesson() const { return *lesson_; }
 
     // --- parameters and the hand ---
-    // Inside a step a live parameter takes effect when the next step starts; a rebuild one resets. Throws Refused, and then nothing
-    // has changed.
+    // Inside a step a live parameter takes effect when the next step starts; a rebuild one resets. Throws Refused, and then
+    // nothing has changed.
     void assign(const Assignments& assignments);
     void assign(std::string_view key, Real value);
     // As a scene does: these values, every other parameter at its initial one, then a reset.
@@ -66,8 +66,8 @@ public:
     void reset();
 
     // --- forward ---
-    // Each throws Diverged when a stage fails or writes a number that is not finite or beyond its bound. The state is then that of
-    // the start of the step, and `failure` tells what happened.
+    // Each throws Diverged when a stage fails or writes a number that is not finite or beyond its bound. The state is then that
+    // of the start of the step, and `failure` tells what happened.
     void step_pass();
     void step_stage();
     void step();
@@ -92,7 +92,7 @@ public:
     Index passes_in_stage() const { return stage_passes_; }
     // Index in stages() of the stage that ran last, if any has.
     std::optional<std::size_t> last_stage() const { return last_stage_; }
-    Real time() const;       // s, of the last whole step
+    Real time() const;  // s, of the last whole step
     Real time_step() const { return lesson_->time_step(); }
     bool is_static() const { return lesson_->time_step() == 0; }
     const std::optional<Failure>& failure() const { return failure_; }
@@ -148,9 +148,10 @@ private:
     Index step_ = 0, passes_ = 0, stage_passes_ = 0;
     std::size_t stage_ = 0;
     std::optional<std::size_t> last_stage_;
-    std::vector<Index> stage_ends_, previous_ends_;  // passes done at the end of each stage, of the present and the latest whole step
-    Index base_step_ = 0;                            // the time step has been base_dt_ since this step,
-    Real base_time_ = 0, base_dt_ = 0;               // which began at base_time_
+    std::vector<Index> stage_ends_,
+        previous_ends_;                 // passes done at the end of each stage, of the present and the latest whole step
+    Index base_step_ = 0;               // the time step has been base_dt_ since this step,
+    Real base_time_ = 0, base_dt_ = 0;  // which began at base_time_
     Real step_ms_ = 0, running_ms_ = 0, stage_ms_ = 0;
     std::vector<std::optional<Real>> references_;  // what each conserved quantity was when its law began to hold
 };

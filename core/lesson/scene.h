@@ -28,15 +28,19 @@ enum class Ink {
 
 using Position = std::array<float, 3>;
 
-inline Position position(Real x, Real y, Real z = 0) { return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}; }
+inline Position position(Real x, Real y, Real z = 0) {
+    return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
 template <int Dim>
 Position position(const Vec<Dim>& p) {
-    if constexpr (Dim == 2) return position(p[0], p[1]);
-    else return position(p[0], p[1], p[2]);
+    if constexpr (Dim == 2)
+        return position(p[0], p[1]);
+    else
+        return position(p[0], p[1], p[2]);
 }
 
-// What marks stand for, so that one can be hovered, picked or pulled: mark k of the batch is entry first + k of the fields on `on`
-// (or ids[k] when ids are given).
+// What marks stand for, so that one can be hovered, picked or pulled: mark k of the batch is entry first + k of the fields on
+// `on` (or ids[k] when ids are given).
 struct PickId {
     bool pickable = false;
     On on = On::node;
@@ -45,8 +49,8 @@ struct PickId {
     Index id(std::size_t mark) const { return ids.empty() ? first + static_cast<Index>(mark) : ids[mark]; }
 };
 
-// `values`, where given, are numbers of the field being shown, one per mark (or corner): the mark takes its colour from the colour
-// bar instead of the ink.
+// `values`, where given, are numbers of the field being shown, one per mark (or corner): the mark takes its colour from the
+// colour bar instead of the ink.
 struct PointMarks {
     std::vector<Position> at;
     std::vector<float> values{};

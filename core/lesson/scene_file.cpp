@@ -21,7 +21,8 @@ public:
 
     SceneFile read() {
         const Json& root = json_.value;
-        if (!root.is_object()) refuse("", "a scene file is one JSON object: {\"pliant\": 1, \"lesson\": ..., \"parameters\": {...}}");
+        if (!root.is_object())
+            refuse("", "a scene file is one JSON object: {\"pliant\": 1, \"lesson\": ..., \"parameters\": {...}}");
         check_version(root);
         known_keys(root, "", {"pliant", "lesson", "parameters", "camera", "view", "events"});
         SceneFile scene;
@@ -55,16 +56,20 @@ private:
     void check_version(const Json& root) const {
         if (!root.contains("pliant")) refuse("", "the key \"pliant\" is missing: a scene file begins with {\"pliant\": 1, ...}");
         const Json& v = root["pliant"];
-        if (!v.is_number_integer() || v.get<long long>() < 1) refuse("/pliant", "\"pliant\" is the version of the format: give 1");
+        if (!v.is_number_integer() || v.get<long long>() < 1)
+            refuse("/pliant", "\"pliant\" is the version of the format: give 1");
         if (v.get<long long>() > version)
-            refuse("/pliant", fmt::format("this scene is of version {}, newer than this program, which reads version {}: update Pliant", v.dump(), version));
+            refuse("/pliant",
+                   fmt::format("this scene is of version {}, newer than this program, which reads version {}: update Pliant",
+                               v.dump(), version));
     }
 
     void known_keys(const Json& object, const std::string& pointer, const std::vector<std::string>& known) const {
         if (!object.is_object()) refuse(pointer, fmt::format("an object in braces is expected here, not {}", object.type_name()));
         for (const auto& [key, value] : object.items())
             if (std::ranges::find(known, key) == known.end())
-                refuse(pointer + "/" + pointer_part(key), fmt::format("unknown key '{}'{}; known here: {}", key, did_you_mean(key, known), fmt::join(known, ", ")));
+                refuse(pointer + "/" + pointer_part(key),
+                       fmt::format("unknown key '{}'{}; known here: {}", key, did_you_mean(key, known), fmt::join(known, ", ")));
     }
 
     std::string text_at(const Json& object, const std::string& key, const std::string& pointer) const {
@@ -74,13 +79,15 @@ private:
     }
 
     Real number_at(const Json& v, const std::string& pointer, const std::string& name) const {
-        if (!v.is_number() || !std::isfinite(v.get<Real>())) refuse(pointer, fmt::format("'{}' is a finite number, not {}", name, v.dump()));
+        if (!v.is_number() || !std::isfinite(v.get<Real>()))
+            refuse(pointer, fmt::format("'{}' is a finite number, not {}", name, v.dump()));
         return v.get<Real>();
     }
 
     Index whole_at(const Json& v, const std::string& pointer, const std::string& name, Index least) const {
         const Real value = number_at(v, pointer, name);
-        if (value < static_cast<Real>(least) || value != std::floor(value) || value > 1e15) refuse(pointer, fmt::format("'{}' is a whole number from {} on, not {}", name, least, v.dump()));
+        if (value < static_cast<Real>(least) || value != std::floor(value) || value > 1e15)
+            refuse(pointer, fmt::format("'{}' is a whole number from {} on, not {}", name, least, v.dump()));
         return static_cast<Index>(value);
     }
 
@@ -100,7 +107,9 @@ private:
 
     // A choice is a string, a switch true or false, a number a number.
     static std::string parameter_text(const Parameter& p, const Json& value) {
-        const auto wrong = [&](std::string_view expected) { return Refused(fmt::format("{} = {}: {} is expected", p.info.key, value.dump(), expected)); };
+        const auto wrong = [&](std::string_view expected) {
+            return Refused(fmt::format("{} = {}: {} is expected", p.info.key, value.dump(), expected));
+        };
         switch (p.info.kind) {
             case Kind::choice:
                 if (!value.is_string()) throw wrong("an option's name in quotes");
@@ -115,7 +124,8 @@ private:
     }
 
     Vec<3> vector_at(const Json& v, const std::string& pointer, const std::string& name) const {
-        if (!v.is_array() || v.size() != 3) refuse(pointer, fmt::format("'{}' is three numbers in brackets, not {}", name, v.dump()));
+        if (!v.is_array() || v.size() != 3)
+            refuse(pointer, fmt::format("'{}' is three numbers in brackets, not {}", name, v.dump()));
         Vec<3> result;
         for (std::size_t i = 0; i < 3; ++i) result[static_cast<Index>(i)] = number_at(v[i], pointer, name);
         return result;
@@ -125,7 +135,8 @@ private:
         known_keys(object, "/camera", {"target", "distance", "yaw", "pitch"});
         Camera c;
         if (object.contains("target")) c.target = vector_at(object["target"], "/camera/target", "target");
-        for (const auto& [key, member] : {std::pair{"distance", &Camera::distance}, {"yaw", &Camera::yaw}, {"pitch", &Camera::pitch}})
+        for (const auto& [key, member] :
+             {std::pair{"distance", &Camera::distance}, {"yaw", &Camera::yaw}, {"pitch", &Camera::pitch}})
             if (object.contains(key)) c.*member = number_at(object[key], std::string("/camera/") + key, key);
         if (c.distance <= 0) refuse("/camera/distance", "distance is in metres and above 0");
         return c;
@@ -154,7 +165,8 @@ private:
         std::vector<std::string> known;
         for (const Stage& s : lesson_->stages) known.emplace_back(s.name);
         if (!name.empty() && std::ranges::find(known, name) == known.end())
-            refuse("/view/stage", fmt::format("no stage is called '{}'{}; there are: {}", name, did_you_mean(name, known), fmt::join(known, ", ")));
+            refuse("/view/stage", fmt::format("no stage is called '{}'{}; there are: {}", name, did_you_mean(name, known),
+                                              fmt::join(known, ", ")));
         return name;
     }
 
@@ -201,10 +213,14 @@ Json json_assignments(const Lesson& lesson, const Runner::Assignments& assignmen
     for (const auto& [key, text] : assignments) {
         const Parameter& p = lesson.parameter(key);
         const Real value = p.parse(text);
-        if (p.info.kind == Kind::choice) object[key] = text;
-        else if (p.info.kind == Kind::toggle) object[key] = value != 0;
-        else if (p.info.kind == Kind::whole) object[key] = static_cast<long long>(value);
-        else object[key] = value;
+        if (p.info.kind == Kind::choice)
+            object[key] = text;
+        else if (p.info.kind == Kind::toggle)
+            object[key] = value != 0;
+        else if (p.info.kind == Kind::whole)
+            object[key] = static_cast<long long>(value);
+        else
+            object[key] = value;
     }
     return object;
 }
@@ -230,7 +246,8 @@ std::string scene_text(const SceneFile& scene) {
         const Camera& c = *scene.camera;
         root["camera"] = {{"target", json_vector(c.target)}, {"distance", c.distance}, {"yaw", c.yaw}, {"pitch", c.pitch}};
     }
-    if (scene.view) root["view"] = {{"field", scene.view->field}, {"component", scene.view->component}, {"stage", scene.view->stage}};
+    if (scene.view)
+        root["view"] = {{"field", scene.view->field}, {"component", scene.view->component}, {"stage", scene.view->stage}};
     for (const Event& e : scene.events) root["events"].push_back(json_event(*lesson, e));
     return root.dump(2) + "\n";
 }
@@ -247,7 +264,8 @@ SceneFile preset(const LessonEntry& entry, std::string_view name) {
     if (text.empty()) {
         const auto known = preset_names(entry.info.id);
         if (known.empty()) throw Refused(fmt::format("{} comes with no presets", entry.info.id));
-        throw Refused(fmt::format("{} has no preset '{}'{}; there are: {}", entry.info.id, name, did_you_mean(name, known), fmt::join(known, ", ")));
+        throw Refused(fmt::format("{} has no preset '{}'{}; there are: {}", entry.info.id, name, did_you_mean(name, known),
+                                  fmt::join(known, ", ")));
     }
     return parse_scene(text, fmt::format("{}/presets/{}.json", entry.info.id, name));
 }

@@ -3,9 +3,11 @@
 //   {"pliant": 1, "lesson": "mesh/mass_spring", "parameters": {"cells_x": 6, "integrator": "implicit_euler", "ground": true},
 //    "camera": {"target": [0, 0.5, 0], "distance": 3, "yaw": 0.6, "pitch": 0.3},
 //    "view": {"field": "velocity", "component": -1, "stage": "contact", "line": "u_center"},
-//    "events": [{"step": 20, "set": {"gravity": 0}}, {"step": 40, "pull": {"index": 3, "from": [0,0,0], "to": [0,1,0]}}, {"step": 60, "release": true}]}
+//    "events": [{"step": 20, "set": {"gravity": 0}}, {"step": 40, "pull": {"index": 3, "from": [0,0,0], "to": [0,1,0]}}, {"step":
+//    60, "release": true}]}
 //
-// Only "pliant" and "lesson" must be there. An unknown key, a wrong type or a newer version is refused with file, line and column.
+// Only "pliant" and "lesson" must be there. An unknown key, a wrong type or a newer version is refused with file, line and
+// column.
 #pragma once
 #include <pliant/lesson/runner.h>
 

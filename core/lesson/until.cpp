@@ -16,7 +16,12 @@ void one_step(Runner& runner, const std::function<void()>& after_step) {
 void run_to_rest(Runner& runner, const std::function<void()>& after_step) {
     for (Index i = 0; !runner.lesson().at_rest(); ++i) {
         if (i == max_steps_to_rest)
-            throw Diverged({.stage = {}, .field = {}, .index = -1, .step = runner.place().step, .time = runner.time(), .what = fmt::format("no rest within {} steps", i),
+            throw Diverged({.stage = {},
+                            .field = {},
+                            .index = -1,
+                            .step = runner.place().step,
+                            .time = runner.time(),
+                            .what = fmt::format("no rest within {} steps", i),
                             .limit = "Give --steps or --time, or let something take the energy out (damping, viscosity)"});
         one_step(runner, after_step);
     }
@@ -37,10 +42,14 @@ void advance(Runner& runner, const Until& until, const std::function<void()>& af
             break;
         case Until::What::time:
             if (!std::isfinite(until.time) || until.time < 0) throw Refused("time", until.time, "s", "a finite time from 0 s on");
-            if (runner.is_static()) run_to_rest(runner, after_step);
-            else run_for_time(runner, runner.time() + until.time, after_step);
+            if (runner.is_static())
+                run_to_rest(runner, after_step);
+            else
+                run_for_time(runner, runner.time() + until.time, after_step);
             break;
-        case Until::What::rest: run_to_rest(runner, after_step); break;
+        case Until::What::rest:
+            run_to_rest(runner, after_step);
+            break;
     }
 }
 

@@ -19,7 +19,11 @@ struct Fence {
     std::string_view name;
     BlockKind kind;
 };
-constexpr std::array<Fence, 5> fences{{{"formula", BlockKind::formula}, {"ask", BlockKind::ask}, {"do", BlockKind::actions}, {"expect", BlockKind::expect}, {"answer", BlockKind::answer}}};
+constexpr std::array<Fence, 5> fences{{{"formula", BlockKind::formula},
+                                       {"ask", BlockKind::ask},
+                                       {"do", BlockKind::actions},
+                                       {"expect", BlockKind::expect},
+                                       {"answer", BlockKind::answer}}};
 
 std::vector<std::string> words_of(const std::string& line) {
     std::istringstream in(line);
@@ -52,7 +56,9 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& what) const { throw Refused(fmt::format("{}:{}: {}", result_.path, number_, what)); }
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw Refused(fmt::format("{}:{}: {}", result_.path, number_, what));
+    }
 
     void take(const std::string& line) {
         if (line.starts_with("```")) return fence(trimmed(line.substr(3)));
@@ -65,8 +71,10 @@ private:
         const bool goes_on = !blocks.empty() && blocks.back().kind == BlockKind::text && !paragraph_ended_;
         paragraph_ended_ = text.empty();
         if (text.empty()) return;
-        if (goes_on) blocks.back().lines.back() += " " + text;
-        else blocks.push_back({BlockKind::text, {text}, number_});
+        if (goes_on)
+            blocks.back().lines.back() += " " + text;
+        else
+            blocks.push_back({BlockKind::text, {text}, number_});
     }
 
     void fence(const std::string& name) {
@@ -107,7 +115,9 @@ Walkthrough walkthrough_of(const LessonEntry& entry) {
 WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
     : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {}
 
-void WalkthroughPlayer::refuse(int line, const std::string& what) const { throw Refused(fmt::format("{}:{}: {}", walkthrough_.path, line, what)); }
+void WalkthroughPlayer::refuse(int line, const std::string& what) const {
+    throw Refused(fmt::format("{}:{}: {}", walkthrough_.path, line, what));
+}
 
 bool WalkthroughPlayer::next() {
     const bool acts = slide().has(BlockKind::actions) || slide().has(BlockKind::expect) || slide().has(BlockKind::answer);
@@ -168,7 +178,8 @@ void run_for(Runner& runner, const std::vector<std::string>& words, const std::f
     if (words.size() == 2 && words[1] == "rest") return advance(runner, Until::at_rest(), after_step);
     const auto amount = words.size() == 3 ? as_number(words[1]) : std::nullopt;
     if (amount && words[2] == "s") return advance(runner, Until::after_time(*amount), after_step);
-    if (amount && words[2].starts_with("step")) return advance(runner, Until::after_steps(static_cast<Index>(*amount)), after_step);
+    if (amount && words[2].starts_with("step"))
+        return advance(runner, Until::after_steps(static_cast<Index>(*amount)), after_step);
     if (words.size() == 3 && words[1] == "to") return runner.run_to_stage(words[2]);
     throw Refused("run needs one of: N steps, T s, rest, to STAGE");
 }
@@ -195,7 +206,8 @@ void WalkthroughPlayer::act(const std::string& line, int number) {
         if (words[0] == "run") return run_for(runner_, words, after_step_);
         if (words[0] == "release") return runner_.pull(std::nullopt);
         if (words[0] == "pull") return runner_.pull(pull_of(words));
-        if (words[0] == "preset" && words.size() == 2) return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
+        if (words[0] == "preset" && words.size() == 2)
+            return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
         if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
         throw Refused("unknown action; known: set, reset, run, show, pull, release, preset");
     } catch (const Refused& e) {
@@ -222,13 +234,18 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
     // The right side, with its optional factor.
     std::size_t at = 2;
     Real factor = 1;
-    if (const auto number_first = as_number(words[at]); number_first && at + 1 < words.size() && words[at + 1] != "within") factor = *number_first, ++at;
+    if (const auto number_first = as_number(words[at]); number_first && at + 1 < words.size() && words[at + 1] != "within")
+        factor = *number_first, ++at;
     const std::string& term = words[at++];
     Real right = 0;
-    if (const auto constant = as_number(term)) right = *constant;
-    else if (term == "exact") right = runner_.exact(runner_.lesson().probe(words[0])).value();
-    else if (term == "before" && before_.contains(words[0])) right = before_.find(words[0])->second;
-    else right = quantity(term);
+    if (const auto constant = as_number(term))
+        right = *constant;
+    else if (term == "exact")
+        right = runner_.exact(runner_.lesson().probe(words[0])).value();
+    else if (term == "before" && before_.contains(words[0]))
+        right = before_.find(words[0])->second;
+    else
+        right = quantity(term);
     right *= factor;
 
     const std::string& op = words[1];

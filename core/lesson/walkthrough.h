@@ -49,7 +49,7 @@ Walkthrough parse_walkthrough(std::string_view text, std::string_view path);
 Walkthrough walkthrough_of(const LessonEntry& entry);
 
 struct ExpectationResult {
-    std::string text;      // the line
+    std::string text;  // the line
     bool met = false;
     std::string measured;  // "strain = 0.049, limit 0.05"
     int line = 0;
@@ -70,8 +70,8 @@ public:
     // The field that the slides so far asked to show; "" when none did.
     const std::string& shown_field() const { return shown_field_; }
 
-    // Performs the actions of the slide, if they have not been, else goes to the next slide. False at the end. Throws Refused naming
-    // file and line for an action that the lesson refuses, and Diverged when the run does.
+    // Performs the actions of the slide, if they have not been, else goes to the next slide. False at the end. Throws Refused
+    // naming file and line for an action that the lesson refuses, and Diverged when the run does.
     bool next();
     // To the start of the slide before (or of this one, when it was revealed): everything up to there is played again.
     bool back();

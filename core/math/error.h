@@ -42,9 +42,9 @@ struct Failure {
     std::string stage, field;
     Index index = -1;
     Index step = -1;
-    Real time = 0;          // s
-    std::string what;       // what went wrong, with the numbers
-    std::string limit;      // the limit that was exceeded and by how much; empty when none is known
+    Real time = 0;      // s
+    std::string what;   // what went wrong, with the numbers
+    std::string limit;  // the limit that was exceeded and by how much; empty when none is known
 };
 
 struct Diverged : Error {

@@ -1,7 +1,7 @@
 // The generated pages are those that the lessons declare now.
-#include <catch2/catch_test_macros.hpp>
 #include <pliant/lesson/file.h>
 #include <pliant/lesson/report.h>
+#include <catch2/catch_test_macros.hpp>
 
 using namespace pliant;
 

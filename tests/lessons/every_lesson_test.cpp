@@ -1,12 +1,12 @@
 // What must hold for every lesson, whatever it teaches. A new lesson is tested by being registered.
-#include <catch2/catch_test_macros.hpp>
-#include <catch2/generators/catch_generators_range.hpp>
 #include <pliant/lesson/report.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/texts.h>
 #include <pliant/lesson/until.h>
 #include <pliant/lesson/walkthrough.h>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators_range.hpp>
 
 #include <cmath>
 #include <set>
@@ -15,11 +15,13 @@ using namespace pliant;
 
 namespace {
 
-const LessonEntry& any_lesson() { return *GENERATE(from_range([] {
-    std::vector<const LessonEntry*> all;
-    for (const LessonEntry& e : lessons()) all.push_back(&e);
-    return all;
-}())); }
+const LessonEntry& any_lesson() {
+    return *GENERATE(from_range([] {
+        std::vector<const LessonEntry*> all;
+        for (const LessonEntry& e : lessons()) all.push_back(&e);
+        return all;
+    }()));
+}
 
 void check_finite(const Runner& runner) {
     for (const Field& f : runner.lesson().fields) {
@@ -28,7 +30,8 @@ void check_finite(const Runner& runner) {
         REQUIRE(f.view().size() % static_cast<std::size_t>(f.components) == 0);
         REQUIRE(std::ranges::all_of(f.view(), [](Real x) { return std::isfinite(x); }));
     }
-    for (const StateArray& a : runner.lesson().state) REQUIRE(std::ranges::all_of(a.view(), [](Real x) { return std::isfinite(x); }));
+    for (const StateArray& a : runner.lesson().state)
+        REQUIRE(std::ranges::all_of(a.view(), [](Real x) { return std::isfinite(x); }));
     for (const Probe& p : runner.lesson().probes) REQUIRE_NOTHROW(runner.value(p));
 }
 
@@ -82,7 +85,8 @@ TEST_CASE("every lesson: each parameter refuses what lies outside its bounds and
     for (Parameter* p : lesson->parameters) {
         INFO(p->info.key);
         const Real before = p->value(), size = p->accepted().max - p->accepted().min;
-        for (const Real bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, p->accepted().max + std::max(size, 1.0), p->accepted().min - std::max(size, 1.0)}) {
+        for (const Real bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, p->accepted().max + std::max(size, 1.0),
+                               p->accepted().min - std::max(size, 1.0)}) {
             try {
                 p->set(bad);
                 FAIL("accepted " << bad);
@@ -171,7 +175,8 @@ TEST_CASE("every lesson: a saved scene opens as the same run") {
         const auto lesson = entry.make();
         for (const Parameter* p : lesson->parameters) {
             const Real value = p->info.initial * (1 + 1e-3) + 1e-17;
-            if (p->info.kind == Kind::number && p->accepted().contains(value)) assignments.emplace_back(p->info.key, p->text(value));
+            if (p->info.kind == Kind::number && p->accepted().contains(value))
+                assignments.emplace_back(p->info.key, p->text(value));
         }
     }
     Runner runner(entry, assignments);
@@ -210,8 +215,10 @@ TEST_CASE("every lesson: the picture has something in its frame, and its marks h
         CHECK(scene.lower != scene.upper);
         for (const PointMarks& m : scene.points) CHECK((m.values.empty() || m.values.size() == m.at.size()));
         for (const LineMarks& m : scene.lines) CHECK((m.values.empty() || m.values.size() == m.ends.size() / 2));
-        for (const TriangleMarks& m : scene.triangles) CHECK((m.values.empty() || m.values.size() == m.corners.size() || m.values.size() == m.triangles.size()));
-        for (const GridMarks& m : scene.grids) CHECK(m.values.size() == static_cast<std::size_t>(m.nx) * static_cast<std::size_t>(m.ny));
+        for (const TriangleMarks& m : scene.triangles)
+            CHECK((m.values.empty() || m.values.size() == m.corners.size() || m.values.size() == m.triangles.size()));
+        for (const GridMarks& m : scene.grids)
+            CHECK(m.values.size() == static_cast<std::size_t>(m.nx) * static_cast<std::size_t>(m.ny));
         for (const ArrowMarks& m : scene.arrows) CHECK(m.from.size() == m.to.size());
     }
 }
@@ -240,7 +247,8 @@ TEST_CASE("every lesson: its walkthrough asks before it shows, and what it expec
     CHECK(asked >= 2);
 
     // Back to the start: the first slide stands as it did.
-    while (player.back()) {}
+    while (player.back()) {
+    }
     CHECK(player.slide_number() == 0);
     CHECK_FALSE(player.revealed());
 }
@@ -250,7 +258,8 @@ TEST_CASE("every lesson: what it declares and finds can be written out") {
     INFO(entry.info.id);
     Runner runner(entry);
     runner.step();
-    for (const std::string& text : {describe_text(entry), describe_json(entry), describe_markdown(entry), run_json(runner), run_text(runner)}) {
+    for (const std::string& text :
+         {describe_text(entry), describe_json(entry), describe_markdown(entry), run_json(runner), run_text(runner)}) {
         CHECK(text.size() > 200);
         CHECK(text.find("nan") == std::string::npos);
     }

@@ -1,10 +1,10 @@
 // The runner on the bead chain, whose exact motion is known.
-#include <catch2/catch_approx.hpp>
-#include <catch2/catch_test_macros.hpp>
-#include <catch2/matchers/catch_matchers_string.hpp>
 #include <pliant/lesson/recorder.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/until.h>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
 
@@ -32,7 +32,12 @@ public:
         state = {state_array("x", "m", x)};
         fields = {{.name = "x", .unit = "m", .view = view_of(x), .bound = [] { return 100.0; }}};
         stages = {{.name = "move", .run = [this] { x.array() += 1; }, .writes = {"x"}},
-                  {.name = "fail", .run = [this] { if (x[1] == 4) x[1] = infinite ? HUGE_VAL : 1000; }, .writes = {"x"}}};
+                  {.name = "fail",
+                   .run =
+                       [this] {
+                           if (x[1] == 4) x[1] = infinite ? HUGE_VAL : 1000;
+                       },
+                   .writes = {"x"}}};
     }
     int dimension() const override { return 2; }
     void reset() override { x.setZero(); }
@@ -40,7 +45,8 @@ public:
     void draw(Scene&) const override {}
     std::string blow_up_hint() const override { return "lower it"; }
 };
-const LessonEntry failing{{.id = "time/failing", .title = "Failing", .summary = ""}, [] { return std::unique_ptr<Lesson>(new Failing); }};
+const LessonEntry failing{{.id = "time/failing", .title = "Failing", .summary = ""},
+                          [] { return std::unique_ptr<Lesson>(new Failing); }};
 
 // Counts passes: stages a, b and c, where b takes three passes and c sends the loop back to b twice.
 class Looping final : public Lesson {
@@ -51,17 +57,44 @@ public:
     Looping() {
         state = {state_array("trace", "", trace)};
         fields = {{.name = "trace", .view = view_of(trace)}};
-        stages = {{.name = "a", .run = [this] { log += "a"; rounds = 0; }, .writes = {"trace"}},
-                  {.name = "b", .run = [this] { log += "b"; ++passes; }, .writes = {"trace"}, .again = [this] { return passes < 3; }, .begin = [this] { log += "("; passes = 0; },
+        stages = {{.name = "a",
+                   .run =
+                       [this] {
+                           log += "a";
+                           rounds = 0;
+                       },
+                   .writes = {"trace"}},
+                  {.name = "b",
+                   .run =
+                       [this] {
+                           log += "b";
+                           ++passes;
+                       },
+                   .writes = {"trace"},
+                   .again = [this] { return passes < 3; },
+                   .begin =
+                       [this] {
+                           log += "(";
+                           passes = 0;
+                       },
                    .end = [this] { log += ")"; }},
-                  {.name = "c", .run = [this] { log += "c"; ++rounds; }, .writes = {"trace"}, .again = [this] { return rounds < 2; }, .loop_from = "b"}};
+                  {.name = "c",
+                   .run =
+                       [this] {
+                           log += "c";
+                           ++rounds;
+                       },
+                   .writes = {"trace"},
+                   .again = [this] { return rounds < 2; },
+                   .loop_from = "b"}};
     }
     int dimension() const override { return 2; }
     void reset() override { trace.setZero(), log.clear(); }
     Real time_step() const override { return 0; }
     void draw(Scene&) const override {}
 };
-const LessonEntry looping{{.id = "time/looping", .title = "Looping", .summary = ""}, [] { return std::unique_ptr<Lesson>(new Looping); }};
+const LessonEntry looping{{.id = "time/looping", .title = "Looping", .summary = ""},
+                          [] { return std::unique_ptr<Lesson>(new Looping); }};
 
 }  // namespace
 

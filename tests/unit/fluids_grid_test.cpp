@@ -175,3 +175,26 @@ TEST_CASE("forces are scaled by the time step and leave the walls alone", "[flui
     CHECK(w[0][1] == 0.5);
     CHECK(w[1][3] == 0.5);
 }
+
+TEST_CASE("a jet pushes the fluid around its place, through periodic sides, and no wall", "[fluids][grid]") {
+    // All faces of one component at their distances: f exp(−r²/2R²), cut at four radii.
+    const StaggeredGrid<2> grid(box<2>({20, 16}, false, 0.05));
+    FaceField<2> u = grid.zero_velocity();
+    add_jet<2>(grid, u, 0.1, {0.1, 0.4}, 0.06, {3, 0});
+    CHECK(u[1].isZero(0));
+    for (Index f = 0; f < u[0].size(); ++f) {
+        const Counts<2> at = grid.faces(0).coordinates(f);
+        const Real x = 0.05 * static_cast<Real>(at[0]) - 0.1, y = 0.05 * (static_cast<Real>(at[1]) + 0.5) - 0.4;
+        const Real r2 = (x * x + y * y) / (0.06 * 0.06);
+        const bool wall = at[0] == 0 || at[0] == 20;
+        CHECK_THAT(u[0][f], WithinAbs(wall || r2 > 16 ? 0 : 0.3 * std::exp(-0.5 * r2), 1e-14));
+    }
+    // The impulse is that of the bell, 2πR² times the acceleration, wherever the centre lies in a periodic box.
+    const StaggeredGrid<2> endless(box<2>({40, 40}, true, 0.025));
+    for (const Vec<2>& centre : {Vec<2>(0.5, 0.5), Vec<2>(0.01, 0.99)}) {
+        FaceField<2> v = endless.zero_velocity();
+        add_jet<2>(endless, v, 1, centre, 0.06, {0, -2});
+        CHECK_THAT(v[1].sum() * endless.cell_volume(), WithinRel(-2 * 2 * std::numbers::pi * 0.06 * 0.06, 1e-3));
+    }
+    CHECK_THROWS_AS((add_jet<2>(grid, u, 1, {0, 0}, 0, {1, 0})), Refused);
+}

@@ -73,7 +73,7 @@ public:
         const auto deadline = std::chrono::steady_clock::now() + 30s;
         while (!fs::exists(state_path_) && lab_->running() && std::chrono::steady_clock::now() < deadline)
             std::this_thread::sleep_for(20ms);
-        INFO(contents_of(scratch_.path("lab.err")));
+        INFO(contents_of(scratch_.path("lab.err")) << contents_of(scratch_.path("xvfb.err")));
         REQUIRE(fs::exists(state_path_));
         window_ = xdotool({"search", "--sync", "--onlyvisible", "--name", "Pliant"});
         window_ = window_.substr(0, window_.find('\n'));

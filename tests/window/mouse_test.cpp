@@ -79,7 +79,7 @@ TEST_CASE("a choice is made from its list", "[window]") {
     const Spot box = desk.on("test");
     const double height = desk.state()["controls"]["test"][3];
     desk.click(box);
-    desk.click({box.x, box.y + static_cast<int>(2.0 * height)});
+    desk.click(Spot{box.x, box.y + static_cast<int>(2.0 * height)});
     CHECK(desk.becomes([](const Json& s) { return s["parameters"]["test"] != "tension"; }));
     CHECK(desk.state()["lesson"] == "elasticity/moduli");
 }

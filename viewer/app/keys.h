@@ -6,13 +6,33 @@
 namespace pliant::viewer {
 
 enum class Action {
-    play, step, step_back, stage, stage_back, pass, reset, previous_lesson, next_lesson, find, hide_panels, help, undo, extreme, arrows, theme, larger, smaller,
-    walkthrough_next, walkthrough_back, save, frame
+    play,
+    step,
+    step_back,
+    stage,
+    stage_back,
+    pass,
+    reset,
+    previous_lesson,
+    next_lesson,
+    find,
+    hide_panels,
+    help,
+    undo,
+    extreme,
+    arrows,
+    theme,
+    larger,
+    smaller,
+    walkthrough_next,
+    walkthrough_back,
+    save,
+    frame
 };
 
 struct KeyBinding {
     Action action;
-    int key;     // ImGuiKey
+    int key;  // ImGuiKey
     bool ctrl;
     bool repeats;  // while the key is held
     std::string_view keys, meaning;

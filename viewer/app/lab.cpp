@@ -22,7 +22,10 @@ std::string file_name(std::string_view title, std::string_view ending) {
 }
 }  // namespace
 
-Lab::Lab(Context& context, std::string_view lesson) : context_(context), gui_(context), state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {}
+Lab::Lab(Context& context, std::string_view lesson)
+    : context_(context),
+      gui_(context),
+      state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {}
 
 void Lab::set_theme(Theme theme) {
     state_.theme = theme;
@@ -49,28 +52,72 @@ void Lab::restyle() {
 void Lab::perform(Action action) {
     Session& s = state_.session;
     switch (action) {
-        case Action::play: s.toggle_play(); break;
-        case Action::step: s.step(); break;
-        case Action::step_back: s.step_back(); break;
-        case Action::stage: s.step_stage(); break;
-        case Action::stage_back: s.stage_back(); break;
-        case Action::pass: s.step_pass(); break;
-        case Action::reset: s.reset(); break;
-        case Action::previous_lesson: s.open_next(-1); break;
-        case Action::next_lesson: s.open_next(1); break;
-        case Action::find: state_.layout = Layout::lab, state_.focus_search = true; break;
-        case Action::hide_panels: state_.layout = state_.layout == Layout::lab ? Layout::slide : Layout::lab, s.camera.reset(); break;
-        case Action::help: state_.help_shown = !state_.help_shown; break;
-        case Action::undo: s.undo(); break;
-        case Action::extreme: s.extreme = !s.extreme; break;
-        case Action::arrows: s.show_arrows = !s.show_arrows; break;
-        case Action::theme: set_theme(state_.theme == Theme::dark ? Theme::projector : Theme::dark); break;
-        case Action::larger: set_scale(state_.scale + 0.25f); break;
-        case Action::smaller: set_scale(state_.scale - 0.25f); break;
-        case Action::walkthrough_next: s.walkthrough ? s.walkthrough_next() : s.start_walkthrough(); break;
-        case Action::walkthrough_back: s.walkthrough_back(); break;
-        case Action::save: save_scene(); break;
-        case Action::frame: s.camera.reset(); break;
+        case Action::play:
+            s.toggle_play();
+            break;
+        case Action::step:
+            s.step();
+            break;
+        case Action::step_back:
+            s.step_back();
+            break;
+        case Action::stage:
+            s.step_stage();
+            break;
+        case Action::stage_back:
+            s.stage_back();
+            break;
+        case Action::pass:
+            s.step_pass();
+            break;
+        case Action::reset:
+            s.reset();
+            break;
+        case Action::previous_lesson:
+            s.open_next(-1);
+            break;
+        case Action::next_lesson:
+            s.open_next(1);
+            break;
+        case Action::find:
+            state_.layout = Layout::lab, state_.focus_search = true;
+            break;
+        case Action::hide_panels:
+            state_.layout = state_.layout == Layout::lab ? Layout::slide : Layout::lab, s.camera.reset();
+            break;
+        case Action::help:
+            state_.help_shown = !state_.help_shown;
+            break;
+        case Action::undo:
+            s.undo();
+            break;
+        case Action::extreme:
+            s.extreme = !s.extreme;
+            break;
+        case Action::arrows:
+            s.show_arrows = !s.show_arrows;
+            break;
+        case Action::theme:
+            set_theme(state_.theme == Theme::dark ? Theme::projector : Theme::dark);
+            break;
+        case Action::larger:
+            set_scale(state_.scale + 0.25f);
+            break;
+        case Action::smaller:
+            set_scale(state_.scale - 0.25f);
+            break;
+        case Action::walkthrough_next:
+            s.walkthrough ? s.walkthrough_next() : s.start_walkthrough();
+            break;
+        case Action::walkthrough_back:
+            s.walkthrough_back();
+            break;
+        case Action::save:
+            save_scene();
+            break;
+        case Action::frame:
+            s.camera.reset();
+            break;
     }
 }
 
@@ -136,9 +183,12 @@ void Lab::frame(Real dt) {
 void Lab::lab_layout(float width, float height) {
     LabState& s = state_;
     const float status = ImGui::GetFrameHeight() + s.px(8), left = std::min(s.px(238), width * 0.28f);
-    const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right, body = height - status;
-    const float list = std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
-    const float bars = ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ItemSpacing.y;
+    const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right,
+                body = height - status;
+    const float list =
+        std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
+    const float bars =
+        ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ItemSpacing.y;
     {
         const FixedPanel panel("Lessons", {0, 0, left, list});
         draw_lesson_list(s);
@@ -154,7 +204,8 @@ void Lab::lab_layout(float width, float height) {
     }
     {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-        const FixedPanel panel("Scene", {left, bars, middle, body - bars}, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+        const FixedPanel panel("Scene", {left, bars, middle, body - bars},
+                               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
         draw_scene(s, renderer_);
     }

@@ -12,7 +12,8 @@ namespace pliant::viewer {
 void ColourRange::update(const std::vector<Real>& values) {
     if (values.empty() || (!automatic && !fresh_)) return;
     const ColourScale wanted = scale_for(values);
-    const Real size = std::max(std::abs(scale.min), std::abs(scale.max)), wanted_size = std::max(std::abs(wanted.min), std::abs(wanted.max));
+    const Real size = std::max(std::abs(scale.min), std::abs(scale.max)),
+               wanted_size = std::max(std::abs(wanted.min), std::abs(wanted.max));
     // Follows when the numbers reach beyond the range or fill less than a third of it, so that colours do not flicker.
     const bool outside = wanted.min < scale.min || wanted.max > scale.max || wanted.map != scale.map;
     const bool lost = wanted_size < size / 3 || (wanted.max - wanted.min) < (scale.max - scale.min) / 3;
@@ -41,7 +42,8 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
 
 void Session::open_next(int direction) {
     const auto& all = lessons();
-    const auto here = static_cast<int>(std::ranges::find(all, entry_->info.id, [](const LessonEntry& e) { return e.info.id; }) - all.begin());
+    const auto here =
+        static_cast<int>(std::ranges::find(all, entry_->info.id, [](const LessonEntry& e) { return e.info.id; }) - all.begin());
     const int count = static_cast<int>(all.size());
     guarded([&] { open(all[static_cast<std::size_t>((here + direction + count) % count)]); });
 }
@@ -59,7 +61,8 @@ SceneFile Session::scene_file() const {
     SceneFile file = scene_of(*runner_);
     file.camera = camera;
     const auto last = runner_->last_stage();
-    file.view = SceneView{colours.field, colours.component, runner_->inside_step() && last ? std::string(runner_->stages()[*last]->name) : ""};
+    file.view = SceneView{colours.field, colours.component,
+                          runner_->inside_step() && last ? std::string(runner_->stages()[*last]->name) : ""};
     return file;
 }
 
@@ -113,8 +116,10 @@ void Session::update(Real seconds, Real budget_ms) {
     const auto start = Clock::now();
     const auto spent_ms = [&] { return std::chrono::duration<Real, std::milli>(Clock::now() - start).count(); };
     if (runner_->is_static()) {
-        if (lesson().at_rest() && !runner_->inside_step()) playing = false;
-        else advance_one();
+        if (lesson().at_rest() && !runner_->inside_step())
+            playing = false;
+        else
+            advance_one();
         return;
     }
     owed_ += seconds * speed;
@@ -163,7 +168,9 @@ void Session::step_back() {
     bool found = true;
     guarded([&] { found = runner_->step_back(); });
     keep_hand();
-    if (!found) say(Message::Kind::info, runner_->place() == Place{} ? "This is the beginning." : "Steps before this one are no longer stored.");
+    if (!found)
+        say(Message::Kind::info,
+            runner_->place() == Place{} ? "This is the beginning." : "Steps before this one are no longer stored.");
     moved();
 }
 
@@ -244,8 +251,10 @@ void Session::start_walkthrough() {
 
 // A slide may start the lesson again, so a step that was recorded before begins another run.
 void Session::record_of_walkthrough() {
-    if (!recorder_.empty() && runner_->place().step <= recorder_.steps().back()) begin_run();
-    else moved();
+    if (!recorder_.empty() && runner_->place().step <= recorder_.steps().back())
+        begin_run();
+    else
+        moved();
 }
 
 // Without a run in the slide, a reset shows by the step alone.

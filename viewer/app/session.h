@@ -1,5 +1,5 @@
-// What the lab holds: the lesson being run, what the person looks at, and everything that a button, a key or a walkthrough may do to
-// it. It draws nothing, so a test can drive it as the window does.
+// What the lab holds: the lesson being run, what the person looks at, and everything that a button, a key or a walkthrough may do
+// to it. It draws nothing, so a test can drive it as the window does.
 #pragma once
 #include <pliant/lesson/recorder.h>
 #include <pliant/lesson/runner.h>
@@ -50,8 +50,8 @@ public:
     // --- time ---
     bool playing = false;
     Real speed = 1;  // simulated seconds asked for per second
-    // Advances by what `seconds` of wall time ask for, in whole steps, within a budget of `budget_ms`. A slow machine falls behind;
-    // Δt never changes.
+    // Advances by what `seconds` of wall time ask for, in whole steps, within a budget of `budget_ms`. A slow machine falls
+    // behind; Δt never changes.
     void update(Real seconds, Real budget_ms = 12);
     void toggle_play() { playing = !playing; }
     void step();
@@ -82,7 +82,7 @@ public:
     ColourRange range;
     bool show_arrows = true, show_labels = true, smooth = true;
     std::optional<Camera> camera;  // framed afresh when empty
-    void view_changed();             // after a change of the colours: their range is found again
+    void view_changed();           // after a change of the colours: their range is found again
     // The picture of now.
     Scene scene() const;
 
@@ -109,11 +109,11 @@ private:
     template <class Action>
     bool guarded(Action action);  // an error becomes a message and a pause
     bool set(const Parameter& parameter, Real value);
-    void begin_run();             // nothing of the run before is shown any longer
-    void moved();                 // records, and keeps the view up to date
+    void begin_run();  // nothing of the run before is shown any longer
+    void moved();      // records, and keeps the view up to date
     void record_of_walkthrough();
     void after_walkthrough();
-    void keep_hand();             // after a move back: the hand is where it is now, not where it was then
+    void keep_hand();  // after a move back: the hand is where it is now, not where it was then
     bool advance_one();
 
     const LessonEntry* entry_ = nullptr;

@@ -11,7 +11,11 @@ namespace pliant::viewer {
 std::string state_json(const LabState& lab) {
     const Runner& r = lab.session.runner();
     const Lesson& lesson = r.lesson();
-    nlohmann::ordered_json j{{"lesson", r.info().id}, {"step", r.place().step}, {"passes", r.place().passes}, {"time", r.time()}, {"playing", lab.session.playing}};
+    nlohmann::ordered_json j{{"lesson", r.info().id},
+                             {"step", r.place().step},
+                             {"passes", r.place().passes},
+                             {"time", r.time()},
+                             {"playing", lab.session.playing}};
     const auto stage = r.last_stage();
     j["stage"] = stage ? r.stages()[*stage]->name : "";
     for (const Parameter* p : lesson.parameters) j["parameters"][std::string(p->info.key)] = p->text(r.wanted(*p));

@@ -1,5 +1,5 @@
-// The state of the lab as a file, rewritten when it changes: tests that drive the window by mouse and keys read it back, and so can a
-// screen reader.
+// The state of the lab as a file, rewritten when it changes: tests that drive the window by mouse and keys read it back, and so
+// can a screen reader.
 #pragma once
 #include "panels/lab_state.h"
 
@@ -7,8 +7,8 @@
 
 namespace pliant::viewer {
 
-// {"lesson", "step", "passes", "stage", "time", "playing", "parameters": {...}, "probes": {...}, "pulling", "message", "controls":
-// {name: [x, y, width, height]}}
+// {"lesson", "step", "passes", "stage", "time", "playing", "parameters": {...}, "probes": {...}, "pulling", "message",
+// "controls": {name: [x, y, width, height]}}
 std::string state_json(const LabState& lab);
 
 class StateReport {

@@ -13,7 +13,8 @@ struct Fonts {
     ImFont* huge = nullptr;   // titles of slides
 };
 
-// Loads the typeface at the scale (1 to 3) into ImGui's atlas. Call between frames; the GL texture of the atlas must be made again.
+// Loads the typeface at the scale (1 to 3) into ImGui's atlas. Call between frames; the GL texture of the atlas must be made
+// again.
 Fonts load_fonts(float scale);
 
 // Sets ImGui's style. Larger controls and full contrast for the projector.

@@ -4,8 +4,8 @@
 
 #include "command_line/options.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cstdio>
@@ -46,11 +46,13 @@ void check_command(const CLI::App& app, int argc, const char* const* argv) {
     std::vector<std::string> known;
     for (const CLI::App* c : app.get_subcommands({})) known.push_back(c->get_name());
     if (std::ranges::find(known, argv[1]) != known.end()) return;
-    throw Refused(fmt::format("no command is called '{}'{}; there are: {}", argv[1], did_you_mean(argv[1], known), fmt::join(known, ", ")));
+    throw Refused(
+        fmt::format("no command is called '{}'{}; there are: {}", argv[1], did_you_mean(argv[1], known), fmt::join(known, ", ")));
 }
 
 int dispatch(int argc, const char* const* argv) {
-    CLI::App app("Pliant, a laboratory for physically based simulation: stop inside a time step and look at every quantity.", "pliant");
+    CLI::App app("Pliant, a laboratory for physically based simulation: stop inside a time step and look at every quantity.",
+                 "pliant");
     app.footer(footer);
     app.set_version_flag("--version", "pliant " PLIANT_VERSION);
     std::function<int()> action;
@@ -66,7 +68,8 @@ int dispatch(int argc, const char* const* argv) {
     app.add_option("--theme", window_options.theme, "dark or projector")->capture_default_str();
     app.add_option("--ui-scale", window_options.ui_scale, "of type and lines, 1 to 3; as the screen asks when not given");
     app.add_option("--frames", window_options.frames, "close after so many frames");
-    app.add_option("--state", window_options.state_path, "keep the state of the lab in this JSON file, for tests and screen readers");
+    app.add_option("--state", window_options.state_path,
+                   "keep the state of the lab in this JSON file, for tests and screen readers");
 
     CLI::App* list = app.add_subcommand("list", "the lessons");
     list->add_flag("--json", json, "as JSON");
@@ -104,7 +107,8 @@ int dispatch(int argc, const char* const* argv) {
     } catch (const CLI::Success& e) {
         return app.exit(e);
     } catch (const CLI::ParseError& e) {
-        throw Refused(fmt::format("{}; `pliant {}--help` shows what is accepted", e.what(), argc > 1 && argv[1][0] != '-' ? std::string(argv[1]) + " " : ""));
+        throw Refused(fmt::format("{}; `pliant {}--help` shows what is accepted", e.what(),
+                                  argc > 1 && argv[1][0] != '-' ? std::string(argv[1]) + " " : ""));
     }
     const int code = action ? action() : window(window_options);
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw Refused("standard output cannot be written: is the disk full?");

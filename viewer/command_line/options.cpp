@@ -22,7 +22,8 @@ Runner::Assignments assignments_from(const std::vector<std::string>& settings) {
 }  // namespace
 
 SceneFile scene_from(const RunOptions& o) {
-    if (o.lesson.empty() && o.scene_path.empty()) throw Refused("name a lesson or give --scene FILE; `pliant list` shows the lessons");
+    if (o.lesson.empty() && o.scene_path.empty())
+        throw Refused("name a lesson or give --scene FILE; `pliant list` shows the lessons");
     if (!o.scene_path.empty() && !o.preset.empty()) throw Refused("give --scene or --preset, not both");
     SceneFile scene;
     if (!o.lesson.empty()) scene.lesson = find_lesson(o.lesson).info.id;
@@ -30,7 +31,9 @@ SceneFile scene_from(const RunOptions& o) {
     if (!o.scene_path.empty()) {
         const std::string wanted = scene.lesson;
         scene = read_scene(o.scene_path);
-        if (!wanted.empty() && scene.lesson != wanted) throw Refused(fmt::format("{} is a scene of {}, not of {}: name that lesson or leave the name out", o.scene_path, scene.lesson, wanted));
+        if (!wanted.empty() && scene.lesson != wanted)
+            throw Refused(fmt::format("{} is a scene of {}, not of {}: name that lesson or leave the name out", o.scene_path,
+                                      scene.lesson, wanted));
     }
     for (auto& setting : assignments_from(o.settings)) scene.parameters.push_back(std::move(setting));
     return scene;
@@ -52,8 +55,11 @@ Size size_from(const std::string& text) {
     const auto width = std::from_chars(text.data(), end, size.width);
     const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
     const auto height = separated ? std::from_chars(width.ptr + 1, end, size.height) : width;
-    if (!separated || height.ec != std::errc() || height.ptr != end || size.width < 200 || size.height < 150 || size.width > largest_side || size.height > largest_side)
-        throw Refused(fmt::format("--size {} is not accepted: give WIDTHxHEIGHT in pixels from 200x150 to {}x{}, such as 1280x720", text, largest_side, largest_side));
+    if (!separated || height.ec != std::errc() || height.ptr != end || size.width < 200 || size.height < 150 ||
+        size.width > largest_side || size.height > largest_side)
+        throw Refused(
+            fmt::format("--size {} is not accepted: give WIDTHxHEIGHT in pixels from 200x150 to {}x{}, such as 1280x720", text,
+                        largest_side, largest_side));
     return size;
 }
 

@@ -38,7 +38,8 @@ void choose_view(Session& session, const PictureOptions& o) {
     if (!o.field.empty() || o.component != -1) {
         const Field& field = session.lesson().field(o.field.empty() ? session.colours.field : o.field);
         if (o.component < -1 || o.component >= field.components)
-            throw Refused("--component", o.component, "", fmt::format("a number from 0 to {}, or -1 for the whole", field.components - 1));
+            throw Refused("--component", o.component, "",
+                          fmt::format("a number from 0 to {}, or -1 for the whole", field.components - 1));
         session.colours = {std::string(field.name), o.component};
         session.range = {};
     }
@@ -49,13 +50,16 @@ void choose_view(Session& session, const PictureOptions& o) {
 void check_writable_png(const std::string& path) {
     if (path.empty()) throw Refused("--out is missing: name the picture to write, such as --out picture.png");
     const auto folder = std::filesystem::path(path).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder)) throw Refused(fmt::format("{} cannot be written: there is no folder {}", path, folder.string()));
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        throw Refused(fmt::format("{} cannot be written: there is no folder {}", path, folder.string()));
 }
 
 void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder)) throw Refused(fmt::format("{} cannot be made: {}", folder.string(), error ? error.message() : "something else has that name"));
+    if (error || !std::filesystem::is_directory(folder))
+        throw Refused(
+            fmt::format("{} cannot be made: {}", folder.string(), error ? error.message() : "something else has that name"));
 }
 
 struct TourStop {
@@ -67,7 +71,8 @@ std::vector<TourStop> stops_of(const LessonEntry& entry) {
     std::string name(entry.info.id);
     std::ranges::replace(name, '/', '_');
     std::vector<TourStop> stops{{name, std::string(entry.info.title), {.lesson = std::string(entry.info.id), .parameters = {}}}};
-    for (const std::string& p : preset_names(entry.info.id)) stops.push_back({name + "_" + p, fmt::format("{}: {}", entry.info.title, words(p)), preset(entry, p)});
+    for (const std::string& p : preset_names(entry.info.id))
+        stops.push_back({name + "_" + p, fmt::format("{}: {}", entry.info.title, words(p)), preset(entry, p)});
     return stops;
 }
 
@@ -80,8 +85,10 @@ std::string visit(Lab& lab, Context& context, const TourStop& stop, const std::f
     write_png(capture(lab, context), (folder / (stop.name + ".png")).string());
     write_file((folder / (stop.name + ".csv")).string(), s.recorder().csv(s.lesson()));
     write_file((folder / (stop.name + ".json")).string(), run_json(s.runner()));
-    return fmt::format("<section><h2>{}</h2><p>{}</p><a href=\"{}.png\"><img src=\"{}.png\" alt=\"{}\"></a><p><a href=\"{}.csv\">probes as CSV</a> · <a href=\"{}.json\">all figures as JSON</a></p></section>\n",
-                       stop.title, s.entry().info.summary, stop.name, stop.name, stop.title, stop.name, stop.name);
+    return fmt::format(
+        "<section><h2>{}</h2><p>{}</p><a href=\"{}.png\"><img src=\"{}.png\" alt=\"{}\"></a><p><a href=\"{}.csv\">probes as "
+        "CSV</a> · <a href=\"{}.json\">all figures as JSON</a></p></section>\n",
+        stop.title, s.entry().info.summary, stop.name, stop.name, stop.title, stop.name, stop.name);
 }
 
 void visit_lab(Lab& lab, Context& context, const std::string& name, const std::filesystem::path& folder) {

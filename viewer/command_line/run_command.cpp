@@ -26,7 +26,8 @@ void print_slide(const WalkthroughPlayer& player) {
         if (b.kind == BlockKind::ask) print("  Predict: " + joined(b.lines));
         if (b.kind == BlockKind::actions) print("  > " + fmt::format("{}\n", fmt::join(b.lines, "\n  > ")));
     }
-    for (const ExpectationResult& r : player.results()) print(fmt::format("  {} {}   ({})\n", r.met ? "✓" : "✗", r.text, r.measured));
+    for (const ExpectationResult& r : player.results())
+        print(fmt::format("  {} {}   ({})\n", r.met ? "✓" : "✗", r.text, r.measured));
 }
 
 }  // namespace

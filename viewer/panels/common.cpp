@@ -8,8 +8,8 @@ FixedPanel::FixedPanel(const char* name, const Rectangle& r, int extra_flags) {
     ImGui::SetNextWindowPos({r.x, r.y});
     ImGui::SetNextWindowSize({std::max(r.width, 1.f), std::max(r.height, 1.f)});
     ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | extra_flags);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | extra_flags);
 }
 
 FixedPanel::~FixedPanel() { ImGui::End(); }

@@ -27,7 +27,8 @@ std::map<Index, Place> places_of(const Scene& scene, On on) {
             for (std::size_t i = 0; i < m.at.size(); ++i) add(places, m.pick.id(i), m.at[i]);
     for (const LineMarks& m : scene.lines)
         if (m.pick.pickable && m.pick.on == on)
-            for (std::size_t i = 0; i + 1 < m.ends.size(); i += 2) add(places, m.pick.id(i / 2), mean({m.ends[i], m.ends[i + 1]}));
+            for (std::size_t i = 0; i + 1 < m.ends.size(); i += 2)
+                add(places, m.pick.id(i / 2), mean({m.ends[i], m.ends[i + 1]}));
     for (const TriangleMarks& m : scene.triangles)
         if (m.pick.pickable && m.pick.on == on)
             for (std::size_t t = 0; t < m.triangles.size(); ++t) {
@@ -38,15 +39,18 @@ std::map<Index, Place> places_of(const Scene& scene, On on) {
         if (g.pick.pickable && g.pick.on == on)
             for (int j = 0; j < g.ny; ++j)
                 for (int i = 0; i < g.nx; ++i) {
-                    const float x = (static_cast<float>(i) + 0.5f) / static_cast<float>(g.nx), y = (static_cast<float>(j) + 0.5f) / static_cast<float>(g.ny);
-                    add(places, g.pick.id(static_cast<std::size_t>(i + j * g.nx)), {g.lower[0] + x * (g.upper[0] - g.lower[0]), g.lower[1] + y * (g.upper[1] - g.lower[1]), g.lower[2]});
+                    const float x = (static_cast<float>(i) + 0.5f) / static_cast<float>(g.nx),
+                                y = (static_cast<float>(j) + 0.5f) / static_cast<float>(g.ny);
+                    add(places, g.pick.id(static_cast<std::size_t>(i + j * g.nx)),
+                        {g.lower[0] + x * (g.upper[0] - g.lower[0]), g.lower[1] + y * (g.upper[1] - g.lower[1]), g.lower[2]});
                 }
     return places;
 }
 
 }  // namespace
 
-FieldProfile field_profile(const Lesson& lesson, const Scene& scene, const Field& field, int component, int axis, std::array<Real, 2> across) {
+FieldProfile field_profile(const Lesson& lesson, const Scene& scene, const Field& field, int component, int axis,
+                           std::array<Real, 2> across) {
     const auto places = places_of(scene, field.on);
     FieldProfile profile;
     if (places.empty()) return profile;
@@ -58,7 +62,8 @@ FieldProfile field_profile(const Lesson& lesson, const Scene& scene, const Field
         for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
     const int dim = lesson.dimension();
     Real volume = 1;
-    for (int k = 0; k < dim; ++k) volume *= std::max(high[static_cast<std::size_t>(k)] - low[static_cast<std::size_t>(k)], 1e-300);
+    for (int k = 0; k < dim; ++k)
+        volume *= std::max(high[static_cast<std::size_t>(k)] - low[static_cast<std::size_t>(k)], 1e-300);
     const Real spacing = std::pow(volume / static_cast<Real>(places.size()), 1.0 / dim);
 
     const auto distance = [&](const Place& p) {
@@ -77,7 +82,8 @@ FieldProfile field_profile(const Lesson& lesson, const Scene& scene, const Field
 
     std::vector<std::pair<Real, Real>> samples;
     for (const auto& [row, p] : places)
-        if (row < field.size() && distance(p) <= nearest + 0.3 * spacing) samples.emplace_back(p[static_cast<std::size_t>(axis)], row_value(field, row, component));
+        if (row < field.size() && distance(p) <= nearest + 0.3 * spacing)
+            samples.emplace_back(p[static_cast<std::size_t>(axis)], row_value(field, row, component));
     std::ranges::sort(samples);
     for (const auto& [position, value] : samples) profile.position.push_back(position), profile.value.push_back(value);
     return profile;

@@ -12,6 +12,7 @@ struct FieldProfile {
 
 // The rows of the field whose marks lie nearest to the line along `axis` (0 to 2) that passes the framed box at the fractions
 // `across` (0 to 1) of the other axes, in their order.
-FieldProfile field_profile(const Lesson& lesson, const Scene& scene, const Field& field, int component, int axis, std::array<Real, 2> across);
+FieldProfile field_profile(const Lesson& lesson, const Scene& scene, const Field& field, int component, int axis,
+                           std::array<Real, 2> across);
 
 }  // namespace pliant::viewer

@@ -6,7 +6,9 @@ namespace pliant::viewer {
 void draw_help(LabState& lab) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::Begin("Keys and mouse", &lab.help_shown, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse);
+    ImGui::Begin("Keys and mouse", &lab.help_shown,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse);
     if (ImGui::BeginTable("keys", 2)) {
         const auto row = [](std::string_view keys, std::string_view meaning) {
             ImGui::TableNextRow();

@@ -25,7 +25,8 @@ void search_box(LabState& lab) {
     lab.search.copy(buffer, sizeof buffer - 1);
     if (std::exchange(lab.focus_search, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    const bool entered = ImGui::InputTextWithHint("##search", "find a lesson (F)", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        ImGui::InputTextWithHint("##search", "find a lesson (F)", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue);
     lab.search = buffer;
     lab.note_control("search");
     if (!entered) return;
@@ -73,7 +74,8 @@ void draw_lesson_list(LabState& lab) {
     preset_menu(lab);
     if (!find_text(std::string(lab.session.entry().info.id) + "/walkthrough.md").empty()) {
         const bool active = lab.session.walkthrough.has_value();
-        if (ImGui::Button(active ? "Leave the walkthrough" : "Walkthrough", {-1, 0})) active ? lab.session.walkthrough.reset() : lab.session.start_walkthrough();
+        if (ImGui::Button(active ? "Leave the walkthrough" : "Walkthrough", {-1, 0}))
+            active ? lab.session.walkthrough.reset() : lab.session.start_walkthrough();
         lab.note_control("walkthrough");
     }
 }

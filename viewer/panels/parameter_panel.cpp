@@ -14,8 +14,10 @@ namespace {
 std::string describe(const Parameter& p) {
     std::string text(p.info.help);
     if (p.info.kind == Kind::number || p.info.kind == Kind::whole)
-        text += "\nUsual " + p.info.useful.text() + ", accepted " + p.accepted().text() + (p.info.unit.empty() ? "" : " " + std::string(p.info.unit)) + ", default " +
-                format_quantity(p.info.initial, p.info.unit) + ".\nCtrl+click types a number; a double click restores the default.";
+        text += "\nUsual " + p.info.useful.text() + ", accepted " + p.accepted().text() +
+                (p.info.unit.empty() ? "" : " " + std::string(p.info.unit)) + ", default " +
+                format_quantity(p.info.initial, p.info.unit) +
+                ".\nCtrl+click types a number; a double click restores the default.";
     text += p.info.effect == Effect::live ? "\nTakes effect with the next step." : "\nRestarts the lesson (↻).";
     if (!p.used()) text += "\nNot used by the present scene.";
     return text;
@@ -36,7 +38,8 @@ void number_slider(LabState& lab, const Parameter& p) {
     Real value = session.runner().wanted(p);
     Interval span = span_of(p, session.extreme);
     span.min = std::min(span.min, value), span.max = std::max(span.max, value);
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat | (p.info.scale == Scale::log ? ImGuiSliderFlags_Logarithmic : 0);
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+                                   (p.info.scale == Scale::log ? ImGuiSliderFlags_Logarithmic : 0);
     const ImGuiID id = ImGui::GetID("##value");
     const bool was_active = ImGui::GetActiveID() == id;
     // The value stands above the slider; while one is typed, it is shown in full.
@@ -52,7 +55,8 @@ void choice_box(LabState& lab, const Parameter& p) {
     const auto current = static_cast<std::size_t>(lab.session.runner().wanted(p));
     if (!ImGui::BeginCombo("##value", std::string(p.info.options[current].label).c_str())) return;
     for (std::size_t i = 0; i < p.info.options.size(); ++i)
-        if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current)) lab.session.assign(p, static_cast<Real>(i));
+        if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current))
+            lab.session.assign(p, static_cast<Real>(i));
     ImGui::EndCombo();
 }
 

@@ -43,7 +43,10 @@ void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
     std::vector<Real> steps;
     if (s.runner().is_static()) steps.assign(r.steps().begin(), r.steps().end());
     const auto& xs = s.runner().is_static() ? steps : r.times();
-    const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(probe.name) + (probe.symbol.empty() || probe.symbol == words(probe.name) ? "" : " " + std::string(probe.symbol)), std::string(probe.unit)}};
+    const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"},
+                    .y = {words(probe.name) +
+                              (probe.symbol.empty() || probe.symbol == words(probe.name) ? "" : " " + std::string(probe.symbol)),
+                          std::string(probe.unit)}};
     if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
     plot.line("measured", xs, series.value);
     if (std::ranges::any_of(series.exact, [](Real x) { return std::isfinite(x); })) plot.reference("exact", xs, series.exact);
@@ -54,11 +57,14 @@ void plot_line(Plot& plot, const Line& line, Point size) {
     Curve curve, reference;
     line.sample(curve);
     if (line.reference) line.reference(reference);
-    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit)}, .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit)}};
+    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit)},
+                    .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit)}};
     if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
     plot.line("now", curve.position, curve.value);
     const std::string name(line.reference_name);
-    if (!reference.position.empty()) line.reference_points ? plot.points(name, reference.position, reference.value) : plot.reference(name, reference.position, reference.value);
+    if (!reference.position.empty())
+        line.reference_points ? plot.points(name, reference.position, reference.value)
+                              : plot.reference(name, reference.position, reference.value);
     plot.end();
 }
 
@@ -76,15 +82,19 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
     for (int k = 0; k < dim; ++k) {
         if (k == state.axis) continue;
         ImGui::SameLine();
-        ImGui::SetNextItemWidth((ImGui::GetContentRegionAvail().x - lab.px(4)) / static_cast<float>(k == dim - 1 || (state.axis == dim - 1 && k == dim - 2) ? 1 : 2));
+        ImGui::SetNextItemWidth((ImGui::GetContentRegionAvail().x - lab.px(4)) /
+                                static_cast<float>(k == dim - 1 || (state.axis == dim - 1 && k == dim - 2) ? 1 : 2));
         const Real low = 0, high = 1;
         const std::string format = fmt::format("{} at %.2f", axes[static_cast<std::size_t>(k)]);
-        ImGui::SliderScalar(fmt::format("##across {}", k).c_str(), ImGuiDataType_Double, &state.across[next++], &low, &high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+        ImGui::SliderScalar(fmt::format("##across {}", k).c_str(), ImGuiDataType_Double, &state.across[next++], &low, &high,
+                            format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     }
     const FieldProfile profile = field_profile(s.lesson(), s.scene(), *field, s.colours.component, state.axis, state.across);
     const std::string axis = axes[static_cast<std::size_t>(state.axis)], title = field_title(lab, *field);
     size.y -= ImGui::GetFrameHeightWithSpacing();
-    if (!plot.begin(fmt::format("{} along {}##along", title, axis), size, {.x = {axis, "m"}, .y = {title, std::string(field->unit)}, .empty_hint = "this field has no places"})) return;
+    if (!plot.begin(fmt::format("{} along {}##along", title, axis), size,
+                    {.x = {axis, "m"}, .y = {title, std::string(field->unit)}, .empty_hint = "this field has no places"}))
+        return;
     plot.line("now", profile.position, profile.value);
     plot.end();
 }
@@ -93,13 +103,21 @@ void plot_map(LabState& lab, Plot& plot, Point size) {
     const Session& s = lab.session;
     const Field* field = s.lesson().find_field(s.colours.field);
     const Scene scene = s.scene();
-    if (!field || scene.grids.empty() || scene.grids[0].values.empty()) return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
+    if (!field || scene.grids.empty() || scene.grids[0].values.empty())
+        return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
     const GridMarks& g = scene.grids[0];
     const std::vector<Real> values(g.values.begin(), g.values.end());
     const ColourScale& scale = s.range.scale;
     if (!plot.begin(field_title(lab, *field) + "##map", size, {.x = {"x", "m"}, .y = {"y", "m"}})) return;
-    plot.heat_map({.name = field_title(lab, *field), .unit = std::string(field->unit), .values = values, .nx = g.nx, .ny = g.ny, .x = {g.lower[0], g.upper[0]}, .y = {g.lower[1], g.upper[1]},
-                   .map = scale.map, .range = Range{scale.min, scale.max}});
+    plot.heat_map({.name = field_title(lab, *field),
+                   .unit = std::string(field->unit),
+                   .values = values,
+                   .nx = g.nx,
+                   .ny = g.ny,
+                   .x = {g.lower[0], g.upper[0]},
+                   .y = {g.lower[1], g.upper[1]},
+                   .map = scale.map,
+                   .range = Range{scale.min, scale.max}});
     plot.end();
 }
 

@@ -1,4 +1,5 @@
-// The picture: drawn into a texture, with labels, colour bar, notes and read-out over it; turned, moved and pulled with the mouse.
+// The picture: drawn into a texture, with labels, colour bar, notes and read-out over it; turned, moved and pulled with the
+// mouse.
 #include <pliant/lesson/format.h>
 
 #include "panels/lab_state.h"
@@ -41,8 +42,10 @@ void draw_labels(LabState& lab, const View& view) {
             const Eigen::Vector2f d = (p - view.projection.pixel(*l.away_from)).head<2>().normalized();
             beyond = d * (lab.px(6) + std::abs(d.x()) * size.x / 2 + std::abs(d.y()) * size.y / 2);
         }
-        const float x = std::clamp(p.x() + beyond.x() + lab.px(l.offset_x) - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
-        const float y = std::clamp(p.y() + beyond.y() + lab.px(l.offset_y) - size.y / 2, 2.f, std::max(2.f, view.size.y - size.y - 2));
+        const float x =
+            std::clamp(p.x() + beyond.x() + lab.px(l.offset_x) - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
+        const float y =
+            std::clamp(p.y() + beyond.y() + lab.px(l.offset_y) - size.y / 2, 2.f, std::max(2.f, view.size.y - size.y - 2));
         haloed_text(lab, {view.origin.x + x, view.origin.y + y}, lab.ink(l.ink), l.text);
         ImGui::PopFont();
     }
@@ -75,14 +78,17 @@ void draw_colour_bar(LabState& lab, const View& view) {
     const float line = ImGui::GetTextLineHeight();
     for (int i = 0; i <= 4; ++i) {
         const Real value = scale.min + (scale.max - scale.min) * i / 4;
-        const std::string text = format_quantity(std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max)) ? 0 : value, field->unit, 3);
+        const std::string text = format_quantity(
+            std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max)) ? 0 : value, field->unit, 3);
         const float y = low.y - height * static_cast<float>(i) / 4;
         draw->AddLine({low.x - lab.px(4), y}, {low.x, y}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
         haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
     }
     std::string title = words(field->name);
-    if (s.colours.component >= 0) title += " " + component_names(*field)[static_cast<std::size_t>(s.colours.component)];
-    else if (field->rank != Rank::scalar) title = "|" + title + "|";
+    if (s.colours.component >= 0)
+        title += " " + component_names(*field)[static_cast<std::size_t>(s.colours.component)];
+    else if (field->rank != Rank::scalar)
+        title = "|" + title + "|";
     if (!s.range.automatic) title += " (fixed)";
     haloed_text(lab, {low.x + width - ImGui::CalcTextSize(title.c_str()).x, top - 1.6f * line}, lab.ink(Ink::text), title);
     ImGui::PopFont();
@@ -93,12 +99,14 @@ void read_out(LabState& lab, const Picked& picked) {
     std::string text = fmt::format("{} {}\n", name_of(picked.on), picked.index);
     for (const Field& f : lab.session.lesson().fields) {
         if (!f.in_use() || f.on != picked.on || picked.index >= f.size()) continue;
-        text += fmt::format("{}{}{} = {}\n", words(f.name), f.symbol.empty() ? "" : " ", f.symbol, format_quantity(row_value(f, picked.index, -1), f.unit));
+        text += fmt::format("{}{}{} = {}\n", words(f.name), f.symbol.empty() ? "" : " ", f.symbol,
+                            format_quantity(row_value(f, picked.index, -1), f.unit));
         if (f.rank == Rank::scalar) continue;
         const auto names = component_names(f);
         text += "   ";
         for (int c = 0; c < f.components; ++c) {
-            text += fmt::format("{} {}  ", names[static_cast<std::size_t>(c)], format_quantity(row_value(f, picked.index, c), "", 3));
+            text +=
+                fmt::format("{} {}  ", names[static_cast<std::size_t>(c)], format_quantity(row_value(f, picked.index, c), "", 3));
             if (f.rank == Rank::tensor && f.components == 9 && c % 3 == 2 && c < 8) text += "\n   ";
         }
         text += "\n";
@@ -111,7 +119,8 @@ void read_out(LabState& lab, const Picked& picked) {
 
 void mark_hovered(LabState& lab, const View& view, const Picked& picked) {
     const Eigen::Vector3f p = view.projection.pixel(position<3>(picked.at));
-    ImGui::GetWindowDrawList()->AddCircle({view.origin.x + p.x(), view.origin.y + p.y()}, lab.px(9), lab.ink(Ink::accent), 0, std::max(2.f, lab.px(2)));
+    ImGui::GetWindowDrawList()->AddCircle({view.origin.x + p.x(), view.origin.y + p.y()}, lab.px(9), lab.ink(Ink::accent), 0,
+                                          std::max(2.f, lab.px(2)));
 }
 
 Eigen::Vector2f pointer_in(const View& view) {
@@ -149,13 +158,15 @@ void end_drag(LabState& lab) {
 void handle_mouse(LabState& lab, const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool inside = ImGui::IsItemHovered();
-    if (!lab.pulling && !lab.turning) lab.hovered = inside ? pick(view.scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
+    if (!lab.pulling && !lab.turning)
+        lab.hovered = inside ? pick(view.scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) begin_drag(lab, view);
     if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, view);
     if (ImGui::IsItemActive() && (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
         pan(*lab.session.camera, view.dimension, view.projection, io.MouseDelta.x, io.MouseDelta.y);
     if (ImGui::IsItemDeactivated()) end_drag(lab);
-    if (inside && io.MouseWheel != 0) zoom(*lab.session.camera, view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
+    if (inside && io.MouseWheel != 0)
+        zoom(*lab.session.camera, view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
     if (inside && lab.hovered && !lab.turning && !lab.pulling) mark_hovered(lab, view, *lab.hovered), read_out(lab, *lab.hovered);
 }
 
@@ -170,7 +181,8 @@ void banner(LabState& lab, const View& view) {
     const float width = view.size.x - lab.px(20), wrap = width - lab.px(20);
     const float text_height = ImGui::CalcTextSize(message->text.c_str(), nullptr, false, wrap).y;
     const std::string text = message->text;
-    ImGui::BeginChild("message", {width, text_height + ImGui::GetFrameHeight() + lab.px(22)}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    ImGui::BeginChild("message", {width, text_height + ImGui::GetFrameHeight() + lab.px(22)},
+                      ImGuiChildFlags_AlwaysUseWindowPadding);
     ImGui::PushTextWrapPos(wrap);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
@@ -190,12 +202,14 @@ void banner(LabState& lab, const View& view) {
 void hints(LabState& lab, const View& view) {
     if (!lab.hints_shown || lab.layout == Layout::slide) return;
     const bool can_pull = lab.session.lesson().can_pull().has_value();
-    const std::string text = fmt::format("{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",
-                                         can_pull ? "Pull it with the mouse; drag beside it to turn" : "Drag to move the picture, turn the wheel to zoom");
+    const std::string text = fmt::format(
+        "{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",
+        can_pull ? "Pull it with the mouse; drag beside it to turn" : "Drag to move the picture, turn the wheel to zoom");
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float pad = lab.px(8), button = ImGui::GetFrameHeight();
     const ImVec2 at{view.origin.x + lab.px(10), view.origin.y + view.size.y - size.y - 2 * pad - lab.px(10)};
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + button + 3 * pad, at.y + size.y + 2 * pad}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.88f), lab.px(5));
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + button + 3 * pad, at.y + size.y + 2 * pad},
+                                              ImGui::GetColorU32(ImGuiCol_PopupBg, 0.88f), lab.px(5));
     ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + pad}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     ImGui::SetCursorScreenPos({at.x + size.x + 2 * pad, at.y + pad});
     if (ImGui::Button("×", {button, button})) lab.hints_shown = false;
@@ -216,11 +230,14 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y, margin), origin, size, dimension};
 
     const Size pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
-    const GLuint texture = renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale, margin);
-    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin, {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
+    const GLuint texture =
+        renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale, margin);
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin,
+                                         {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
 
     ImGui::SetNextItemAllowOverlap();
-    ImGui::InvisibleButton("scene", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::InvisibleButton(
+        "scene", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     lab.note_control("scene");
     handle_mouse(lab, view);
     draw_labels(lab, view);

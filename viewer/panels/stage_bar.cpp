@@ -22,7 +22,8 @@ void colour_menu(LabState& lab) {
     Session& s = lab.session;
     const Field* shown = s.lesson().find_field(s.colours.field);
     std::string current = shown ? words(shown->name) : "none";
-    if (shown && s.colours.component >= 0) current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
+    if (shown && s.colours.component >= 0)
+        current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
     ImGui::SetNextItemWidth(lab.px(140));
     if (ImGui::BeginCombo("##colour", current.c_str(), ImGuiComboFlags_HeightLarge)) {
         if (ImGui::Selectable("none", !shown)) s.colours = {};
@@ -30,8 +31,10 @@ void colour_menu(LabState& lab) {
             if (!f.in_use()) continue;
             const auto names = component_names(f);
             for (int c = -1; c < (f.rank == Rank::scalar ? 0 : f.components); ++c) {
-                const std::string name = words(f.name) + (c < 0 ? (f.rank == Rank::vector ? "  | |" : "") : "." + names[static_cast<std::size_t>(c)]);
-                if (ImGui::Selectable(name.c_str(), shown == &f && s.colours.component == c)) s.colours = {std::string(f.name), c}, s.range = {}, s.view_changed();
+                const std::string name =
+                    words(f.name) + (c < 0 ? (f.rank == Rank::vector ? "  | |" : "") : "." + names[static_cast<std::size_t>(c)]);
+                if (ImGui::Selectable(name.c_str(), shown == &f && s.colours.component == c))
+                    s.colours = {std::string(f.name), c}, s.range = {}, s.view_changed();
                 if (!f.help.empty()) tooltip(std::string(f.help), lab.scale);
             }
         }
@@ -64,7 +67,8 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float line = std::max(2.f, lab.px(2));
-    draw->AddRectFilled(at, {at.x + width, at.y + height}, ImGui::GetColorU32(done_last && runner.inside_step() ? ImGuiCol_Header : ImGuiCol_FrameBg), lab.px(4));
+    draw->AddRectFilled(at, {at.x + width, at.y + height},
+                        ImGui::GetColorU32(done_last && runner.inside_step() ? ImGuiCol_Header : ImGuiCol_FrameBg), lab.px(4));
     if (next) draw->AddRect(at, {at.x + width, at.y + height}, lab.ink(Ink::accent), lab.px(4), 0, line);
 
     draw->PushClipRect(at, {at.x + width, at.y + height}, true);
@@ -75,7 +79,8 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
     ImGui::TextDisabled("%s", ms.c_str());
     const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
-    draw->AddText(lab.fonts.small, lab.fonts.small->FontSize, formula, ImGui::GetColorU32(ImGuiCol_Text), stage.formula.data(), stage.formula.data() + stage.formula.size(), width - 2 * pad);
+    draw->AddText(lab.fonts.small, lab.fonts.small->FontSize, formula, ImGui::GetColorU32(ImGuiCol_Text), stage.formula.data(),
+                  stage.formula.data() + stage.formula.size(), width - 2 * pad);
     ImGui::PopFont();
     std::string name = fmt::format("{} {}", i + 1, words(stage.name));
     if (next && runner.passes_in_stage() > 0) name += fmt::format(" · pass {}", runner.passes_in_stage());
@@ -89,8 +94,11 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::SetCursorScreenPos(at);
     ImGui::InvisibleButton(fmt::format("stage {}", i).c_str(), {width, height});
     lab.note_control(fmt::format("stage {}", stage.name));
-    std::string more = fmt::format("{}\n{}\nSource: {}\nReads {}; writes {}.", words(stage.name), stage.formula, stage.source, fmt::join(stage.reads, ", "), fmt::join(stage.writes, ", "));
-    if (cost.runs) more += fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} passes in {} runs.", cost.last_ms, cost.total_ms, cost.passes, cost.runs);
+    std::string more = fmt::format("{}\n{}\nSource: {}\nReads {}; writes {}.", words(stage.name), stage.formula, stage.source,
+                                   fmt::join(stage.reads, ", "), fmt::join(stage.writes, ", "));
+    if (cost.runs)
+        more += fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} passes in {} runs.", cost.last_ms, cost.total_ms, cost.passes,
+                            cost.runs);
     more += "\nClick: run to the end of this stage.";
     tooltip(more, lab.scale);
     if (ImGui::IsItemClicked()) lab.session.run_to_stage(stage.name);
@@ -122,10 +130,12 @@ void draw_stage_bar(LabState& lab) {
     const Runner& runner = lab.session.runner();
     const auto& stages = runner.stages();
     if (stages.empty()) return;
-    const float gap = lab.px(5), width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(stages.size() - 1)) / static_cast<float>(stages.size());
+    const float gap = lab.px(5), width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(stages.size() - 1)) /
+                                         static_cast<float>(stages.size());
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i) ImGui::SameLine(0, gap);
-        stage_box(lab, *stages[i], runner.cost(static_cast<std::size_t>(stages[i] - runner.lesson().stages.data())), i, width, lab.px(stage_height));
+        stage_box(lab, *stages[i], runner.cost(static_cast<std::size_t>(stages[i] - runner.lesson().stages.data())), i, width,
+                  lab.px(stage_height));
     }
 }
 

@@ -27,7 +27,9 @@ void light(LabState& lab, Holds holds, const std::string& name, const std::strin
     ImGui::SameLine(0, lab.px(14));
 }
 
-std::string_view law_text(Law law) { return law == Law::constant ? "stays constant" : law == Law::never_grows ? "never grows" : "is zero"; }
+std::string_view law_text(Law law) {
+    return law == Law::constant ? "stays constant" : law == Law::never_grows ? "never grows" : "is zero";
+}
 
 void conserved_lights(LabState& lab) {
     const Runner& runner = lab.session.runner();
@@ -36,8 +38,11 @@ void conserved_lights(LabState& lab) {
         const std::string_view unit = runner.lesson().probe(c.probe).unit;
         const Holds holds = runner.holds(i);
         std::string help = fmt::format("{} {}", words(c.probe), law_text(c.law));
-        if (holds == Holds::not_expected) help = fmt::format("{}: not expected to hold here", words(c.probe));
-        else help += fmt::format(": off by {}, tolerance {}", format_quantity(runner.drift(i), unit), format_quantity(c.tolerance(), unit));
+        if (holds == Holds::not_expected)
+            help = fmt::format("{}: not expected to hold here", words(c.probe));
+        else
+            help += fmt::format(": off by {}, tolerance {}", format_quantity(runner.drift(i), unit),
+                                format_quantity(c.tolerance(), unit));
         light(lab, holds, words(c.probe), help);
     }
 }
@@ -49,9 +54,12 @@ void assumption_lights(LabState& lab) {
     for (const Assumption& a : lab.session.lesson().assumptions) {
         if (!a.in_use()) continue;
         const Real value = a.value(), limit = a.limit();
-        const std::string text = fmt::format("{}: {}\n    {} against the limit {}\n", words(a.name), a.formula, format_quantity(value, a.unit), format_quantity(limit, a.unit));
-        if (value <= limit) holding += text;
-        else broken.emplace_back(words(a.name), fmt::format("Assumption {}Beyond it: {}", text, a.broken));
+        const std::string text = fmt::format("{}: {}\n    {} against the limit {}\n", words(a.name), a.formula,
+                                             format_quantity(value, a.unit), format_quantity(limit, a.unit));
+        if (value <= limit)
+            holding += text;
+        else
+            broken.emplace_back(words(a.name), fmt::format("Assumption {}Beyond it: {}", text, a.broken));
     }
     for (const auto& [name, text] : broken) light(lab, Holds::no, name, text);
     if (!holding.empty()) light(lab, Holds::yes, broken.empty() ? "assumptions" : "others", "Assumptions that hold:\n" + holding);
@@ -65,10 +73,13 @@ void draw_status_line(LabState& lab) {
     if (r.is_static()) {
         ImGui::Text("static   step %lld", static_cast<long long>(r.place().step));
     } else {
-        ImGui::Text("t = %s   step %lld   Δt = %s", format_quantity(r.time(), "s").c_str(), static_cast<long long>(r.place().step), format_quantity(r.time_step(), "s", 3).c_str());
+        ImGui::Text("t = %s   step %lld   Δt = %s", format_quantity(r.time(), "s").c_str(),
+                    static_cast<long long>(r.place().step), format_quantity(r.time_step(), "s", 3).c_str());
         ImGui::SameLine(0, lab.px(14));
-        if (s.playing) ImGui::Text("real time %.2f× of %.2g×", s.reached_speed(), s.speed);
-        else ImGui::TextDisabled("paused");
+        if (s.playing)
+            ImGui::Text("real time %.2f× of %.2g×", s.reached_speed(), s.speed);
+        else
+            ImGui::TextDisabled("paused");
         tooltip("Simulated seconds per second, reached and asked for. A slow machine falls behind; Δt never changes.", lab.scale);
     }
     ImGui::SameLine(0, lab.px(14));
@@ -76,7 +87,9 @@ void draw_status_line(LabState& lab) {
     ImGui::SameLine(0, lab.px(18));
     conserved_lights(lab);
     assumption_lights(lab);
-    const std::string past = fmt::format("past {} steps, {:.0f} of {:.0f} MB", r.history().size(), static_cast<double>(r.history().bytes()) / 1e6, static_cast<double>(r.history().cap()) / 1e6);
+    const std::string past =
+        fmt::format("past {} steps, {:.0f} of {:.0f} MB", r.history().size(), static_cast<double>(r.history().bytes()) / 1e6,
+                    static_cast<double>(r.history().cap()) / 1e6);
     const float width = ImGui::CalcTextSize(past.c_str()).x;
     if (ImGui::GetContentRegionAvail().x > width) {
         ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);

@@ -32,7 +32,9 @@ void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& play
         case BlockKind::text:
             for (const std::string& line : block.lines) paragraph(line);
             break;
-        case BlockKind::formula: formula(lab, block); break;
+        case BlockKind::formula:
+            formula(lab, block);
+            break;
         case BlockKind::ask:
             heading(lab, "Predict", Ink::accent);
             for (const std::string& line : block.lines) paragraph(line);
@@ -47,7 +49,8 @@ void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& play
             heading(lab, "What happened", Ink::velocity);
             for (const std::string& line : block.lines) paragraph(line);
             break;
-        case BlockKind::expect: break;
+        case BlockKind::expect:
+            break;
     }
 }
 

@@ -21,7 +21,8 @@ Eigen::Matrix3d eye_axes(const Camera& c) {
 
 }  // namespace
 
-Projection::Projection(const Camera& c, int dimension, float width, float height, float right_margin) : width_(width), height_(height) {
+Projection::Projection(const Camera& c, int dimension, float width, float height, float right_margin)
+    : width_(width), height_(height) {
     const Eigen::Matrix3d axes = dimension == 3 ? eye_axes(c) : Eigen::Matrix3d::Identity();
     const float d = static_cast<float>(c.distance), aspect = width / height;
     view_.setIdentity();
@@ -31,7 +32,8 @@ Projection::Projection(const Camera& c, int dimension, float width, float height
     if (dimension == 3) {
         view_(2, 3) -= d;
         const float f = static_cast<float>(1 / std::tan(field_of_view / 2)), near = d * 0.02f, far = d * 50;
-        clip(0, 0) = f / aspect, clip(1, 1) = f, clip(2, 2) = (far + near) / (near - far), clip(2, 3) = 2 * far * near / (near - far), clip(3, 2) = -1;
+        clip(0, 0) = f / aspect, clip(1, 1) = f, clip(2, 2) = (far + near) / (near - far),
+                clip(2, 3) = 2 * far * near / (near - far), clip(3, 2) = -1;
         metres_per_pixel_ = 2 * c.distance * std::tan(field_of_view / 2) / height;
     } else {
         clip(0, 0) = 2 / (d * aspect), clip(1, 1) = 2 / d, clip(2, 2) = -1 / d, clip(3, 3) = 1;
@@ -50,7 +52,8 @@ Eigen::Vector3f Projection::pixel(const Position& p) const {
 }
 
 Vec<3> Projection::at_depth_of(const Eigen::Vector2f& pixel_at, const Vec<3>& like) const {
-    const Eigen::Vector4f c = matrix_ * Eigen::Vector4f(static_cast<float>(like[0]), static_cast<float>(like[1]), static_cast<float>(like[2]), 1);
+    const Eigen::Vector4f c =
+        matrix_ * Eigen::Vector4f(static_cast<float>(like[0]), static_cast<float>(like[1]), static_cast<float>(like[2]), 1);
     const Eigen::Vector4f clip(2 * pixel_at.x() / width_ - 1, 1 - 2 * pixel_at.y() / height_, c.z() / c.w(), 1);
     const Eigen::Vector4f world = inverse_ * clip;
     return (world.head<3>() / world.w()).cast<Real>();

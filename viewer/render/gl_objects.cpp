@@ -40,7 +40,8 @@ GlProgram make_program(const char* vertex, const char* fragment) {
     glDeleteShader(f);
     GLint done = 0;
     glGetProgramiv(program, GL_LINK_STATUS, &done);
-    if (!done) throw MachineLacks("The graphics driver cannot link a shader program of the lab; update it, or use `pliant shot`.");
+    if (!done)
+        throw MachineLacks("The graphics driver cannot link a shader program of the lab; update it, or use `pliant shot`.");
     return program;
 }
 

@@ -42,7 +42,8 @@ std::optional<Picked> pick_point(const Scene& scene, const Projection& projectio
         for (std::size_t i = 0; i < marks.at.size(); ++i) {
             const Vector3f p = projection.pixel(marks.at[i]);
             const float distance = (p.head<2>() - at).norm();
-            if (p.z() < 1 && distance <= reach + marks.radius) best.offer(distance / reach + 40 * p.z(), {marks.pick.on, marks.pick.id(i), point(marks.at[i])});
+            if (p.z() < 1 && distance <= reach + marks.radius)
+                best.offer(distance / reach + 40 * p.z(), {marks.pick.on, marks.pick.id(i), point(marks.at[i])});
         }
     }
     return best.picked;
@@ -56,7 +57,8 @@ std::optional<Picked> pick_line(const Scene& scene, const Projection& projection
             const Vector3f a = projection.pixel(marks.ends[i]), b = projection.pixel(marks.ends[i + 1]);
             const float distance = distance_to_segment(at, a.head<2>(), b.head<2>());
             if (a.z() < 1 && b.z() < 1 && distance <= reach)
-                best.offer(distance / reach + 20 * (a.z() + b.z()), {marks.pick.on, marks.pick.id(i / 2), point(middle(marks.ends[i], marks.ends[i + 1]))});
+                best.offer(distance / reach + 20 * (a.z() + b.z()),
+                           {marks.pick.on, marks.pick.id(i / 2), point(middle(marks.ends[i], marks.ends[i + 1]))});
         }
     }
     return best.picked;
@@ -81,9 +83,11 @@ std::optional<Picked> pick_cell(const Scene& scene, const Projection& projection
     for (const GridMarks& g : scene.grids) {
         if (!g.pick.pickable || g.nx == 0 || g.ny == 0) continue;
         const Vec<3> p = projection.at_depth_of(at, point(g.lower));
-        const Real i = (p.x() - g.lower[0]) / (g.upper[0] - g.lower[0]) * g.nx, j = (p.y() - g.lower[1]) / (g.upper[1] - g.lower[1]) * g.ny;
+        const Real i = (p.x() - g.lower[0]) / (g.upper[0] - g.lower[0]) * g.nx,
+                   j = (p.y() - g.lower[1]) / (g.upper[1] - g.lower[1]) * g.ny;
         if (i < 0 || j < 0 || i >= g.nx || j >= g.ny) continue;
-        return Picked{g.pick.on, g.pick.id(static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * static_cast<std::size_t>(g.nx)), p};
+        return Picked{g.pick.on,
+                      g.pick.id(static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * static_cast<std::size_t>(g.nx)), p};
     }
     return std::nullopt;
 }

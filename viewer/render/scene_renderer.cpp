@@ -14,7 +14,8 @@ constexpr std::array<float, 6> head_corners{0, 0, 1, -1, 1, 1};
 
 void attribute(GLuint index, GLint count, GLenum type, GLsizei stride, std::size_t offset, GLuint divisor) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, count, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, stride, reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(index, count, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, stride,
+                          reinterpret_cast<const void*>(offset));
     glVertexAttribDivisor(index, divisor);
 }
 
@@ -27,7 +28,8 @@ void upload(GLuint buffer, const std::vector<Item>& items) {
 void set(GLuint program, const char* name, float value) { glUniform1f(glGetUniformLocation(program, name), value); }
 
 void texture_filter(GLenum filter) {
-    for (const GLenum what : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTexParameteri(GL_TEXTURE_2D, what, static_cast<GLint>(filter));
+    for (const GLenum what : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, what, static_cast<GLint>(filter));
     for (const GLenum what : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, what, GL_CLAMP_TO_EDGE);
 }
 
@@ -91,8 +93,8 @@ void SceneRenderer::ensure_target(Size size) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
 }
 
-GLuint SceneRenderer::render(const Scene& scene, int dimension, const Camera& camera, const Palette& colours, const ColourScale& scale, Size size, float pixel_scale,
-                             float right_margin) {
+GLuint SceneRenderer::render(const Scene& scene, int dimension, const Camera& camera, const Palette& colours,
+                             const ColourScale& scale, Size size, float pixel_scale, float right_margin) {
     const Projection projection(camera, dimension, static_cast<float>(size.width), static_cast<float>(size.height), right_margin);
     matrix_ = projection.matrix(), view_ = projection.view();
     lit_ = dimension == 3, pixel_scale_ = pixel_scale, palette_ = &colours, scale_ = scale;
@@ -152,18 +154,21 @@ void SceneRenderer::draw_segments(const MarkProgram& mark, float width, float da
     set(mark.program, "shorten", shorten);
     set(mark.program, "shade", lit_ ? 1.f : 0.f);
     glBindVertexArray(mark.array);
-    glDrawArraysInstanced(mark.vertices == 3 ? GL_TRIANGLES : GL_TRIANGLE_STRIP, 0, mark.vertices, static_cast<GLsizei>(segments_.size()));
+    glDrawArraysInstanced(mark.vertices == 3 ? GL_TRIANGLES : GL_TRIANGLE_STRIP, 0, mark.vertices,
+                          static_cast<GLsizei>(segments_.size()));
 }
 
 void SceneRenderer::draw_lines(const LineMarks& marks) {
     segments_.clear();
-    for (std::size_t i = 0; i + 1 < marks.ends.size(); i += 2) segments_.push_back({marks.ends[i], marks.ends[i + 1], colour_of(marks.values, i / 2, marks.ink)});
+    for (std::size_t i = 0; i + 1 < marks.ends.size(); i += 2)
+        segments_.push_back({marks.ends[i], marks.ends[i + 1], colour_of(marks.values, i / 2, marks.ink)});
     draw_segments(lines_, marks.width * pixel_scale_, marks.dashed ? 6 * pixel_scale_ : 0);
 }
 
 void SceneRenderer::draw_arrows(const ArrowMarks& marks) {
     segments_.clear();
-    for (std::size_t i = 0; i < marks.from.size(); ++i) segments_.push_back({marks.from[i], marks.to[i], colour_of(marks.values, i, marks.ink)});
+    for (std::size_t i = 0; i < marks.from.size(); ++i)
+        segments_.push_back({marks.from[i], marks.to[i], colour_of(marks.values, i, marks.ink)});
     const float width = marks.width * pixel_scale_;
     draw_segments(lines_, width, 0, 4 * width);
     draw_segments(heads_, width);
@@ -171,7 +176,8 @@ void SceneRenderer::draw_arrows(const ArrowMarks& marks) {
 
 void SceneRenderer::draw_points(const PointMarks& marks) {
     segments_.clear();
-    for (std::size_t i = 0; i < marks.at.size(); ++i) segments_.push_back({marks.at[i], marks.at[i], colour_of(marks.values, i, marks.ink)});
+    for (std::size_t i = 0; i < marks.at.size(); ++i)
+        segments_.push_back({marks.at[i], marks.at[i], colour_of(marks.values, i, marks.ink)});
     draw_segments(points_, marks.radius * pixel_scale_);
 }
 
@@ -212,7 +218,8 @@ void SceneRenderer::draw_grid(const GridMarks& g) {
     texture_filter(GL_LINEAR);
 
     const float nx = static_cast<float>(g.nx), ny = static_cast<float>(g.ny), z = g.lower[2];
-    const std::vector<float> quad{g.lower[0], g.lower[1], z, 0, 0, g.upper[0], g.lower[1], z, nx, 0, g.lower[0], g.upper[1], z, 0, ny, g.upper[0], g.upper[1], z, nx, ny};
+    const std::vector<float> quad{g.lower[0], g.lower[1], z, 0, 0,  g.upper[0], g.lower[1], z, nx, 0,
+                                  g.lower[0], g.upper[1], z, 0, ny, g.upper[0], g.upper[1], z, nx, ny};
     upload(grid_corners_, quad);
     common_uniforms(grid_program_);
     glUniform1i(glGetUniformLocation(grid_program_, "numbers"), 0);

@@ -17,7 +17,8 @@ public:
 
     // Everything but the labels, which the panel writes over it. pixel_scale multiplies the sizes of marks; right_margin as for
     // Projection. The texture is opaque, its rows bottom-up.
-    GLuint render(const Scene& scene, int dimension, const Camera& camera, const Palette& palette, const ColourScale& scale, Size size, float pixel_scale, float right_margin);
+    GLuint render(const Scene& scene, int dimension, const Camera& camera, const Palette& palette, const ColourScale& scale,
+                  Size size, float pixel_scale, float right_margin);
 
 private:
     // One instance: two ends and a colour.

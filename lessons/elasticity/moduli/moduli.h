@@ -55,6 +55,12 @@ private:
 
     // --- the picture (moduli_picture.cpp) ---
     Real drawn_magnification() const;
+    Vec<3> drawn_stretch() const;
+    // Length and width of the drawn block at rest.
+    struct DrawnSize {
+        Real length, width;
+    };
+    DrawnSize drawn_size() const { return {length * drawn_stretch()[0], width * drawn_stretch()[1]}; }
     Vec<3> drawn(const Vec<3>& X, const Vec<3>& u) const;
     Vec<3> drawn_exact(const Vec<3>& X) const { return drawn(X, specimen_->exact_displacement(applied(), X)); }
     void draw_body(Scene& scene) const;

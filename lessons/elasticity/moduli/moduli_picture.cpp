@@ -18,6 +18,9 @@ Real round_down(Real value) {
     return decade * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
 }
 
+// A bar that is longer than this many widths is drawn thicker than it is, a plate longer, so that it can be seen.
+constexpr Real drawn_slenderness = 6;
+
 Position at(const Vec<3>& x) { return position<3>(x); }
 
 }  // namespace
@@ -32,13 +35,20 @@ Real ModuliLesson::drawn_magnification() const {
     return wanted < 1 && full < 0.6 ? 1 : wanted;
 }
 
+// Scale of the drawn block along each axis; 1 unless the block is very long or very flat.
+Vec<3> ModuliLesson::drawn_stretch() const {
+    const Real slender = length / width / drawn_slenderness, flat = width / length / drawn_slenderness;
+    const Real across = std::max<Real>(1, slender);
+    return {std::max<Real>(1, flat), across, across};
+}
+
 // The block is drawn about its middle, as textbooks do: a narrowing shows on both sides of it, and not only on those that are not
 // on rollers. That moves the whole block, so that no strain changes.
 Vec<3> ModuliLesson::drawn(const Vec<3>& X, const Vec<3>& u) const {
     Vec<3> middle = Vec<3>::Zero();
     if (test != Test::shear) middle = specimen_->exact_displacement(applied(), 0.5 * Vec<3>(length, width, width));
     if (test == Test::tension) middle[0] = 0;
-    return X + drawn_magnification() * (u - middle);
+    return drawn_stretch().cwiseProduct(X + drawn_magnification() * (u - middle));
 }
 
 void ModuliLesson::draw(Scene& scene) const {
@@ -56,8 +66,8 @@ void ModuliLesson::draw(Scene& scene) const {
             break;
     }
     write_notes(scene);
-    const Real w = width;
-    scene.frame(at({-0.25 * w, -0.3 * w, -0.1 * w}), at({length + 0.6 * w, 1.3 * w, 1.1 * w}));
+    const auto [L, w] = drawn_size();
+    scene.frame(at({-0.25 * w, -0.3 * w, -0.1 * w}), at({L + 0.8 * w, 1.3 * w, 1.1 * w}));
 }
 
 // The deformed surface; a field of elements colours each facet by the element that it bounds.
@@ -79,26 +89,29 @@ void ModuliLesson::draw_body(Scene& scene) const {
     surface.pick.pickable = true;
     surface.pick.on = On::element;
     scene.triangles.push_back(std::move(surface));
-    scene.box(at(Vec<3>::Zero()), at({length, width, width}), Ink::rest, 2, true);
+    const auto [L, w] = drawn_size();
+    scene.box(at(Vec<3>::Zero()), at({L, w, w}), Ink::rest, 2, true);
 }
 
 // A plate behind the face that is held.
 void ModuliLesson::draw_supports(Scene& scene) const {
     if (test == Test::pressure) return;
-    const Real w = width, out = 0.2 * w, below = -0.004 * w;
+    const auto [L, w] = drawn_size();
+    const Real out = 0.2 * w, below = -0.004 * w;
     TriangleMarks plate{.corners = {}, .triangles = {{0, 1, 2}, {0, 2, 3}}, .ink = Ink::fixed, .opacity = 0.45f};
     if (test == Test::tension)
         plate.corners = {at({below, -out, -out}), at({below, w + out, -out}), at({below, w + out, w + out}),
                          at({below, -out, w + out})};
     else
-        plate.corners = {at({-out, below, -out}), at({length + out, below, -out}), at({length + out, below, w + out}),
+        plate.corners = {at({-out, below, -out}), at({L + out, below, -out}), at({L + out, below, w + out}),
                          at({-out, below, w + out})};
     scene.triangles.push_back(std::move(plate));
 }
 
 void ModuliLesson::draw_tension(Scene& scene) const {
-    const Real L = length, w = width, reach = 0.4 * w * std::abs(level_[0]) / static_cast<Real>(load_levels);
-    const Vec<3> low = drawn_exact({L, 0, 0}), high = drawn_exact({L, w, w});
+    const auto [L, w] = drawn_size();
+    const Real reach = 0.4 * w * std::abs(level_[0]) / static_cast<Real>(load_levels);
+    const Vec<3> low = drawn_exact({length, 0, 0}), high = drawn_exact({length, width, width});
 
     // The pull on the free end. A push is drawn towards the face.
     if (level() > 0 && load != 0) {
@@ -117,21 +130,23 @@ void ModuliLesson::draw_tension(Scene& scene) const {
 
     // Length below the front edge, lengthening beyond it; width across the middle.
     const Real below = -0.2 * w, front = 1.02 * w;
-    scene.dimension_line(at({0, below, w}), at({L, below, w}), fmt::format("L = {}", format_quantity(L, "m")), 0, 16);
+    scene.dimension_line(at({0, below, w}), at({L, below, w}), fmt::format("L = {}", format_quantity(length, "m")), 0, 16);
     scene.line(at({L, 0, w}), at({L, 1.4 * below, w}), Ink::rest);
-    if (const Real longer = specimen_->strain(displacement_) * L; longer != 0) {
+    if (const Real longer = specimen_->strain(displacement_) * length; longer != 0) {
         scene.line(at({high[0], below, w}), at({L, below, w}), Ink::accent, 4);
         scene.line(at({high[0], low[1], high[2]}), at({high[0], 1.4 * below, w}), Ink::accent);
         scene.label(at({0.5 * (L + high[0]), 1.4 * below, w}), fmt::format("ΔL = {}", format_quantity(longer, "m")), Ink::accent,
                     0, 14);
     }
-    scene.dimension_line(at({0.5 * L, w, front}), at({0.5 * L, 0, front}), fmt::format("w = {}", format_quantity(w, "m")), 46, 0);
+    scene.dimension_line(at({0.5 * L, w, front}), at({0.5 * L, 0, front}), fmt::format("w = {}", format_quantity(width, "m")), 46,
+                         0);
     scene.label(at({0, 1.2 * w, 0.5 * w}), fmt::format("A = {}", format_quantity(specimen_->area(), "m²")), Ink::fixed, 0, -26);
 }
 
 void ModuliLesson::draw_shear(Scene& scene) const {
-    const Real L = length, w = width, reach = 0.5 * w * level_[0] / static_cast<Real>(load_levels) * (load < 0 ? -1 : 1);
-    const Vec<3> shift = drawn_exact({0, w, 0}) - Vec<3>(0, w, 0);
+    const auto [L, w] = drawn_size();
+    const Real reach = 0.5 * w * level_[0] / static_cast<Real>(load_levels) * (load < 0 ? -1 : 1);
+    const Vec<3> shift = drawn_exact({0, width, 0}) - Vec<3>(0, w, 0);
 
     // The shear along the top, and the support's answer below.
     if (reach != 0 && load != 0) {
@@ -155,8 +170,8 @@ void ModuliLesson::draw_shear(Scene& scene) const {
 
     // Sideways shift over height, on the front face.
     const Real front = 1.005 * w;
-    scene.dimension_line(at({-0.1 * w, 0, w}), at({-0.1 * w, w, w}), fmt::format("L = {}", format_quantity(w, "m")), -46, 0);
-    if (const Real shifted = specimen_->strain(displacement_) * w; shifted != 0) {
+    scene.dimension_line(at({-0.1 * w, 0, w}), at({-0.1 * w, w, w}), fmt::format("L = {}", format_quantity(width, "m")), -46, 0);
+    if (const Real shifted = specimen_->strain(displacement_) * width; shifted != 0) {
         scene.line(at({0, 1.04 * w, front}), at(Vec<3>(0, 1.04 * w, front) + shift), Ink::accent, 4);
         scene.line(at({0, 0, front}), at({0, w, front}), Ink::accent);
         scene.line(at({0, 0, front}), at(Vec<3>(0, w, front) + shift), Ink::accent, 2.5f);
@@ -167,8 +182,9 @@ void ModuliLesson::draw_shear(Scene& scene) const {
 }
 
 void ModuliLesson::draw_pressure(Scene& scene) const {
-    const Real L = length, w = width, gap = 0.03 * w, reach = 0.35 * w * level_[0] / static_cast<Real>(load_levels);
-    const Vec<3> low = drawn_exact(Vec<3>::Zero()), high = drawn_exact({L, w, w});
+    const auto [L, w] = drawn_size();
+    const Real gap = 0.03 * w, reach = 0.35 * w * level_[0] / static_cast<Real>(load_levels);
+    const Vec<3> low = drawn_exact(Vec<3>::Zero()), high = drawn_exact({length, width, width});
 
     // Arrows onto the three faces that can be seen (off them under a negative pressure).
     if (level() > 0 && load != 0) {
@@ -193,11 +209,15 @@ void ModuliLesson::draw_pressure(Scene& scene) const {
         scene.label(at({0.5 * L, high[1] + reach, 0.5 * w}), fmt::format("ΔV/V = {}", format_quantity(strains_[level()], "")),
                     Ink::accent, 0, -34);
     }
-    scene.dimension_line(at({0, -0.14 * w, w}), at({L, -0.14 * w, w}), fmt::format("L = {}", format_quantity(L, "m")), 0, 16);
+    scene.dimension_line(at({0, -0.14 * w, w}), at({L, -0.14 * w, w}), fmt::format("L = {}", format_quantity(length, "m")), 0,
+                         16);
 }
 
 void ModuliLesson::write_notes(Scene& scene) const {
     scene.notes.push_back(fmt::format("deformation drawn ×{}", format_quantity(drawn_magnification(), "")));
+    const Vec<3> stretch = drawn_stretch();
+    if (stretch[1] > 1) scene.notes.push_back(fmt::format("width drawn ×{}", format_quantity(stretch[1], "", 2)));
+    if (stretch[0] > 1) scene.notes.push_back(fmt::format("length drawn ×{}", format_quantity(stretch[0], "", 2)));
     const std::optional<Real> modulus = measured_modulus();
     if (!modulus) return;
     const std::string stress = format_quantity(stresses_[level()], "Pa"), strain = format_quantity(strains_[level()], ""),

@@ -191,17 +191,11 @@ Vec<2> NavierStokes::stirrer_heading() const {
 }
 
 void NavierStokes::external_forces() {
-    // m/s²: full strength in the middle, nothing beyond four radii.
-    const auto bell = [](const Vec<2>& r, Real radius) {
-        const Real square = r.squaredNorm() / (radius * radius);
-        return square < 16 ? std::exp(Real(-0.5) * square) : 0;
-    };
-    const Vec<2> stirrer = stirrer_place(), push = stirred() ? Vec<2>(stirring * stirrer_heading()) : Vec<2>(Vec<2>::Zero());
-    const Vec<2> hand = pull_ ? Vec<2>(pull_->from.head<2>()) : Vec<2>(Vec<2>::Zero());
-    const Vec<2> jet = pull_ ? Vec<2>(pull_stiffness * (pull_->to - pull_->from).head<2>()) : Vec<2>(Vec<2>::Zero());
-    add_force(*grid_, velocity_, dt, [&](const Vec<2>& x) -> Vec<2> {
-        return bell(x - stirrer, stirrer_radius) * push + bell(x - hand, pull_radius) * jet;
-    });
+    if (stirred()) add_jet<2>(*grid_, velocity_, dt, stirrer_place(), stirrer_radius, stirring * stirrer_heading());
+    if (pull_) {
+        const Vec<3> drawn = pull_->to - pull_->from;
+        add_jet<2>(*grid_, velocity_, dt, pull_->from.head<2>(), pull_radius, pull_stiffness * drawn.head<2>());
+    }
     fields_of_flow_.renew();
 }
 

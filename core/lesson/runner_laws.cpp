@@ -1,0 +1,81 @@
+// What a run measures, and whether its conserved quantities hold.
+#include <pliant/lesson/runner.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+
+Real Runner::time() const { return base_time_ + static_cast<Real>(step_ - base_step_) * base_dt_; }
+
+namespace {
+std::optional<Real> finite(std::optional<Real> value, const Probe& probe, Index step, Real time) {
+    if (value && !std::isfinite(*value))
+        throw Diverged({.stage = {},
+                        .field = std::string(probe.name),
+                        .index = -1,
+                        .step = step,
+                        .time = time,
+                        .what = "the probe is not finite",
+                        .limit = {}});
+    return value;
+}
+}  // namespace
+
+std::optional<Real> Runner::value(const Probe& probe) const { return finite(probe.value(), probe, step_, time()); }
+
+std::optional<Real> Runner::exact(const Probe& probe) const {
+    return probe.exact ? finite(probe.exact(time()), probe, step_, time()) : std::nullopt;
+}
+
+void Runner::renew_references() {
+    references_.assign(lesson_->conserved.size(), std::nullopt);
+    update_references();
+}
+
+void Runner::update_references() {
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+        const Conserved& c = lesson_->conserved[i];
+        if (c.expected && !c.expected())
+            references_[i].reset();
+        else if (!references_[i])
+            references_[i] = lesson_->probe(c.probe).value();
+    }
+}
+
+Real Runner::drift(std::size_t i) const {
+    const Conserved& c = lesson_->conserved[i];
+    const std::optional<Real> now = value(lesson_->probe(c.probe));
+    if (!now || !references_[i]) return 0;
+    switch (c.law) {
+        case Law::constant:
+            return std::abs(*now - *references_[i]);
+        case Law::never_grows:
+            return std::max(Real{0}, *now - *references_[i]);
+        case Law::zero:
+            return std::abs(*now);
+    }
+    return 0;
+}
+
+std::vector<std::size_t> Runner::shown_laws() const {
+    const auto& laws = lesson_->conserved;
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+        const auto of_same_probe = [&](std::size_t j) { return laws[j].probe == laws[i].probe; };
+        const auto rival = std::ranges::find_if(shown, of_same_probe);
+        if (rival == shown.end())
+            shown.push_back(i);
+        else if (holds(*rival) == Holds::not_expected && holds(i) != Holds::not_expected)
+            *rival = i;
+    }
+    return shown;
+}
+
+Holds Runner::holds(std::size_t i) const {
+    const Conserved& c = lesson_->conserved[i];
+    if (!references_[i] || (c.expected && !c.expected())) return Holds::not_expected;
+    return drift(i) <= c.tolerance() ? Holds::yes : Holds::no;
+}
+
+}  // namespace pliant

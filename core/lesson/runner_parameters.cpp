@@ -1,0 +1,117 @@
+// How parameters, scenes and events reach a lesson; how a run starts.
+#include <pliant/lesson/runner.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pliant {
+
+Runner::Values Runner::parse(const Assignments& assignments) const {
+    Values values;
+    for (const auto& [key, text] : assignments) {
+        Parameter& p = lesson_->parameter(key);
+        values.emplace_back(&p, p.parse(text));
+    }
+    return values;
+}
+
+void Runner::write(const Values& values) {
+    std::vector<Real> before;
+    for (const Parameter* p : lesson_->parameters) before.push_back(p->value());
+    try {
+        for (const auto& [parameter, value] : values) parameter->set(value);
+        lesson_->check();
+    } catch (...) {
+        for (std::size_t i = 0; i < before.size(); ++i) lesson_->parameters[i]->set(before[i]);
+        throw;
+    }
+}
+
+void Runner::assign(const Assignments& assignments) { write_or_reset(parse(assignments)); }
+
+void Runner::assign(std::string_view key, Real value) { write_or_reset({{&lesson_->parameter(key), value}}); }
+
+void Runner::write_or_reset(const Values& values) {
+    const bool rebuild = std::ranges::any_of(
+        values, [](const auto& v) { return v.first->info.effect == Effect::rebuild && v.first->value() != v.second; });
+    if (!rebuild && inside_step()) {
+        for (const auto& [parameter, value] : values) parameter->check(value);
+        pending_.insert(pending_.end(), values.begin(), values.end());
+        return;
+    }
+    std::vector<Real> before;
+    for (const Parameter* p : lesson_->parameters) before.push_back(p->value());
+    write(values);
+    if (!rebuild) return renew_references();
+    try {
+        reset();
+    } catch (const Error&) {
+        for (std::size_t i = 0; i < before.size(); ++i) lesson_->parameters[i]->set(before[i]);
+        reset();
+        throw;
+    }
+}
+
+void Runner::load(const Assignments& assignments) {
+    Values values;
+    for (Parameter* p : lesson_->parameters) values.emplace_back(p, p->info.initial);
+    for (const auto& value : parse(assignments)) values.push_back(value);
+    pending_.clear();
+    write(values);
+    reset();
+}
+
+Real Runner::wanted(const Parameter& parameter) const {
+    for (auto it = pending_.rbegin(); it != pending_.rend(); ++it)
+        if (it->first == &parameter) return it->second;
+    return parameter.value();
+}
+
+void Runner::pull(const std::optional<Pull>& pull) { pull_ = pull; }
+
+void Runner::set_events(std::vector<Event> events) {
+    std::ranges::stable_sort(events, {}, &Event::step);
+    for (const Event& e : events) parse(e.assign);
+    events_ = std::move(events);
+}
+
+void Runner::apply_events() {
+    for (const Event& e : events_) {
+        if (e.step != step_) continue;
+        if (!e.assign.empty()) write(parse(e.assign));
+        if (e.pull) pull_ = e.pull;
+        if (e.release) pull_.reset();
+    }
+}
+
+void Runner::reset() {
+    lesson_->check();
+    pending_.clear();
+    pull_.reset();
+    history_.clear();
+    std::ranges::fill(costs_, StageCost{});
+    step_ms_ = 0;
+    start_fresh();
+}
+
+// The initial state, without touching the stored past.
+void Runner::start_fresh() {
+    lesson_->pull(std::nullopt);
+    lesson_->reset();
+    failure_.reset();
+    step_ = passes_ = stage_passes_ = base_step_ = 0;
+    base_time_ = 0, base_dt_ = lesson_->time_step();
+    stage_ = 0;
+    last_stage_.reset();
+    stage_ends_.clear(), previous_ends_.clear();
+    collect_active();
+    renew_references();
+}
+
+void Runner::collect_active() {
+    active_.clear();
+    for (const Stage& s : lesson_->stages)
+        if (s.in_use()) active_.push_back(&s);
+}
+
+}  // namespace pliant
