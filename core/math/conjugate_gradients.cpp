@@ -12,6 +12,7 @@
 namespace pliant {
 namespace {
 
+constexpr Index drift_check_interval = 50;
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
 void require_finite(const char* name, const VecX& values, Index size) {
@@ -83,9 +84,11 @@ void ConjugateGradients::begin(const VecX& b, const VecX& x0) {
     numbers_ = {};
     numbers_[smallest_quotient] = std::numeric_limits<Real>::max();
     numbers_[last_true_residual] = std::numeric_limits<Real>::max();
-    b_ = b;
     x_ = x0;
-    numbers_[norm_b] = b.stableNorm();
+    const Real norm = b.stableNorm();
+    numbers_[scale] = norm > 0 ? std::ldexp(1.0, std::ilogb(norm)) : 1;
+    b_ = b / numbers_[scale];
+    numbers_[norm_b] = b_.norm();
     if (numbers_[norm_b] == 0) {
         x_.setZero();
         r_.setZero();
@@ -100,8 +103,8 @@ void ConjugateGradients::begin(const VecX& b, const VecX& x0) {
 // Computes the residual anew, and stops or starts a new sequence of directions from it.
 void ConjugateGradients::check_residual() {
     matrix_(x_, Ap_);
-    r_ = b_ - Ap_;
-    const Real residual = r_.stableNorm() / numbers_[norm_b];
+    r_ = b_ - Ap_ / numbers_[scale];
+    const Real residual = r_.norm() / numbers_[norm_b];
     numbers_[residual_number] = residual;
     if (residual <= settings_.tolerance) return stop(Status::converged);
     // Fresh residuals that no longer fall are rounding.
@@ -131,13 +134,13 @@ void ConjugateGradients::iterate() {
 
     // Step to the minimum along the direction.
     const Real alpha = numbers_[r_dot_z] / curvature;
-    x_.noalias() += alpha * p_;
+    x_.noalias() += alpha * numbers_[scale] * p_;
     r_.noalias() -= alpha * Ap_;
     numbers_[iteration_number] += 1;
-    numbers_[residual_number] = r_.stableNorm() / numbers_[norm_b];
+    numbers_[residual_number] = r_.norm() / numbers_[norm_b];
 
     // The updated residual drifts from the true one by rounding, so that it only tells when to look.
-    if (residual() <= settings_.tolerance) {
+    if (residual() <= settings_.tolerance || has_drifted()) {
         check_residual();
     } else {
         preconditioner_(r_, z_);
@@ -149,6 +152,14 @@ void ConjugateGradients::iterate() {
         numbers_[p_norm] = numbers_[r_dot_z] + beta * beta * numbers_[p_norm];
     }
     if (running() && iterations() >= max_iterations_) stop(Status::capped);
+}
+
+// Now and then: is the true residual far above the updated one? Then more iterations along these directions lower only the
+// latter.
+bool ConjugateGradients::has_drifted() {
+    if (iterations() % drift_check_interval != 0) return false;
+    matrix_(x_, Ap_);
+    return residual() * numbers_[norm_b] < 0.1 * (b_ - Ap_ / numbers_[scale]).norm();
 }
 
 void ConjugateGradients::solve() {

@@ -50,9 +50,8 @@ public:
     void require_convergence() const;
 
     const VecX& x() const { return x_; }
-    const VecX& residual_vector() const { return r_; }           // b - A x
-    const VecX& direction() const { return p_; }                 // of the next search
-    Real residual() const { return numbers_[residual_number]; }  // |b - A x| / |b|; 0 when b = 0
+    void residual_vector(VecX& r) const { r = numbers_[scale] * r_; }  // b - A x
+    Real residual() const { return numbers_[residual_number]; }        // |b - A x| / |b|; 0 when b = 0
     Index iterations() const { return static_cast<Index>(numbers_[iteration_number]); }
     Index max_iterations() const { return max_iterations_; }
     Real tolerance() const { return settings_.tolerance; }
@@ -61,12 +60,13 @@ public:
 
     // Everything that the next iteration depends on, to save and restore: right side, solution, residual, direction, and numbers.
     std::array<VecX*, 4> vectors() { return {&b_, &x_, &r_, &p_}; }
-    std::array<Real, 9>& numbers() { return numbers_; }
+    std::array<Real, 10>& numbers() { return numbers_; }
 
 private:
     enum Number {
         iteration_number,
         status_number,
+        scale,
         norm_b,
         residual_number,
         r_dot_z,
@@ -78,15 +78,17 @@ private:
 
     void restart();
     void check_residual();
+    bool has_drifted();
     void stop(Status status) { numbers_[status_number] = static_cast<Real>(status); }
     [[noreturn]] void break_down(Real quotient) const;
 
     LinearMap matrix_, preconditioner_;
     Settings settings_;
     Index max_iterations_;
-    VecX b_, x_, r_, p_;  // carried from one iteration to the next
-    VecX z_, Ap_;         // preconditioned residual and A p, of one iteration
-    std::array<Real, 9> numbers_{};
+    // Carried from one iteration to the next; b, r and p in units of a power of two near |b|, so that their squares are numbers.
+    VecX b_, x_, r_, p_;
+    VecX z_, Ap_;  // preconditioned residual and A p, of one iteration
+    std::array<Real, 10> numbers_{};
 };
 
 }  // namespace pliant

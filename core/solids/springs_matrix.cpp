@@ -26,6 +26,7 @@ std::int32_t rank(const std::vector<Index>& sorted, Index node) {
 
 template <int Dim>
 SpringMatrix<Dim>::SpringMatrix(const Springs& springs) : matrix_(Dim * springs.node_count(), Dim * springs.node_count()) {
+    if (matrix_.cols() == 0) return;
     const auto rows = neighbours(springs);
     Eigen::VectorXi entries(matrix_.cols());
     for (Index column = 0; column < matrix_.cols(); ++column)

@@ -42,18 +42,25 @@ public:
             "Xvfb", Arguments{"-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24", "-nolisten", "tcp"},
             scratch.path("xvfb.out"), scratch.path("xvfb.err"), Environment{}, std::vector<int>{ends[1]});
         close(ends[1]);
-        // The server writes the number of its display once it is ready.
-        pollfd ready{ends[0], POLLIN, 0};
-        char number[16] = {};
-        const bool answered = poll(&ready, 1, 20000) > 0 && read(ends[0], number, sizeof number - 1) > 0;
+        const std::string number = line_from(ends[0]);
         close(ends[0]);
-        if (!answered) throw std::runtime_error("Xvfb does not start: " + contents_of(scratch.path("xvfb.err")));
-        display_ = ":" + std::to_string(std::atoi(number));
+        if (number.empty()) throw std::runtime_error("Xvfb does not start: " + contents_of(scratch.path("xvfb.err")));
+        display_ = ":" + number;
     }
     ~Screen() { server_->end(SIGTERM); }
     const std::string& display() const { return display_; }
 
 private:
+    // The server writes the number of its display, and the end of the line after it, once it is ready.
+    static std::string line_from(int descriptor) {
+        std::string line;
+        pollfd ready{descriptor, POLLIN, 0};
+        for (char c = 0; poll(&ready, 1, 20000) > 0 && read(descriptor, &c, 1) == 1;) {
+            if (c == '\n') return line;
+            line += c;
+        }
+        return "";
+    }
     std::unique_ptr<Child> server_;
     std::string display_;
 };

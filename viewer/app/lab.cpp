@@ -133,7 +133,7 @@ void Lab::write_and_tell(const std::string& file, const std::function<void()>& w
 
 void Lab::save_scene() {
     const std::string_view id = state_.session.entry().info.id;
-    const std::string name = file_name(id, ".scene.json");
+    const std::string name = file_name(id.substr(id.find('/') + 1), ".scene.json");
     write_and_tell(name, [&] { write_file(name, scene_text(state_.session.scene_file())); });
 }
 

@@ -24,9 +24,10 @@ void ColourRange::update(const std::vector<Real>& values) {
 
 Session::Session(std::string_view lesson_name) { open(find_lesson(lesson_name)); }
 
-void Session::open(const LessonEntry& entry, const Runner::Assignments& assignments) {
+void Session::open(const LessonEntry& entry, const Runner::Assignments& assignments, std::vector<Event> events) {
     // The new run is made before the old one is given up, so a refusal leaves everything as it was.
     auto runner = std::make_unique<Runner>(entry, assignments);
+    runner->set_events(std::move(events));
     runner_ = std::move(runner);
     entry_ = &entry;
     undo_.clear();
@@ -49,8 +50,7 @@ void Session::open_next(int direction) {
 }
 
 void Session::open_scene(const SceneFile& scene) {
-    open(find_lesson(scene.lesson), scene.parameters);
-    runner_->set_events(scene.events);
+    open(find_lesson(scene.lesson), scene.parameters, scene.events);
     camera = scene.camera;
     if (!scene.view) return;
     if (!scene.view->field.empty()) colours = {scene.view->field, scene.view->component};

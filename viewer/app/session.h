@@ -34,7 +34,7 @@ public:
     explicit Session(std::string_view lesson = "mesh/mass_spring");
 
     // --- lessons and scenes ---
-    void open(const LessonEntry& entry, const Runner::Assignments& assignments = {});
+    void open(const LessonEntry& entry, const Runner::Assignments& assignments = {}, std::vector<Event> events = {});
     void open_next(int direction);
     void open_scene(const SceneFile& scene);
     SceneFile scene_file() const;

@@ -34,6 +34,8 @@ struct LabState {
     bool focus_search = false;
     PlotPanelState plots;
 
+    bool value_changed = false;  // in the present drag of a slider, or while a number is typed: one step of undo
+
     // the scene panel
     std::optional<Picked> hovered;
     std::optional<Pull> pulling;

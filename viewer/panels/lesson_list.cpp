@@ -23,7 +23,10 @@ bool matches(const LessonEntry& e, const std::string& search) {
 void search_box(LabState& lab) {
     char buffer[64] = {};
     lab.search.copy(buffer, sizeof buffer - 1);
-    if (std::exchange(lab.focus_search, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(lab.focus_search, false)) {
+        ImGui::SetWindowFocus();  // ImGui gives the keys only to a control of the window that has them already
+        ImGui::SetKeyboardFocusHere();
+    }
     ImGui::SetNextItemWidth(-1);
     const bool entered =
         ImGui::InputTextWithHint("##search", "find a lesson (F)", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -41,14 +42,18 @@ void number_slider(LabState& lab, const Parameter& p) {
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
                                    (p.info.scale == Scale::log ? ImGuiSliderFlags_Logarithmic : 0);
     const ImGuiID id = ImGui::GetID("##value");
-    const bool was_active = ImGui::GetActiveID() == id;
+    const bool typing = ImGui::TempInputIsActive(id);
     // The value stands above the slider; while one is typed, it is shown in full.
-    const char* format = ImGui::TempInputIsActive(id) || ImGui::GetIO().KeyCtrl ? "%.10g" : "";
-    if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, format, flags)) {
-        if (p.info.kind == Kind::whole) value = std::round(value);
-        session.assign(p, value, was_active);
+    const char* format = typing || ImGui::GetIO().KeyCtrl ? "%.10g" : "";
+    const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, format, flags);
+    if (!typing && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        ImGui::ClearActiveID();  // else the button that is still down would set the value again
+        return session.restore_default(p);
     }
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) session.restore_default(p);
+    if (ImGui::IsItemActivated()) lab.value_changed = false;
+    if (!changed) return;
+    if (p.info.kind == Kind::whole) value = std::round(value);
+    session.assign(p, value, std::exchange(lab.value_changed, true));
 }
 
 void choice_box(LabState& lab, const Parameter& p) {

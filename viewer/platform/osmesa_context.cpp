@@ -20,21 +20,14 @@ public:
     explicit OsmesaContext(Size size) : HeadlessContext(size) {
         // The same software driver on every machine, so that pictures agree.
         const ScopedEnvironment driver("GALLIUM_DRIVER", "llvmpipe");
-        const int wanted[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_DEPTH_BITS,
-                              24,
-                              OSMESA_STENCIL_BITS,
-                              8,
-                              OSMESA_PROFILE,
-                              OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION,
-                              3,
-                              OSMESA_CONTEXT_MINOR_VERSION,
-                              3,
-                              0};
+        // clang-format off
+        const int wanted[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8,
+                              OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
+                              OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+        // clang-format on
         context_ = OSMesaCreateContextAttribs(wanted, nullptr);
-        if (!context_) throw MachineLacks("OSMesa makes no OpenGL 3.3 context with llvmpipe; install libosmesa6 6.5 or newer.");
+        if (!context_)
+            throw MachineLacks("OSMesa makes no OpenGL 3.3 context with its driver llvmpipe; install a newer libosmesa6.");
         try {
             bind();
         } catch (...) {

@@ -111,7 +111,7 @@ void ModuliLesson::reset() {
     const SparseMatrix& K = specimen_->problem().system().matrix();
     solver_ = std::make_unique<ConjugateGradients>(K.rows(), product_with(K), incomplete_cholesky_preconditioner(K),
                                                    ConjugateGradients::Settings{tolerance});
-    right_side_ = first_guess_ = VecX::Zero(K.rows());
+    right_side_ = first_guess_ = residual_vector_ = VecX::Zero(K.rows());
 
     for (Points<3>* nodal : {&displacement_, &reaction_, &load_force_, &residual_force_})
         nodal->setZero(3, specimen_->mesh().node_count());
@@ -179,7 +179,8 @@ void ModuliLesson::solve_pass() {
     iterations_[0] += static_cast<Real>(solver_->iterations() - before);
     residual_[0] = solver_->residual();
     specimen_->problem().displacement(solver_->x(), displacement_);
-    specimen_->problem().spread(solver_->residual_vector(), residual_force_);
+    solver_->residual_vector(residual_vector_);
+    specimen_->problem().spread(residual_vector_, residual_force_);
 }
 
 void ModuliLesson::end_solve() {

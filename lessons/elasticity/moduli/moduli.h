@@ -74,7 +74,7 @@ private:
 
     std::unique_ptr<Specimen> specimen_;
     std::unique_ptr<ConjugateGradients> solver_;
-    VecX right_side_, first_guess_;
+    VecX right_side_, first_guess_, residual_vector_;
     bool advancing_ = false;  // does this pass through the stages go on to another load?
 
     // What defines now: displacement and support forces [m, N], measured points, loads done, iterations spent, residual left.

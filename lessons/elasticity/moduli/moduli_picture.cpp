@@ -25,18 +25,20 @@ Position at(const Vec<3>& x) { return position<3>(x); }
 
 }  // namespace
 
-// So that the largest displacement of the full load is drawn as about a sixth of the block: the same in every step of a test.
+// So that the full load is drawn as a strain of about 0.08 to 0.2, and every load of a test alike.
 Real ModuliLesson::drawn_magnification() const {
     if (magnification > 0) return magnification;
-    const Vec<3> size(length, width, width);
-    const Real full = specimen_->exact_displacement(load, size).cwiseQuotient(size).cwiseAbs().maxCoeff();
+    const Vec<3> u = specimen_->exact_displacement(load, {length, width, width});
+    const Vec<3> along(test == Test::shear ? width : length, width, width);
+    const Real full = u.cwiseQuotient(along).cwiseAbs().maxCoeff();
     if (full == 0) return 1;
     const Real wanted = round_down(0.2 / full);
     return wanted < 1 && full < 0.6 ? 1 : wanted;
 }
 
-// Scale of the drawn block along each axis; 1 unless the block is very long or very flat.
+// Scale of the drawn block along each axis; 1 unless the block is very long or very flat. In shear it would change the angle.
 Vec<3> ModuliLesson::drawn_stretch() const {
+    if (test == Test::shear) return Vec<3>::Ones();
     const Real slender = length / width / drawn_slenderness, flat = width / length / drawn_slenderness;
     const Real across = std::max<Real>(1, slender);
     return {std::max<Real>(1, flat), across, across};
@@ -145,7 +147,7 @@ void ModuliLesson::draw_tension(Scene& scene) const {
 
 void ModuliLesson::draw_shear(Scene& scene) const {
     const auto [L, w] = drawn_size();
-    const Real reach = 0.5 * w * level_[0] / static_cast<Real>(load_levels) * (load < 0 ? -1 : 1);
+    const Real reach = std::min(0.5 * w, 0.26 * L) * level_[0] / static_cast<Real>(load_levels) * (load < 0 ? -1 : 1);
     const Vec<3> shift = drawn_exact({0, width, 0}) - Vec<3>(0, w, 0);
 
     // The shear along the top, and the support's answer below.

@@ -50,6 +50,7 @@ NavierStokes::NavierStokes()
       dt(*this, {.key = "time_step",
                  .symbol = "Δt",
                  .unit = "s",
+                 .help = "fixed; semi-Lagrangian advection is stable at any, and accurate while CFL stays small",
                  .initial = 0.02,
                  .useful = {1e-3, 0.5},
                  .accepted = Interval{0, 10, true},
