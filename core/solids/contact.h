@@ -19,7 +19,7 @@ void require_valid(const Ground& ground);
 
 // Puts every node below the ground back onto it. A node that moves down rebounds with `restitution` of its speed, and friction
 // takes at most `friction` times the normal change of velocity from the speed along the ground, and never reverses it
-// [Bridson2002 §4.1]. Where friction changes a velocity, the distance that it had moved the node during `moved_for` seconds
+// [Bridson2002]. Where friction changes a velocity, the distance that it had moved the node during `moved_for` seconds
 // changes with it: the time step for semi-implicit Euler, so that a node that sticks does not creep; 0 for explicit Euler, which
 // has not moved with that velocity, and for implicit schemes, whose stiff springs a moved node would load. arrested: speed that
 // the ground already took from each node while integrating, m/s, or empty. Fixed nodes are left alone. Returns how many

@@ -65,7 +65,7 @@ enum class SpringDamping {
     projected  // f_i = k_d (v_ij . x_ij / x_ij . x_ij) x_ij: damps only the change of length
 };
 
-// f_i += k (|x_ij| - l) x_ij / |x_ij|, f_j -= the same, N [Nealen2006 §3.1].
+// f_i += k (|x_ij| - l) x_ij / |x_ij|, f_j -= the same, N [Nealen2006 §3].
 template <int Dim>
 void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f);
 
@@ -73,7 +73,7 @@ void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f
 template <int Dim>
 Real spring_energy(const Springs& springs, PointsIn<Dim> x);
 
-// Adds damping forces, N [Nealen2006 §3.1]. Each formula is -C v with a symmetric, positive semidefinite C that depends on the
+// Adds damping forces, N [Nealen2006 §3]. Each formula is -C v with a symmetric, positive semidefinite C that depends on the
 // positions alone.
 template <int Dim>
 void add_damping_forces(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, PointsIn<Dim> v, PointsOut<Dim> f);

@@ -5,7 +5,7 @@
 namespace pliant {
 
 // Which second derivatives of the spring energy to take: as they are, or with each spring's negative curvature (across a
-// compressed spring, 1 - l/|x_ij| < 0) set to zero, which makes the sum positive semidefinite [Choi2002 §4.2].
+// compressed spring, 1 - l/|x_ij| < 0) set to zero, which makes the sum positive semidefinite [Choi2002].
 enum class SpringCurvature { exact, positive };
 
 // A sparse symmetric matrix with a Dim x Dim block for every node and every spring. The pattern is analysed once; filling
@@ -19,7 +19,7 @@ public:
     void set_zero() { matrix_.coeffs().setZero(); }
 
     // Adds K = -df/dx of add_spring_forces, N/m: each spring gives k (n n^T + (1 - l/|x_ij|)(I - n n^T)), n = x_ij/|x_ij|, to the
-    // blocks of its nodes and its negative between them [Baraff1998 §4.1]. A spring of length 0 gives k I for l = 0, else 0.
+    // blocks of its nodes and its negative between them [Baraff1998]. A spring of length 0 gives k I for l = 0, else 0.
     void add_stiffness(const Springs& springs, PointsIn<Dim> x, SpringCurvature curvature);
 
     // Adds factor C, where -C v is what add_damping_forces adds; C is in N s/m.

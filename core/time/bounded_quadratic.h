@@ -12,7 +12,7 @@ namespace pliant {
 
 // Minimises 1/2 d . H d + g . d over d >= lower, with d = 0 where `fixed`, by the primal-dual active set method: variables that
 // would pass their bound are held on it, those that the bound would have to pull are let go, until nothing changes
-// [Hintermueller2003 §2]. Each pass factorises H with the held variables taken out; the pattern is analysed once.
+// [Hintermueller2003]. Each pass factorises H with the held variables taken out; the pattern is analysed once.
 class BoundedQuadratic {
 public:
     explicit BoundedQuadratic(std::vector<char> fixed) : fixed_(std::move(fixed)), held_(fixed_) {}

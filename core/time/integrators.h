@@ -11,7 +11,7 @@ namespace pliant {
 // Throws Refused unless dt is positive and finite.
 void require_time_step(Real dt);
 
-// Forward Euler: x += dt v, then v += dt M^-1 f, with v of the start in the first [Nealen2006 §2.3].
+// Forward Euler: x += dt v, then v += dt M^-1 f, with v of the start in the first [Nealen2006 §2].
 void explicit_euler(Real dt, const DiagonalMass& mass, ConstDofs f, Dofs x, Dofs v);
 
 // Semi-implicit (symplectic) Euler: v += dt M^-1 f, then x += dt v with the new v [Hairer2006 §I.1.2].

@@ -148,3 +148,14 @@ TEST_CASE("moduli: a loose tolerance saves iterations and costs digits", "[modul
     CHECK(error_tight < 1e-10);
     CHECK(error_loose > 100 * error_tight);
 }
+
+TEST_CASE("moduli: a solver that is stopped early is told by name and residual, and leaves finite numbers", "[moduli]") {
+    const Runner runner = run_test({{"max_iterations", "1"}});
+    CHECK(measured(runner, "iterations") == 5);
+    CHECK(measured(runner, "solver_residual") > 1e-3);
+    CHECK(std::isfinite(measured(runner, "measured_modulus")));
+    const auto& assumptions = runner.lesson().assumptions;
+    const auto converged = std::find_if(assumptions.begin(), assumptions.end(), [](const Assumption& a) { return a.name == "solver converged"; });
+    REQUIRE(converged != assumptions.end());
+    CHECK(converged->value() > converged->limit());
+}

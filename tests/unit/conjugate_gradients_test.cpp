@@ -197,17 +197,21 @@ TEST_CASE("Reaching the cap or the limit of rounding is not convergence", "[solv
 }
 
 TEST_CASE("A system too ill-conditioned for its tolerance is given up soon, with the residual that was reached", "[solvers]") {
-    // Condition number about 1e14: rounding hides the residual long before 1e-12.
-    const Index n = 200;
-    VecX units(n);
-    for (Index i = 0; i < n; ++i) units[i] = std::pow(10.0, 5.0 * static_cast<Real>(i) / n);
-    const SparseMatrix A = units.asDiagonal() * chain(n, true) * units.asDiagonal();
-    const VecX b = VecX::Ones(n);
-    ConjugateGradients cg(n, product_with(A), no_preconditioner(), {1e-15, 1000000});
+    // A penalty of 1e11 on the sum of each pair of unknowns, as that on the volume of a nearly incompressible body.
+    const Index n = 60;
+    SparseMatrix A = chain(n, true);
+    for (Index i = 0; i < n; ++i) {
+        A.coeffRef(i, i) += 1e11;
+        A.coeffRef(i, i ^ 1) += 1e11;
+    }
+    A.makeCompressed();
+    Numbers numbers;
+    const VecX b = numbers.vector(n);
+    ConjugateGradients cg(A, {1e-14, 1000000});
     cg.begin(b, VecX::Zero(n));
     cg.solve();
     CHECK(cg.status() == Status::stagnated);
-    CHECK(cg.iterations() < 100 * n);
+    INFO(cg.iterations());CHECK(cg.iterations() < 1);
     CHECK(std::abs((b - A * cg.x()).norm() / b.norm() - cg.residual()) < 1e-3 * cg.residual());
 }
 

@@ -219,6 +219,22 @@ TEST_CASE("Units are always on the picture") {
     }
 }
 
+TEST_CASE("A label that begins with the title takes its place and leaves more room for the picture") {
+    const auto layout = [](const std::string& label) {
+        const Axes axes{{"time t", "s"}, {label, "J"}};
+        PlotMemory memory;
+        return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 0.01)), series("b", {}, {}))), memory,
+                    {380, 170})
+            .layout;
+    };
+    const PlotLayout same = layout("Energy E"), other = layout("kinetic E");
+    CHECK(same.title.text == "Energy E - 2000000 J [mJ]");
+    CHECK(same.y_label.text.empty());
+    CHECK(other.title.text == "Energy");
+    CHECK(other.y_label.text == "kinetic E - 2000000 J [mJ]");
+    CHECK(same.area.height() > other.area.height());
+}
+
 TEST_CASE("An empty plot says what to do, and one whose curves cannot be seen says why") {
     const auto hint = [](PlotModel model, std::vector<std::string> hidden = {}) {
         PlotMemory memory;

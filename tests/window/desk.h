@@ -17,8 +17,8 @@ namespace pliant::test {
 using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
-// The lab needs a frame to see a pointer move, a button go down and a button go up.
-inline constexpr auto a_moment = 300ms;
+// Frames that the lab needs to see one thing of the mouse or the keys. ImGui takes up one change of a button in a frame.
+inline constexpr long frames_to_notice = 4;
 
 inline bool on_path(const std::string& program) {
     std::istringstream folders(std::getenv("PATH") ? std::getenv("PATH") : "");
@@ -103,30 +103,37 @@ public:
     bool becomes(const std::string& key, const Json& value) const {
         return becomes([&](const Json& s) { return s[key] == value; });
     }
-    // The same, and stays so for a moment.
+    // The same, and stays so for some frames.
     bool stays(const std::string& key, const Json& value) const {
         if (!becomes(key, value)) return false;
-        std::this_thread::sleep_for(a_moment);
+        wait_frames(2 * frames_to_notice);
         return state()[key] == value;
     }
+    void wait_frames(long count) const {
+        const long first = state()["frame"];
+        std::this_thread::sleep_for(30ms);
+        becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count; }, 30s);
+    }
 
-    void key(const std::string& name) { xdotool({"key", name}), rest(); }
-    void type(const std::string& text) { xdotool({"type", "--delay", "40", text}), rest(); }
-    void move(Spot s) { xdotool({"mousemove", "--window", window_, std::to_string(s.x), std::to_string(s.y)}), rest(); }
-    void press() { xdotool({"mousedown", "1"}), rest(); }
-    void release() { xdotool({"mouseup", "1"}), rest(); }
+    // Presses a key, or several at once as "ctrl+z", and lets go.
+    void key(const std::string& name) { act({"key", name}, 2 * frames_to_notice); }
+    void type(const std::string& text) {
+        act({"type", "--delay", "20", text}, frames_to_notice * static_cast<long>(text.size()));
+    }
+    void move(Spot s) { act({"mousemove", "--window", window_, std::to_string(s.x), std::to_string(s.y)}); }
+    void press() { act({"mousedown", "1"}); }
+    void release() { act({"mouseup", "1"}); }
+    void hold(const std::string& name) { act({"keydown", name}); }
+    void let_go(const std::string& name) { act({"keyup", name}); }
     void click(Spot s) { move(s), press(), release(); }
     void click(const std::string& control) { click(on(control)); }
+    void drag(Spot from, Spot to) { move(from), press(), move({(from.x + to.x) / 2, (from.y + to.y) / 2}), move(to), release(); }
     // As a hand does it: the second press is held for some frames.
     void double_click(Spot s) {
         move(s);
-        xdotool({"mousedown", "1", "sleep", "0.04", "mouseup", "1", "sleep", "0.06", "mousedown", "1", "sleep", "0.12", "mouseup",
-                 "1"});
-        rest();
+        act({"click", "1", "mousedown", "1"});
+        release();
     }
-    void drag(Spot from, Spot to) { move(from), press(), move({(from.x + to.x) / 2, (from.y + to.y) / 2}), move(to), release(); }
-    void hold(const std::string& name) { xdotool({"keydown", name}), rest(); }
-    void let_go(const std::string& name) { xdotool({"keyup", name}), rest(); }
 
     // The place at these fractions of a control's width and height.
     Spot on(const std::string& control, double across = 0.5, double down = 0.5) const {
@@ -146,7 +153,10 @@ public:
     std::string complaints() const { return contents_of(scratch_.path("lab.err")); }
 
 private:
-    static void rest() { std::this_thread::sleep_for(a_moment); }
+    void act(const Arguments& arguments, long frames = frames_to_notice) const {
+        xdotool(arguments);
+        wait_frames(frames);
+    }
     std::string xdotool(const Arguments& arguments) const {
         const Outcome outcome = run_process("xdotool", arguments, {{"DISPLAY", screen_.display()}}, 20s);
         INFO("xdotool " << arguments[0] << ": " << outcome.err);

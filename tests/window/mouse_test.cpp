@@ -12,15 +12,18 @@ void pause(Desk& desk) {
     REQUIRE(desk.becomes("playing", false));
 }
 
-// A place where the pointer is on something of the lesson.
-Spot find_something(Desk& desk) {
+// Takes hold of something that can be pulled, and gives the place.
+Spot grip_of(Desk& desk) {
     for (const double down : {0.5, 0.4, 0.6, 0.7, 0.3})
         for (const double across : {0.5, 0.45, 0.55, 0.4, 0.6}) {
             const Spot spot = desk.on("scene", across, down);
             desk.move(spot);
-            if (desk.state()["hovered"] >= 0) return spot;
+            if (desk.state()["hovered"] < 0) continue;
+            desk.press();
+            if (desk.state()["pulling"] >= 0) return spot;
+            desk.release();
         }
-    FAIL("nothing lies under the pointer anywhere");
+    FAIL("nothing that can be pulled lies under the pointer");
     return {};
 }
 
@@ -37,7 +40,10 @@ TEST_CASE("a click on its name opens a lesson", "[window]") {
 
 TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
     need_screen_and_mouse();
-    Desk desk({"--lesson", "elasticity/moduli"});
+    // A small body, so that every change is quick.
+    const Scratch scratch;
+    Desk desk({"--scene",
+               scratch.file("small.json", R"({"pliant": 1, "lesson": "elasticity/moduli", "parameters": {"resolution": 1}})")});
     pause(desk);
     const std::string key = "poisson_ratio";
     const double initial = desk.parameter(key);
@@ -48,6 +54,11 @@ TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
     const double dragged = desk.parameter(key);
     CHECK(std::abs(dragged - (-0.5 + 0.25 * 0.99)) < 0.05);
     CHECK(desk.stays("parameters", desk.state()["parameters"]));
+
+    // The whole drag is one step of undo.
+    desk.key("ctrl+z");
+    CHECK(desk.parameter(key) == initial);
+    desk.drag(desk.on(key), desk.on(key, 0.25));
 
     desk.double_click(desk.on(key, 0.75));
     CHECK(desk.becomes([&](const Json& s) { return s["parameters"][key] == "0.3"; }));
@@ -69,6 +80,8 @@ TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
 
     desk.key("ctrl+z");
     CHECK(desk.parameter(key) == 0.125);
+    desk.key("ctrl+z");
+    CHECK(desk.parameter(key) == initial);
 }
 
 TEST_CASE("a choice is made from its list", "[window]") {
@@ -107,9 +120,7 @@ TEST_CASE("the body is pulled with the mouse", "[window]") {
     need_screen_and_mouse();
     Desk desk;
     pause(desk);
-    const Spot grip = find_something(desk);
-    desk.press();
-    REQUIRE(desk.becomes([](const Json& s) { return s["pulling"] >= 0; }));
+    const Spot grip = grip_of(desk);
     const Json before = desk.state();
     desk.move({grip.x + 60, grip.y - 120});
     CHECK(desk.state()["pulling"] == before["pulling"]);

@@ -29,16 +29,13 @@ std::string state_json(const LabState& lab) {
     j["layout"] = lab.layout == Layout::lab ? "lab" : "slide";
     j["scale"] = lab.scale;
     j["help"] = lab.help_shown;
+    j["frame"] = ImGui::GetFrameCount();
     for (const auto& [name, c] : lab.controls) j["controls"][name] = {c.x, c.y, c.width, c.height};
     return j.dump(1) + "\n";
 }
 
 void StateReport::write(const LabState& lab) {
-    if (path_.empty()) return;
-    std::string text = state_json(lab);
-    if (text == last_) return;
-    write_file(path_, text);
-    last_ = std::move(text);
+    if (!path_.empty()) write_file(path_, state_json(lab));
 }
 
 }  // namespace pliant::viewer

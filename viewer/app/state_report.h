@@ -1,4 +1,4 @@
-// The state of the lab as a file, rewritten when it changes: tests that drive the window by mouse and keys read it back, and so
+// The state of the lab as a file, rewritten in every frame: tests that drive the window by mouse and keys read it back, and so
 // can a screen reader.
 #pragma once
 #include "panels/lab_state.h"
@@ -19,7 +19,7 @@ public:
     void write(const LabState& lab);
 
 private:
-    std::string path_, last_;
+    std::string path_;
 };
 
 }  // namespace pliant::viewer

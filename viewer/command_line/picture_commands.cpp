@@ -80,7 +80,11 @@ std::vector<TourStop> stops_of(const LessonEntry& entry) {
 std::string visit(Lab& lab, Context& context, const TourStop& stop, const std::filesystem::path& folder) {
     Session& s = lab.session();
     s.open_scene(stop.scene);
-    s.run(s.runner().is_static() ? Until::at_rest() : Until::after_steps(s.entry().info.demo_steps));
+    try {
+        s.run(s.runner().is_static() ? Until::at_rest() : Until::after_steps(s.entry().info.demo_steps));
+    } catch (const Diverged& e) {
+        s.say(Session::Message::Kind::diverged, e.what());
+    }
     lab.state().layout = Layout::slide;
     write_png(capture(lab, context), (folder / (stop.name + ".png")).string());
     write_file((folder / (stop.name + ".csv")).string(), s.recorder().csv(s.lesson()));

@@ -25,14 +25,18 @@ public:
     PlotLayout run() {
         place_title();
         if (!small_) place_legend();
-        if (!small_) label_row_ = take_row();
+        if (!small_ && !label_is_title()) label_row_ = take_row();
         const float below = (small_ || !names_x() ? 1.4f : 2.45f) * em_;
         out_.area.min.y = inner_.min.y + 0.5f * em_;  // half a number above the top end
         out_.area.max.y = std::round(inner_.max.y - below);
         place_colour_bar();
         place_y_axis();
         place_x_axis();
-        if (!small_) place_labels();
+        if (!small_) {
+            place_colour_label();
+            place_y_label();
+            place_x_label();
+        }
         out_.usable = out_.area.width() >= least_area * em_ && out_.area.height() >= least_area * em_;
         return std::move(out_);
     }
@@ -53,17 +57,22 @@ private:
         return memory.fixed ? text + (text.empty() ? "fixed range" : " · fixed range") : text;
     }
 
+    // A label that begins with the title says it all: it takes its place.
+    bool label_is_title() const { return !small_ && !model_.heat && model_.axes.y.label.starts_with(model_.title); }
+
     void place_title() {
         const float row = take_row();
         out_.menu = {{inner_.max.x - 1.1f * em_, row}, {inner_.max.x, row + em_}};
         const float room = out_.menu.min.x - inner_.min.x - 0.4f * em_;
-        std::string title = model_.title;
-        if (small_) {
-            const Ticks y = view_.has_data ? ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, em_ * 4, true, canvas_)
-                                           : Ticks{{}, model_.axes.y.unit, ""};
-            const std::string tail = axis_text("", {{}, y.unit, y.offset});
-            if (!tail.empty() && !model_.heat) title = fit(title, room - width(tail) - width(" ")) + " " + tail;
+        // The unit and the offset that the numbers of y will have, nearly.
+        Ticks y{{}, model_.axes.y.unit, ""};
+        if (view_.has_data && (small_ || label_is_title())) {
+            const float height = std::max(4 * em_, out_.whole.height() - 5 * em_);
+            y = ticks_that_fit(view_.y, view_.y_scale, model_.axes.y.unit, height, true, canvas_);
         }
+        std::string title = label_is_title() ? axis_label(model_.axes.y, y, memory_.y) : model_.title;
+        const std::string tail = axis_text("", {{}, y.unit, y.offset});
+        if (small_ && !model_.heat && !tail.empty()) title = fit(title, room - width(tail) - width(" ")) + " " + tail;
         out_.title = {fit(title, room), {inner_.min.x, row}};
     }
 
@@ -159,23 +168,30 @@ private:
         out_.x_label = {text, {left, out_.area.max.y + below_area * em_}};
     }
 
-    void place_labels() {
-        const std::string y = axis_label(model_.axes.y, out_.y, memory_.y);
-        float right = inner_.max.x;
-        if (model_.heat) {
-            const std::string colours = axis_text(model_.heat->name, out_.colour) + (memory_.colour.fixed ? " · fixed" : "");
-            const std::string text = fit(colours, 0.55f * (inner_.max.x - inner_.min.x));
-            right = inner_.max.x - width(text);
-            out_.colour_label = {text, {right, label_row_}};
-            right -= em_;
-        }
-        out_.y_label = {fit(y, right - inner_.min.x), {inner_.min.x, label_row_}};
+    void place_colour_label() {
+        if (!model_.heat) return;
+        const std::string text = axis_text(model_.heat->name, out_.colour) + (memory_.colour.fixed ? " · fixed" : "");
+        out_.colour_label.text = fit(text, 0.55f * (inner_.max.x - inner_.min.x));
+        out_.colour_label.at = {inner_.max.x - width(out_.colour_label.text), label_row_};
+    }
 
-        const std::string x = fit(axis_label(model_.axes.x, out_.x, memory_.x), inner_.max.x - inner_.min.x);
-        const float middle = (out_.area.min.x + out_.area.max.x - width(x)) / 2;
-        out_.x_label = {x,
-                        {std::clamp(middle, inner_.min.x, std::max(inner_.min.x, inner_.max.x - width(x))),
-                         out_.area.max.y + (below_area + 1) * em_}};
+    void place_y_label() {
+        const std::string text = axis_label(model_.axes.y, out_.y, memory_.y);
+        if (label_is_title()) {
+            const bool legend_beside = !out_.legend.empty() && out_.legend[0].box.min.y == out_.title.at.y;
+            const float end = legend_beside ? out_.legend[0].box.min.x : out_.menu.min.x;
+            out_.title.text = fit(text, end - inner_.min.x - 0.4f * em_);
+        } else {
+            const float end = model_.heat ? out_.colour_label.at.x - em_ : inner_.max.x;
+            out_.y_label = {fit(text, end - inner_.min.x), {inner_.min.x, label_row_}};
+        }
+    }
+
+    void place_x_label() {
+        const std::string text = fit(axis_label(model_.axes.x, out_.x, memory_.x), inner_.max.x - inner_.min.x);
+        const float middle = (out_.area.min.x + out_.area.max.x - width(text)) / 2;
+        const float left = std::clamp(middle, inner_.min.x, std::max(inner_.min.x, inner_.max.x - width(text)));
+        out_.x_label = {text, {left, out_.area.max.y + (below_area + 1) * em_}};
     }
 
     const PlotModel& model_;

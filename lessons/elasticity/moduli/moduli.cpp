@@ -86,6 +86,14 @@ ModuliLesson::ModuliLesson()
                         .accepted = Interval{1e-15, 0.9},
                         .scale = Scale::log,
                         .effect = Effect::rebuild}),
+      max_iterations(*this, {.key = "max_iterations",
+                             .symbol = "",
+                             .help = "of the solver at each load; more are needed on fine meshes and near ν = ½",
+                             .initial = 5000,
+                             .useful = {1, 5000},
+                             .accepted = Interval{1, 1000000},
+                             .scale = Scale::log,
+                             .effect = Effect::rebuild}),
       magnification(*this, {.key = "magnification",
                             .help = "of the drawn deformation, the numbers are not touched; 0 chooses one",
                             .initial = 0,
@@ -110,7 +118,7 @@ void ModuliLesson::reset() {
     specimen_ = std::make_unique<Specimen>(test, material(), SpecimenSize{length, width, static_cast<int>(Index(resolution))});
     const SparseMatrix& K = specimen_->problem().system().matrix();
     solver_ = std::make_unique<ConjugateGradients>(K.rows(), product_with(K), incomplete_cholesky_preconditioner(K),
-                                                   ConjugateGradients::Settings{tolerance});
+                                                   ConjugateGradients::Settings{tolerance, max_iterations});
     right_side_ = first_guess_ = residual_vector_ = VecX::Zero(K.rows());
 
     for (Points<3>* nodal : {&displacement_, &reaction_, &load_force_, &residual_force_})
@@ -183,11 +191,8 @@ void ModuliLesson::solve_pass() {
     specimen_->problem().spread(residual_vector_, residual_force_);
 }
 
-void ModuliLesson::end_solve() {
-    // A residual that rounding keeps above the tolerance is told by an assumption; running out of iterations is a failure.
-    if (advancing_ && solver_->status() == ConjugateGradients::Status::capped) solver_->require_convergence();
-    specimen_->problem().reaction(displacement_, load_force_, reaction_);
-}
+// A residual that the cap on iterations or rounding leaves above the tolerance is told by an assumption.
+void ModuliLesson::end_solve() { specimen_->problem().reaction(displacement_, load_force_, reaction_); }
 
 void ModuliLesson::strain_and_stress() {
     specimen_->body().strain(displacement_, strain_);

@@ -30,7 +30,9 @@ private:
     Number youngs_modulus, poisson_ratio, load;
     Number length, width;
     Whole resolution, load_levels;
-    Number tolerance, magnification;
+    Number tolerance;
+    Whole max_iterations;
+    Number magnification;
 
     void declare_fields();
     void declare_stages();

@@ -9,6 +9,8 @@ namespace {
 
 // Beyond this the quadratic term of the strain, which Cauchy's leaves out, is no longer small.
 constexpr Real small_strain = 0.05;
+// Relative residual at which a modulus has more digits than any instrument gives.
+constexpr Real enough_digits = 1e-9;
 // Linear tetrahedra lock above it wherever the strain is not uniform.
 constexpr Real locking_ratio = 0.49;
 
@@ -200,9 +202,9 @@ void ModuliLesson::declare_checks() {
         {.name = "solver converged",
          .unit = "",
          .value = [this] { return residual_[0]; },
-         .limit = [this] { return Real(tolerance); },
-         .formula = "|f − K u| ≤ τ |f|",
-         .broken = "rounding allows no smaller residual: the measured modulus has about as many digits as the residual"}};
+         .limit = [this] { return std::max<Real>(tolerance, enough_digits); },
+         .formula = "|f − K u| ≤ max(τ, 10⁻⁹) |f|",
+         .broken = "stopped by max_iterations or by rounding: the measured modulus has about as many digits as the residual"}};
     conserved = {{.probe = "force_imbalance", .law = Law::zero, .tolerance = [this] {
                       return 1e-6 * std::abs(applied()) * specimen_->unit_load().norm();
                   }}};

@@ -32,8 +32,8 @@ public:
     void pull(const std::optional<Pull>& hand) override;
     std::string blow_up_hint() const override;
     ColourBy first_colours() const override { return {"tension", -1}; }
-    std::vector<std::string_view> first_plots() const override { return {"energy", "height", "stretch"}; }
-    std::vector<std::string_view> key_numbers() const override { return {"energy", "height", "stretch"}; }
+    std::vector<std::string_view> first_plots() const override { return {"energy", telling_probe(), "stretch"}; }
+    std::vector<std::string_view> key_numbers() const override { return first_plots(); }
 
 private:
     // --- parameters ---
@@ -65,6 +65,7 @@ private:
     bool semi_implicit() const { return integrator == Scheme::semi_implicit_euler; }
     bool grounded() const { return ground && setting != Setting::spin; }
     bool damped() const { return damping_mode != SpringDamping::none; }
+    std::string_view telling_probe() const { return setting == Setting::spin ? "angular_momentum" : held() ? "sag" : "height"; }
     bool held() const { return setting == Setting::hang; }
     bool pulled() const { return load_.pull.node >= 0 && pull_stiffness > 0; }
     Real weight_acceleration() const { return setting == Setting::spin ? Real{0} : Real{gravity}; }

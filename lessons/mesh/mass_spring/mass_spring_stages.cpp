@@ -78,7 +78,7 @@ void MassSpringLesson::declare_stages() {
          .end = [this] { end_integration(); }},
         {.name = "contact",
          .formula = "y ≥ 0;  v_y ← −e v_y;  |Δv_t| ≤ μ |Δv_y|",
-         .source = "[Bridson2002 §4.1]",
+         .source = "[Bridson2002]",
          .run = [this] { contact_stage(); },
          .reads = {"position", "velocity"},
          .writes = {"position", "velocity"},
