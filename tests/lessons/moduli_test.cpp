@@ -155,7 +155,8 @@ TEST_CASE("moduli: a solver that is stopped early is told by name and residual, 
     CHECK(measured(runner, "solver_residual") > 1e-3);
     CHECK(std::isfinite(measured(runner, "measured_modulus")));
     const auto& assumptions = runner.lesson().assumptions;
-    const auto converged = std::find_if(assumptions.begin(), assumptions.end(), [](const Assumption& a) { return a.name == "solver converged"; });
+    const auto converged =
+        std::find_if(assumptions.begin(), assumptions.end(), [](const Assumption& a) { return a.name == "solver converged"; });
     REQUIRE(converged != assumptions.end());
     CHECK(converged->value() > converged->limit());
 }

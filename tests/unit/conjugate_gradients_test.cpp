@@ -196,23 +196,25 @@ TEST_CASE("Reaching the cap or the limit of rounding is not convergence", "[solv
     CHECK_THROWS_WITH(greedy.require_convergence(), ContainsSubstring("Rounding"));
 }
 
-TEST_CASE("A system too ill-conditioned for its tolerance is given up soon, with the residual that was reached", "[solvers]") {
-    // A penalty of 1e11 on the sum of each pair of unknowns, as that on the volume of a nearly incompressible body.
-    const Index n = 60;
-    SparseMatrix A = chain(n, true);
-    for (Index i = 0; i < n; ++i) {
-        A.coeffRef(i, i) += 1e11;
-        A.coeffRef(i, i ^ 1) += 1e11;
-    }
-    A.makeCompressed();
+TEST_CASE("A residual that rounding hides is noticed on the way, not when the updated one has converged", "[solvers]") {
+    // A product with the digits of single precision: the true residual cannot fall below about 1e-7 of the right side.
+    const Index n = 400;
+    VecX units(n);
+    for (Index i = 0; i < n; ++i) units[i] = std::pow(10.0, static_cast<Real>(i) / n);
+    const SparseMatrix A = units.asDiagonal() * chain(n, true) * units.asDiagonal();
+    const LinearMap rough = [&A](const VecX& x, VecX& y) {
+        y.noalias() = A * x;
+        y = y.cast<float>().cast<Real>();
+    };
     Numbers numbers;
-    const VecX b = numbers.vector(n);
-    ConjugateGradients cg(A, {1e-14, 1000000});
-    cg.begin(b, VecX::Zero(n));
+    ConjugateGradients cg(n, rough, jacobi_preconditioner(A), {1e-15, 1000000});
+    cg.begin(numbers.vector(n), VecX::Zero(n));
     cg.solve();
     CHECK(cg.status() == Status::stagnated);
-    INFO(cg.iterations());CHECK(cg.iterations() < 1);
-    CHECK(std::abs((b - A * cg.x()).norm() / b.norm() - cg.residual()) < 1e-3 * cg.residual());
+    CHECK(cg.residual() > 1e-10);
+    CHECK(cg.residual() < 1e-3);
+    // 1200; without looking on the way it takes 1895.
+    CHECK(cg.iterations() < 1500);
 }
 
 TEST_CASE("The residual that stops the iteration is the true one", "[solvers]") {

@@ -223,7 +223,7 @@ TEST_CASE("A label that begins with the title takes its place and leaves more ro
     const auto layout = [](const std::string& label) {
         const Axes axes{{"time t", "s"}, {label, "J"}};
         PlotMemory memory;
-        return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 0.01)), series("b", {}, {}))), memory,
+        return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 0.002)), series("b", {}, {}))), memory,
                     {380, 170})
             .layout;
     };
