@@ -1,6 +1,8 @@
 // The generated pages are those that the lessons declare now.
 #include <pliant/lesson/file.h>
 #include <pliant/lesson/report.h>
+#include <fmt/format.h>
+
 #include <catch2/catch_test_macros.hpp>
 
 using namespace pliant;
@@ -11,6 +13,7 @@ TEST_CASE("documentation: the page of every lesson is up to date; scripts/docs m
         INFO(entry.info.id);
         std::string name(entry.info.id);
         std::ranges::replace(name, '/', '_');
-        CHECK(read_file(std::string(PLIANT_SOURCE_DIR) + "/docs/lessons/" + name + ".md") == describe_markdown(entry));
+        const std::string page = read_file(fmt::format("{}/docs/lessons/{}.md", PLIANT_SOURCE_DIR, name));
+        CHECK(page == describe_markdown(entry));
     }
 }

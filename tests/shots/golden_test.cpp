@@ -32,8 +32,8 @@ std::vector<Golden> goldens() {
     return {
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
-        {"mass_spring", {"mesh/mass_spring", {}, 40, small}, "time_step=0.002"},
-        {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.0002"},
+        {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
+        {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
     };
 }
 
