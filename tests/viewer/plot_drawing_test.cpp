@@ -223,8 +223,8 @@ TEST_CASE("A label that begins with the title takes its place and leaves more ro
     const auto layout = [](const std::string& label) {
         const Axes axes{{"time t", "s"}, {label, "J"}};
         PlotMemory memory;
-        return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 0.002)), series("b", {}, {}))), memory,
-                    {380, 170})
+        return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 0.002)), series("b", {}, {}))),
+                    memory, {520, 170})
             .layout;
     };
     const PlotLayout same = layout("Energy E"), other = layout("kinetic E");

@@ -115,8 +115,14 @@ public:
         becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count; }, 30s);
     }
 
-    // Presses a key, or several at once as "ctrl+z", and lets go.
-    void key(const std::string& name) { act({"key", name}, 2 * frames_to_notice); }
+    // Presses a key and lets it go; "ctrl+z" as a hand does it, with the first key held around the second.
+    void key(const std::string& name) {
+        const auto plus = name.find('+');
+        if (plus == std::string::npos) return act({"key", name}, 2 * frames_to_notice);
+        hold(name.substr(0, plus));
+        key(name.substr(plus + 1));
+        let_go(name.substr(0, plus));
+    }
     void type(const std::string& text) {
         act({"type", "--delay", "20", text}, frames_to_notice * static_cast<long>(text.size()));
     }

@@ -48,6 +48,9 @@ TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
     const std::string key = "poisson_ratio";
     const double initial = desk.parameter(key);
     CHECK(initial == 0.3);
+    const auto shows = [&](double value) {
+        return desk.becomes([&](const Json& s) { return std::stod(s["parameters"][key].get<std::string>()) == value; });
+    };
 
     // Linear from -0.5 to 0.49.
     desk.drag(desk.on(key), desk.on(key, 0.25));
@@ -57,7 +60,7 @@ TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
 
     // The whole drag is one step of undo.
     desk.key("ctrl+z");
-    CHECK(desk.parameter(key) == initial);
+    CHECK(shows(initial));
     desk.drag(desk.on(key), desk.on(key, 0.25));
 
     desk.double_click(desk.on(key, 0.75));
@@ -73,15 +76,15 @@ TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
         desk.key("Return");
     };
     type("0.125");
-    CHECK(desk.parameter(key) == 0.125);
+    CHECK(shows(0.125));
     type("7");
-    CHECK(std::abs(desk.parameter(key) - 0.49) < 1e-5);
+    CHECK(desk.becomes([&](const Json&) { return std::abs(desk.parameter(key) - 0.49) < 1e-5; }));
     CHECK(desk.parameter(key) <= 0.49);
 
     desk.key("ctrl+z");
-    CHECK(desk.parameter(key) == 0.125);
+    CHECK(shows(0.125));
     desk.key("ctrl+z");
-    CHECK(desk.parameter(key) == initial);
+    CHECK(shows(initial));
 }
 
 TEST_CASE("a choice is made from its list", "[window]") {

@@ -38,7 +38,9 @@ std::span<const KeyBinding> key_bindings() { return bindings; }
 
 bool pressed(const KeyBinding& b) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.KeyCtrl != b.ctrl) return false;
+    // In a slow frame Ctrl may be up again when the key that it went with is looked at.
+    const bool ctrl = io.KeyCtrl || ImGui::IsKeyReleased(ImGuiKey_LeftCtrl) || ImGui::IsKeyReleased(ImGuiKey_RightCtrl);
+    if (io.WantTextInput || ctrl != b.ctrl) return false;
     // Space acts on the control that has the visible focus, if one has.
     if (b.key == ImGuiKey_Space && io.NavVisible) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);

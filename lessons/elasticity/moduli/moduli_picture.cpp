@@ -25,14 +25,14 @@ Position at(const Vec<3>& x) { return position<3>(x); }
 
 }  // namespace
 
-// So that the full load is drawn as a strain of about 0.08 to 0.2, and every load of a test alike.
+// So that the full load is drawn as a strain of about 0.12 to 0.3, and every load of a test alike.
 Real ModuliLesson::drawn_magnification() const {
     if (magnification > 0) return magnification;
     const Vec<3> u = specimen_->exact_displacement(load, {length, width, width});
     const Vec<3> along(test == Test::shear ? width : length, width, width);
     const Real full = u.cwiseQuotient(along).cwiseAbs().maxCoeff();
     if (full == 0) return 1;
-    const Real wanted = round_down(0.2 / full);
+    const Real wanted = round_down(0.3 / full);
     return wanted < 1 && full < 0.6 ? 1 : wanted;
 }
 
