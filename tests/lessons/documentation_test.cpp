@@ -1,7 +1,7 @@
 // The generated pages are those that the lessons declare now.
+#include <fmt/format.h>
 #include <pliant/lesson/file.h>
 #include <pliant/lesson/report.h>
-#include <fmt/format.h>
 
 #include <catch2/catch_test_macros.hpp>
 

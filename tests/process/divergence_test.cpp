@@ -96,7 +96,7 @@ TEST_CASE("a diverged run has no picture, and says why", "[process]") {
 
 TEST_CASE("a body that never rests is reported, not run for ever", "[process][slow]") {
     const Outcome outcome = call({"run", "mesh/mass_spring", "--set", "cells_x=1", "--set", "cells_y=1", "--set", "cells_z=1",
-                                    "--set", "damping_mode=none", "--rest"});
+                                  "--set", "damping_mode=none", "--rest"});
     INFO(outcome.err);
     CHECK((outcome.exit_code == 0 || outcome.exit_code == diverged));
     if (outcome.exit_code == diverged) CHECK(contains(outcome.err, "no rest"));
