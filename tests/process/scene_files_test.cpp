@@ -19,7 +19,7 @@ const std::string head = R"({"pliant": 1, "lesson": "elasticity/moduli",)"
 
 std::vector<Wrong> wrong_scenes() {
     return {
-        {"empty", "", 1, 1, "end of input"},
+        {"empty", "", 1, 1, "not JSON"},
         {"blank lines alone", "\n\n", 3, 1, "end of input"},
         {"not JSON", "youngs_modulus = 5\n", 1, 1, "not JSON"},
         {"a list", "[1, 2]", 1, 1, "one JSON object"},
