@@ -31,7 +31,11 @@ void draw_headline(LabState& lab) {
     ImGui::TextUnformatted(info.title.data(), info.title.data() + info.title.size());
     ImGui::PopFont();
     const std::string now = now_text(lab.session.runner());
+    const float room = ImGui::GetContentRegionMax().x - ImGui::GetItemRectSize().x - lab.px(30);
     ImGui::PushFont(lab.fonts.large);
+    const bool fits = ImGui::CalcTextSize(now.c_str()).x <= room;
+    ImGui::PopFont();
+    ImGui::PushFont(fits ? lab.fonts.large : lab.fonts.normal);
     const float width = ImGui::CalcTextSize(now.c_str()).x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     ImGui::TextDisabled("%s", now.c_str());
