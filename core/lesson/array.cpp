@@ -18,6 +18,10 @@ std::string_view name_of(On on) {
             return "element";
         case On::particle:
             return "particle";
+        case On::x_face:
+            return "x_face";
+        case On::y_face:
+            return "y_face";
     }
     return "";
 }

@@ -1,8 +1,10 @@
 // Named arrays: what a lesson's state consists of, and what it shows.
 #pragma once
+#include <pliant/lesson/explanation.h>
 #include <pliant/math/types.h>
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,8 +12,8 @@
 
 namespace pliant {
 
-// What the entries of an array belong to.
-enum class On { node, edge, face, cell, element, particle };
+// What the entries of an array belong to. x_face and y_face: the faces of a staggered grid across that axis.
+enum class On { node, edge, face, cell, element, particle, x_face, y_face };
 enum class Rank { scalar, vector, tensor };
 
 std::string_view name_of(On on);
@@ -37,6 +39,10 @@ struct Field {
     std::function<Real()> bound{};
     // Does the present scene compute it? always, when empty.
     std::function<bool()> used{};
+    // A quantity that other fields define at each moment (a speed, an energy density): their names, and how it follows from them.
+    // What a stage writes is explained by the stage instead.
+    std::vector<std::string_view> defined_by{};
+    std::function<Explanation(const Question&)> explain{};
 
     Index size() const { return static_cast<Index>(view().size()) / components; }
     bool in_use() const { return !used || used(); }

@@ -44,4 +44,11 @@ const Field* Lesson::find_field(std::string_view name) const {
     return found == fields.end() ? nullptr : &*found;
 }
 
+std::string_view Lesson::error_probe() const {
+    const auto with_exact = std::ranges::find_if(probes, [](const Probe& p) { return static_cast<bool>(p.exact); });
+    if (with_exact != probes.end()) return with_exact->name;
+    const auto keys = key_numbers();
+    return keys.empty() ? "" : keys.front();
+}
+
 }  // namespace pliant

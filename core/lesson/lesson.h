@@ -7,12 +7,14 @@
 #include <pliant/lesson/array.h>
 #include <pliant/lesson/parameter.h>
 #include <pliant/lesson/scene.h>
+#include <pliant/math/error.h>
 #include <pliant/math/types.h>
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pliant {
@@ -32,6 +34,9 @@ struct Stage {
     std::function<bool()> again{};
     std::string_view loop_from = "";
     std::function<void()> begin{}, end{};
+    // How a number of a field (or probe) that it writes came about; called right after one of its passes. Empty for a field that
+    // this pass has not written yet: what is applied in `end` while the loop still runs.
+    std::function<std::optional<Explanation>(const Question&)> explain{};
 
     bool in_use() const { return !active || active(); }
 };
@@ -42,6 +47,8 @@ struct Probe {
     std::string_view name, symbol = "", unit = "", help = "";
     std::function<std::optional<Real>()> value;
     std::function<std::optional<Real>(Real t)> exact{};
+    // How it follows from fields and parameters now.
+    std::function<Explanation()> explain{};
 };
 
 // A curve sampled now: a field along a line, or one measured quantity against another.
@@ -60,12 +67,19 @@ struct Line {
     bool in_use() const { return !used || used(); }
 };
 
+// Parameters that would mend what went wrong, as one button: "Δt = 5 ms".
+struct Fix {
+    std::string label;
+    std::vector<std::pair<std::string, std::string>> assign;  // key, value as text
+};
+
 // A condition under which the model or the method is valid: value ≤ limit. `broken` says what goes wrong beyond the limit.
 struct Assumption {
     std::string_view name, unit = "";
     std::function<Real()> value, limit;
     std::string_view formula = "", broken = "";
     std::function<bool()> used{};
+    std::function<std::optional<Fix>()> fix{};  // asked for when it is broken
 
     bool in_use() const { return !used || used(); }
 };
@@ -130,6 +144,15 @@ public:
     // The limit that was exceeded and what to do: "Δt = 0.01 s is above the stability limit 2/ω = 0.004 s: lower time_step or
     // ...".
     virtual std::string blow_up_hint() const { return ""; }
+
+    // What would have prevented a blow-up, with the parameters as they are; empty when nothing is known.
+    virtual std::optional<Fix> fix(const Failure&) const { return std::nullopt; }
+
+    // Parameters of a finer run of the same scene, to measure errors against where no closed form exists; empty when none makes
+    // sense.
+    virtual std::vector<std::pair<std::string, std::string>> finer() const { return {}; }
+    // The probe whose error stands for the method's; by default the first with a closed form, else the first key number.
+    virtual std::string_view error_probe() const;
 
     // The field that the picture is coloured by at first; "" for none.
     virtual ColourBy first_colours() const { return {}; }

@@ -43,13 +43,18 @@ void Runner::begin_step() {
     if (const Real dt = lesson_->time_step(); dt != base_dt_) base_time_ = time(), base_step_ = step_, base_dt_ = dt;
     if (!replaying_) store_snapshot();
     stage_ = 0;
-    stage_ends_.clear();
+    executed_.clear();
     running_ms_ = 0;
+    if (trace_) trace_->start(*lesson_, step_);
 }
 
 void Runner::step_pass() {
     if (!inside_step()) begin_step();
-    if (active_.empty()) return end_step();
+    if (active_.empty()) {
+        end_step();
+        if (!replaying_) reach_ = place();
+        return;
+    }
     const Stage& stage = *active_[stage_];
     try {
         run_pass(stage);
@@ -61,6 +66,7 @@ void Runner::step_pass() {
         fail(std::move(failure));
     }
     if (stage_ == active_.size()) end_step();
+    if (!replaying_) reach_ = place();
 }
 
 void Runner::run_pass(const Stage& stage) {
@@ -84,7 +90,8 @@ void Runner::finish_stage(const Stage& stage, bool loop) {
         ++cost.runs, cost.passes += stage_passes_;
     }
     running_ms_ += stage_ms_;
-    stage_ends_.push_back(passes_);
+    executed_.push_back({&stage, passes_ - stage_passes_, passes_});
+    if (trace_) trace_->finished(*lesson_, stage, passes_);
     stage_passes_ = 0;
     ++stage_;
     if (loop)
@@ -96,17 +103,17 @@ void Runner::end_step() {
     ++step_;
     passes_ = stage_passes_ = 0;
     stage_ = 0;
-    previous_ends_ = stage_ends_;
-    stage_ends_.clear();
+    executed_before_.swap(executed_);
+    executed_.clear();
     if (!replaying_) step_ms_ = running_ms_;
     update_references();
 }
 
 void Runner::step_stage() {
     const Index step = step_;
-    const std::size_t ends = inside_step() ? stage_ends_.size() : 0;
+    const std::size_t ends = inside_step() ? executed_.size() : 0;
     do step_pass();
-    while (step_ == step && stage_ends_.size() == ends);
+    while (step_ == step && executed_.size() == ends);
 }
 
 void Runner::step() {

@@ -4,6 +4,7 @@
 #include <pliant/lesson/history.h>
 #include <pliant/lesson/lesson.h>
 #include <pliant/lesson/registry.h>
+#include <pliant/lesson/step_trace.h>
 #include <pliant/math/error.h>
 
 #include <memory>
@@ -25,6 +26,12 @@ struct Place {
 struct StageCost {
     Real total_ms = 0, last_ms = 0;  // last: of its latest whole execution
     Index runs = 0, passes = 0;
+};
+
+// A stage that ran from one number of passes of its step to another.
+struct Execution {
+    const Stage* stage = nullptr;
+    Index begin = 0, end = 0;
 };
 
 enum class Holds { yes, no, not_expected };
@@ -79,8 +86,19 @@ public:
     bool pass_back();
     bool stage_back();
     bool step_back();
+    // Also forward again to what was run before, until something is changed.
     bool go_to(Place place);
+    // The furthest place that go_to() can reach.
+    Place reach() const { return reach_; }
     const History& history() const { return history_; }
+
+    // --- looking into a step ---
+    // From the next step on what each stage finds and leaves is copied into `trace`, which must outlive the runner or be taken
+    // away with nullptr.
+    void trace_to(StepTrace* trace) { trace_ = trace; }
+    // The stages that have ended in the present step, and in the latest whole one, in the order in which they ran.
+    const std::vector<Execution>& executed() const { return executed_; }
+    const std::vector<Execution>& executed_before() const { return executed_before_; }
 
     // --- where we are ---
     Place place() const { return {step_, passes_}; }
@@ -111,6 +129,7 @@ public:
     std::vector<std::size_t> shown_laws() const;
 
 private:
+    friend class Revisit;
     using Values = std::vector<std::pair<Parameter*, Real>>;
 
     Values parse(const Assignments& assignments) const;
@@ -148,8 +167,9 @@ private:
     Index step_ = 0, passes_ = 0, stage_passes_ = 0;
     std::size_t stage_ = 0;
     std::optional<std::size_t> last_stage_;
-    std::vector<Index> stage_ends_,
-        previous_ends_;                 // passes done at the end of each stage, of the present and the latest whole step
+    std::vector<Execution> executed_, executed_before_;
+    Place reach_;
+    StepTrace* trace_ = nullptr;
     Index base_step_ = 0;               // the time step has been base_dt_ since this step,
     Real base_time_ = 0, base_dt_ = 0;  // which began at base_time_
     Real step_ms_ = 0, running_ms_ = 0, stage_ms_ = 0;

@@ -28,7 +28,7 @@ void Runner::restore(const Snapshot& s) {
     passes_ = stage_passes_ = 0;
     stage_ = 0;
     last_stage_.reset();
-    stage_ends_.clear();
+    executed_.clear();
     pending_.clear();
     failure_.reset();
     collect_active();
@@ -57,7 +57,7 @@ bool Runner::restore_start(Index step) {
 }
 
 bool Runner::go_to(Place to) {
-    if (to.step < 0 || to.passes < 0 || to > place()) return false;
+    if (to.step < 0 || to.passes < 0 || to > reach_) return false;
     replaying_ = true;
     bool found = false;
     try {
@@ -73,17 +73,17 @@ bool Runner::go_to(Place to) {
 
 bool Runner::pass_back() {
     if (passes_ > 0) return go_to({step_, passes_ - 1});
-    return !previous_ends_.empty() && go_to({step_ - 1, previous_ends_.back() - 1});
+    return !executed_before_.empty() && go_to({step_ - 1, executed_before_.back().end - 1});
 }
 
 bool Runner::stage_back() {
     const bool inside = inside_step();
-    const std::vector<Index>& ends = inside ? stage_ends_ : previous_ends_;
-    const Index now = inside ? passes_ : (ends.empty() ? 0 : ends.back());
+    const std::vector<Execution>& done = inside ? executed_ : executed_before_;
+    const Index now = inside ? passes_ : (done.empty() ? 0 : done.back().end);
     Index target = 0;
-    for (const Index end : ends)
-        if (end < now) target = end;
-    if (!inside && ends.empty()) return false;
+    for (const Execution& e : done)
+        if (e.end < now) target = e.end;
+    if (!inside && done.empty()) return false;
     return go_to({inside ? step_ : step_ - 1, target});
 }
 

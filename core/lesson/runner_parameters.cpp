@@ -32,6 +32,8 @@ void Runner::assign(const Assignments& assignments) { write_or_reset(parse(assig
 void Runner::assign(std::string_view key, Real value) { write_or_reset({{&lesson_->parameter(key), value}}); }
 
 void Runner::write_or_reset(const Values& values) {
+    // What was run before after this place is another future now.
+    reach_ = place();
     const bool rebuild = std::ranges::any_of(
         values, [](const auto& v) { return v.first->info.effect == Effect::rebuild && v.first->value() != v.second; });
     if (!rebuild && inside_step()) {
@@ -67,7 +69,10 @@ Real Runner::wanted(const Parameter& parameter) const {
     return parameter.value();
 }
 
-void Runner::pull(const std::optional<Pull>& pull) { pull_ = pull; }
+void Runner::pull(const std::optional<Pull>& pull) {
+    pull_ = pull;
+    reach_ = place();
+}
 
 void Runner::set_events(std::vector<Event> events) {
     std::ranges::stable_sort(events, {}, &Event::step);
@@ -92,6 +97,7 @@ void Runner::reset() {
     std::ranges::fill(costs_, StageCost{});
     step_ms_ = 0;
     start_fresh();
+    reach_ = place();
 }
 
 // The initial state, without touching the stored past.
@@ -103,7 +109,7 @@ void Runner::start_fresh() {
     base_time_ = 0, base_dt_ = lesson_->time_step();
     stage_ = 0;
     last_stage_.reset();
-    stage_ends_.clear(), previous_ends_.clear();
+    executed_.clear(), executed_before_.clear();
     collect_active();
     renew_references();
 }

@@ -18,6 +18,21 @@ class BeadChain final : public Lesson {
     Real angle() const { return std::numbers::pi / (beads + 1); }
     Real omega() const { return 2 * std::sqrt(stiffness / mass) * std::sin(angle() / 2); }
     Real at(Index i) const { return i < 0 || i >= beads ? 0 : u[i]; }
+    Input neighbour(std::string symbol, Index i) const {
+        return i < 0 || i >= beads ? Input::constant(std::move(symbol), 0, "m", "a wall") : Input::now(std::move(symbol), "u", i);
+    }
+    Explanation why_force(Index i) const {
+        return {"f_i = k (u_left − 2 u_i + u_right)",
+                {Input::of(stiffness), neighbour("u_left", i - 1), neighbour("u_i", i), neighbour("u_right", i + 1)},
+                [](auto x) { return x[0] * (x[1] - 2 * x[2] + x[3]); }};
+    }
+    Explanation why_velocity(Index i) const {
+        return {"v′ = v + Δt f / m", {Input::before("v", "v", i), Input::of(dt), Input::now("f", "force", i), Input::of(mass)},
+                [](auto x) { return x[0] + x[1] * x[2] / x[3]; }};
+    }
+    Explanation why_place(Index i) const {
+        return {"u′ = u + Δt v", {Input::before("u", "u", i), Input::of(dt), Input::now("v", "v", i)}, [](auto x) { return x[0] + x[1] * x[2]; }};
+    }
     Real energy() const {
         Real e = 0.5 * mass * v.squaredNorm();
         for (Index i = 0; i <= beads; ++i) e += 0.5 * stiffness * (at(i) - at(i - 1)) * (at(i) - at(i - 1));
@@ -32,9 +47,9 @@ public:
                   {.name = "force", .symbol = "f", .unit = "N", .view = view_of(force)}};
         stages = {{.name = "force", .formula = "fᵢ = k (uᵢ₋₁ − 2 uᵢ + uᵢ₊₁)", .source = "spring chain", .run = [this] {
                        for (Index i = 0; i < beads; ++i) force[i] = stiffness * (at(i - 1) - 2 * u[i] + at(i + 1));
-                   }, .reads = {"u"}, .writes = {"force"}},
-                  {.name = "kick", .formula = "v ← v + Δt f / m", .source = "semi-implicit Euler", .run = [this] { v += dt / mass * force; }, .reads = {"force"}, .writes = {"v"}},
-                  {.name = "drift", .formula = "u ← u + Δt v", .source = "semi-implicit Euler", .run = [this] { u += dt * v; }, .reads = {"v"}, .writes = {"u"}}};
+                   }, .reads = {"u"}, .writes = {"force"}, .explain = [this](const Question& q) { return why_force(q.index); }},
+                  {.name = "kick", .formula = "v ← v + Δt f / m", .source = "semi-implicit Euler", .run = [this] { v += dt / mass * force; }, .reads = {"force"}, .writes = {"v"}, .explain = [this](const Question& q) { return why_velocity(q.index); }},
+                  {.name = "drift", .formula = "u ← u + Δt v", .source = "semi-implicit Euler", .run = [this] { u += dt * v; }, .reads = {"v"}, .writes = {"u"}, .explain = [this](const Question& q) { return why_place(q.index); }}};
         probes = {{.name = "energy", .symbol = "E", .unit = "J", .value = [this] { return energy(); }},
                   {.name = "middle", .symbol = "u₁₀", .unit = "m", .value = [this] { return u[beads / 2]; },
                    .exact = [this](Real t) { return amplitude * std::sin((beads / 2 + 1) * angle()) * std::cos(omega() * t); }}};

@@ -59,6 +59,7 @@ int dispatch(int argc, const char* const* argv) {
     RunOptions run_options;
     PictureOptions picture_options;
     WindowOptions window_options;
+    WhyOptions why_options;
     std::string lesson, folder = "out/tour";
     bool json = false, markdown = false, check = false;
 
@@ -86,6 +87,16 @@ int dispatch(int argc, const char* const* argv) {
     run_command->add_option("--csv", run_options.csv_path, "write the probes of every step to this file");
     run_command->add_flag("--json", run_options.json, "print one JSON object");
     run_command->callback([&] { action = [&] { return run(run_options); }; });
+
+    CLI::App* why_command = app.add_subcommand("why", "how a number came about: its stage, formula and inputs");
+    add_run_options(*why_command, run_options);
+    why_command->add_option("--field", why_options.field, "a field or a probe")->required();
+    why_command->add_option("--index", why_options.index, "the node, spring, cell, ... counted from 0");
+    why_command->add_option("--component", why_options.component, "of a vector or tensor, from 0; -1 for its length");
+    why_command->add_option("--stage", why_options.stage, "go on to the end of this stage, inside the next step, and ask there");
+    why_command->add_option("--depth", why_options.depth, "how many levels of inputs to ask in turn")->capture_default_str();
+    why_command->add_flag("--json", run_options.json, "print one JSON object");
+    why_command->callback([&] { action = [&] { return why(run_options, why_options); }; });
 
     CLI::App* shot_command = app.add_subcommand("shot", "run a lesson and write its picture");
     add_run_options(*shot_command, run_options);

@@ -49,6 +49,12 @@ float ui_scale_from(float scale);
 int list_lessons(bool json);
 int describe(const std::string& lesson, bool json, bool markdown);
 int run(const RunOptions& options);
+struct WhyOptions {
+    std::string field, stage;
+    Index index = 0;
+    int component = -1, depth = 1;
+};
+int why(const RunOptions& run, const WhyOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
 int tour(const std::string& folder);
 int walkthrough(const std::string& lesson, bool check);

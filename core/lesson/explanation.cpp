@@ -1,0 +1,187 @@
+#include <pliant/lesson/explanation.h>
+#include <pliant/lesson/format.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+
+Input Input::of(const Parameter& parameter) { return of(parameter, std::string(parameter.info.symbol)); }
+
+Input Input::of(const Parameter& parameter, std::string symbol) {
+    return {.from = From::parameter,
+            .symbol = std::move(symbol),
+            .name = std::string(parameter.info.key),
+            .value = parameter.value(),
+            .unit = std::string(parameter.info.unit)};
+}
+
+Input Input::constant(std::string symbol, Real value, std::string unit, std::string meaning) {
+    return {
+        .from = From::constant, .symbol = std::move(symbol), .name = std::move(meaning), .value = value, .unit = std::move(unit)};
+}
+
+namespace {
+Input of_field(Input::From from, std::string symbol, std::string_view field, Index index, int component) {
+    return {.from = from, .symbol = std::move(symbol), .name = std::string(field), .index = index, .component = component};
+}
+}  // namespace
+
+Input Input::now(std::string symbol, std::string_view field, Index index, int component) {
+    return of_field(From::now, std::move(symbol), field, index, component);
+}
+Input Input::before(std::string symbol, std::string_view field, Index index, int component) {
+    return of_field(From::before, std::move(symbol), field, index, component);
+}
+Input Input::earlier(std::string symbol, std::string_view field, Index index, int component) {
+    return of_field(From::earlier, std::move(symbol), field, index, component);
+}
+
+Input Input::part(std::string symbol, std::string unit, Explanation why) {
+    return {.from = From::part,
+            .symbol = std::move(symbol),
+            .unit = std::move(unit),
+            .why = std::make_shared<const Explanation>(std::move(why))};
+}
+
+// --------------------------------------------------------------------------------------------------------------- sums
+
+std::string products_text(std::span<const Real> factors_in_pairs) {
+    constexpr std::size_t most = 8;
+    const std::size_t terms = factors_in_pairs.size() / 2, shown = terms > most ? most - 2 : terms;
+    std::string text;
+    for (std::size_t k = 0; k < shown; ++k) {
+        const Real w = factors_in_pairs[2 * k], q = factors_in_pairs[2 * k + 1];
+        const std::string sign = k == 0 ? (w < 0 ? "−" : "") : (w < 0 ? " − " : " + ");
+        const std::string quantity = format_quantity(q, "", 6);
+        text += fmt::format("{}{} · {}", sign, format_quantity(std::abs(w), "", 6), q < 0 ? "(" + quantity + ")" : quantity);
+    }
+    if (shown < terms) text += fmt::format(" + … ({} terms)", terms);
+    return text.empty() ? "0" : text;
+}
+
+Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms) {
+    Explanation sum{.formula = std::move(formula), .inputs = {}, .evaluate = {}};
+    for (const auto& [weight, quantity] : terms) {
+        if (weight.from == Input::From::constant && weight.value == 0) continue;
+        sum.inputs.push_back(weight);
+        sum.inputs.push_back(quantity);
+    }
+    sum.evaluate = [](std::span<const Real> x) {
+        Real total = 0;
+        for (std::size_t k = 0; k + 1 < x.size(); k += 2) total += x[k] * x[k + 1];
+        return total;
+    };
+    sum.substitute = [](std::span<const Real> x) { return products_text(x); };
+    return sum;
+}
+
+// ------------------------------------------------------------------------------------------------------- substitution
+namespace {
+
+// The code point that begins at `at`, and its length in bytes.
+std::pair<char32_t, std::size_t> code_point(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(at);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    if (at + length > text.size()) return {first, 1};
+    char32_t c = length == 1 ? first : first & (0x7f >> length);
+    for (std::size_t k = 1; k < length; ++k) c = c << 6 | (byte(at + k) & 0x3f);
+    return {c, length};
+}
+
+bool is_letter(char32_t c) {
+    const bool latin = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'), greek = c >= 0x370 && c <= 0x3ff;
+    return latin || greek || (c >= 0xc0 && c <= 0x24f);
+}
+bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
+// What may continue a symbol: subscripts, primes, tildes.
+bool continues(char32_t c) {
+    const bool subscript = (c >= 0x2080 && c <= 0x209c) || (c >= 0x1d62 && c <= 0x1d6a) || c == 0x2c7c;
+    return is_letter(c) || is_digit(c) || c == '_' || c == '\'' || c == 0x2032 || (c >= 0x300 && c <= 0x36f) || subscript;
+}
+// Does a number beside this multiply it?
+bool multiplies(char32_t c) {
+    return is_letter(c) || is_digit(c) || c == 0xbd || c == 0xbc || c == 0x221a || c == 0xb2 || c == 0xb3;
+}
+
+char32_t last_visible(std::string_view text) {
+    char32_t last = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto [c, length] = code_point(text, i);
+        if (c != ' ') last = c;
+        i += length;
+    }
+    return last;
+}
+char32_t first_visible(std::string_view text) {
+    const std::size_t at = text.find_first_not_of(' ');
+    return at == std::string_view::npos ? U'\0' : code_point(text, at).first;
+}
+
+// The longest symbol that stands at this place; -1 for none.
+int symbol_at(std::string_view text, std::size_t at, const std::vector<Input>& inputs) {
+    int found = -1;
+    std::size_t longest = 0;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        const std::string& symbol = inputs[k].symbol;
+        if (symbol.size() <= longest || text.substr(at, symbol.size()) != symbol) continue;
+        const std::size_t end = at + symbol.size();
+        if (end < text.size() && continues(code_point(text, end).first)) continue;
+        found = static_cast<int>(k), longest = symbol.size();
+    }
+    return found;
+}
+
+std::string with_numbers(std::string_view right, const std::vector<Input>& inputs, std::span<const Real> values) {
+    std::string text;
+    char32_t before = 0;  // the code point before this place, of the formula
+    bool after_number = false;
+    for (std::size_t at = 0; at < right.size();) {
+        const auto [c, length] = code_point(right, at);
+        const int k = continues(before) && !is_digit(before) ? -1 : symbol_at(right, at, inputs);
+        if (k < 0) {
+            if (after_number && c != ' ') {
+                if (c == '(' || multiplies(first_visible(right.substr(at)))) {
+                    if (c != 0xb2 && c != 0xb3) text += text.ends_with(' ') ? "· " : " · ";
+                }
+                after_number = false;
+            }
+            text += right.substr(at, length);
+            before = c;
+            at += length;
+            continue;
+        }
+        const char32_t last = last_visible(text);
+        const bool product = after_number || multiplies(last) || last == ')';
+        if (product) text += text.ends_with(' ') ? "· " : " · ";
+        const std::string number = format_quantity(values[static_cast<std::size_t>(k)], "", 6);
+        const std::size_t end = at + inputs[static_cast<std::size_t>(k)].symbol.size();
+        const char32_t next = end < right.size() ? code_point(right, end).first : U'\0';
+        const bool alone = last == 0 || (last == '(' && next == ')');
+        const bool raised = next == 0xb2 || next == 0xb3;
+        const bool enclose = (number.starts_with("-") || number.starts_with("−")) && (!alone || raised);
+        text += enclose ? fmt::format("({})", number) : number;
+        before = ' ';
+        after_number = true;
+        at = end;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string substituted(const Explanation& explanation, std::span<const Real> values) {
+    const std::string_view formula = explanation.formula;
+    const std::size_t equals = formula.find('=');
+    const std::string_view left = equals == std::string_view::npos ? "" : formula.substr(0, equals + 1);
+    std::string_view right = equals == std::string_view::npos ? formula : formula.substr(equals + 1);
+    right.remove_prefix(std::min(right.find_first_not_of(' '), right.size()));
+    const std::string numbers =
+        explanation.substitute ? explanation.substitute(values) : with_numbers(right, explanation.inputs, values);
+    return left.empty() ? numbers : fmt::format("{} {}", left, numbers);
+}
+
+}  // namespace pliant

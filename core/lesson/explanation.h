@@ -1,0 +1,75 @@
+// How a number came about: the formula that gives it and what was put into it. A lesson declares the formula with references to
+// its inputs; the values are looked up where the inputs live, so that an explanation cannot state other numbers than those that
+// were computed.
+#pragma once
+#include <pliant/lesson/parameter.h>
+#include <pliant/math/types.h>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+// One number of a field: row `index`, and of a vector or tensor the component, counted from 0. Of a probe: index 0.
+struct Question {
+    std::string_view field;
+    Index index = 0;
+    int component = 0;
+};
+
+struct Explanation;
+
+// A number that a formula takes.
+struct Input {
+    enum class From {
+        parameter,
+        constant,  // of the mesh, the grid or the method: a weight, a length
+        now,       // a field (or probe), after the stage pass that is explained
+        before,    // a field before the stage
+        earlier,   // a field before the latest pass of the stage
+        part       // an intermediate result with an explanation of its own
+    };
+    From from = From::constant;
+    std::string symbol;  // as the formula writes it
+    std::string name{};  // of the parameter or field; what a constant means
+    Index index = 0;
+    int component = 0;
+    Real value = 0;  // of a constant; looked up for all others
+    std::string unit{};
+    std::shared_ptr<const Explanation> why{};  // of a part
+
+    static Input of(const Parameter& parameter);
+    static Input of(const Parameter& parameter, std::string symbol);
+    static Input constant(std::string symbol, Real value, std::string unit, std::string meaning);
+    static Input now(std::string symbol, std::string_view field, Index index, int component = 0);
+    static Input before(std::string symbol, std::string_view field, Index index, int component = 0);
+    static Input earlier(std::string symbol, std::string_view field, Index index, int component = 0);
+    static Input part(std::string symbol, std::string unit, Explanation why);
+};
+
+// `formula` is "left = right"; every input's symbol stands in the right side, and is replaced by its number in the substituted
+// formula. A sum of many terms writes its numbers itself: `substitute` gets the values in the order of the inputs.
+// `evaluate` gives the value back from the values of the inputs, in their order.
+struct Explanation {
+    std::string formula;
+    std::vector<Input> inputs;
+    std::function<Real(std::span<const Real>)> evaluate;
+    std::function<std::string(std::span<const Real>)> substitute{};
+};
+
+// Σ w q: pairs of a weight and a quantity, after `head` inputs that `evaluate` of the caller may need. formula: "u = Σ w u_k".
+// Terms of weight 0 are left out.
+Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms);
+
+// The numbers of a formula written out: the right side of the formula with each symbol replaced. Negative numbers are put into
+// parentheses where an operator stands before them.
+std::string substituted(const Explanation& explanation, std::span<const Real> values);
+
+// "3 × 0.5 + 2 × 0.25 + … (12 terms)": for formulas that sum many terms.
+std::string products_text(std::span<const Real> factors_in_pairs);
+
+}  // namespace pliant

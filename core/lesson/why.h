@@ -1,0 +1,56 @@
+// Why is this number what it is? Any value of a run, traced to the stage that wrote it, its formula with the numbers put in, and
+// its inputs, each of which can be asked again, down to parameters and the state before.
+#pragma once
+#include <pliant/lesson/runner.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pliant {
+
+// After so many passes of a step; passes may reach the end of the step.
+struct When {
+    Index step = 0, passes = 0;
+    auto operator<=>(const When&) const = default;
+};
+// The place where the runner stands, as the end of its latest step when it stands between two.
+When now_of(const Runner& runner);
+
+struct Answer {
+    enum class Kind {
+        computed,  // by a stage, or defined by other fields
+        combined,  // the length of a vector, the norm of a tensor: of its components
+        part,      // an intermediate result
+        parameter,
+        constant,
+        state,  // what the step before left, or the initial state
+        given   // a number that nothing explains further
+    };
+    Kind kind = Kind::given;
+    std::string symbol{}, field{};  // field: or the probe, the key of the parameter, the meaning of a constant
+    Index index = 0;
+    int component = -1;
+    Real value = 0;
+    std::string unit{}, stage{}, source{}, formula{}, substituted{};
+    std::vector<Answer> inputs{};
+    When when{};            // of the value: where to ask again
+    Real evaluated = 0;     // the formula, evaluated again from the inputs; value where there is none
+    Real conditioning = 0;  // Σ |input · ∂formula/∂input|: the size of what cancels in the formula
+    bool can_ask = false;   // has inputs that are not listed here for want of depth
+};
+
+// The component -1 asks for the length of a vector or the norm of a tensor. depth: levels of inputs, at least 1. The run is where
+// it was afterwards, to the bit. Throws Refused for a field, probe, index or component that does not exist, and for a time that
+// is no longer stored.
+Answer why(Runner& runner, std::string_view field, Index index, int component, int depth = 1,
+           std::optional<When> when = std::nullopt);
+
+// "field, index, value, unit, stage, formula, substituted, inputs[]", the inputs likewise down to the depth.
+std::string why_json(const Answer& answer, int depth);
+// For people: one line a value, inputs indented below it.
+std::string why_text(const Answer& answer);
+// "velocity x of cell 413", "viscosity": what the number is.
+std::string title_of(const Answer& answer, const Lesson& lesson);
+
+}  // namespace pliant

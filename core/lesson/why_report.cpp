@@ -1,0 +1,99 @@
+// Answers as JSON and as text.
+#include <pliant/lesson/format.h>
+#include <pliant/lesson/why.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view name_of(Answer::Kind kind) {
+    switch (kind) {
+        case Answer::Kind::computed:
+            return "computed";
+        case Answer::Kind::combined:
+            return "combined";
+        case Answer::Kind::part:
+            return "part";
+        case Answer::Kind::parameter:
+            return "parameter";
+        case Answer::Kind::constant:
+            return "constant";
+        case Answer::Kind::state:
+            return "state";
+        case Answer::Kind::given:
+            return "given";
+    }
+    return "";
+}
+
+Json json_of(const Answer& a, int depth) {
+    Json j{{"symbol", a.symbol}, {"field", a.field}, {"index", a.index}};
+    if (a.component >= 0) j["component"] = a.component;
+    j["value"] = std::isfinite(a.value) ? Json(a.value) : Json(nullptr);
+    j["unit"] = a.unit;
+    j["kind"] = name_of(a.kind);
+    j["step"] = a.when.step;
+    j["passes"] = a.when.passes;
+    j["stage"] = a.stage;
+    j["formula"] = a.formula;
+    j["substituted"] = a.substituted;
+    j["inputs"] = Json::array();
+    if (depth > 0)
+        for (const Answer& input : a.inputs) j["inputs"].push_back(json_of(input, depth - 1));
+    return j;
+}
+
+std::string where_from(const Answer& a) {
+    switch (a.kind) {
+        case Answer::Kind::computed:
+            return a.stage.empty() ? "by definition" : fmt::format("stage {}", a.stage);
+        case Answer::Kind::parameter:
+            return "a parameter";
+        case Answer::Kind::constant:
+            return a.field;
+        case Answer::Kind::state:
+            return a.when.step == 0 ? "the initial state" : fmt::format("the state after step {}", a.when.step);
+        default:
+            return "";
+    }
+}
+
+void text_of(const Answer& a, int indent, std::string& text) {
+    const std::string name = a.kind == Answer::Kind::constant || a.kind == Answer::Kind::part ? a.symbol
+                             : a.kind == Answer::Kind::parameter                              ? a.field
+                                                                 : fmt::format("{}[{}]", a.field, a.index);
+    text +=
+        fmt::format("{:{}}{}{} = {}", "", indent, name, a.symbol.empty() || a.symbol == name ? "" : fmt::format(" {}", a.symbol),
+                    format_quantity(a.value, a.unit, 7));
+    const std::string origin = where_from(a);
+    text += origin.empty() ? "\n" : fmt::format("   ({})\n", origin);
+    if (!a.formula.empty()) text += fmt::format("{:{}}{}\n{:{}}{}\n", "", indent + 4, a.formula, "", indent + 4, a.substituted);
+    for (const Answer& input : a.inputs) text_of(input, indent + 2, text);
+}
+
+}  // namespace
+
+std::string why_json(const Answer& answer, int depth) { return json_of(answer, depth).dump(2) + "\n"; }
+
+std::string why_text(const Answer& answer) {
+    std::string text;
+    text_of(answer, 0, text);
+    return text;
+}
+
+std::string title_of(const Answer& a, const Lesson& lesson) {
+    const Field* field = lesson.find_field(a.field);
+    if (!field) return a.field.empty() ? a.symbol : a.field;
+    const std::string component = a.component >= 0 && field->rank != Rank::scalar
+                                      ? " " + component_names(*field)[static_cast<std::size_t>(a.component)]
+                                      : "";
+    return fmt::format("{}{} of {} {}", a.field, component, name_of(field->on), a.index);
+}
+
+}  // namespace pliant

@@ -1,0 +1,28 @@
+// `pliant why`: how a number came about.
+#include <pliant/lesson/why.h>
+
+#include "command_line/options.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace pliant::viewer {
+
+int why(const RunOptions& options, const WhyOptions& w) {
+    constexpr int deepest = 8;
+    if (w.depth < 0 || w.depth > deepest)
+        throw Refused(fmt::format("--depth {}: give 0 to {} levels; their number grows with every level", w.depth, deepest));
+    const SceneFile scene = scene_from(options);
+    const LessonEntry& entry = find_lesson(scene.lesson);
+    Runner runner(entry, scene.parameters);
+    runner.set_events(scene.events);
+    advance(runner, until_from(options, entry, runner.is_static()));
+    if (!w.stage.empty()) runner.run_to_stage(w.stage);
+    const Answer answer = pliant::why(runner, w.field, w.index, w.component, std::max(w.depth, 1));
+    const std::string text = options.json ? why_json(answer, w.depth) : why_text(answer);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return 0;
+}
+
+}  // namespace pliant::viewer
