@@ -20,6 +20,9 @@ public:
     // Carries a cell-centred quantity along `velocity` for dt seconds.
     void advect(VecX& quantity, const FaceField<Dim>& velocity, Real dt);
 
+    // The velocity that carried the latest advection.
+    const VelocitySampler<Dim>& flow() const { return flow_; }
+
 private:
     void advect_component(int axis, Real cells_per_speed, VecX& out);
     void velocity_at_faces(int axis, const Counts<Dim>& at);

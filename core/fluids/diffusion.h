@@ -30,6 +30,9 @@ public:
     // Stable at any r. Throws Diverged, with the residual, at max_iterations.
     Index implicit_step(VecX& q, Real r, const DiffusionSettings& settings = {});
 
+    // What the latest implicit step left of its equation: (old q + wall terms) − A q, in the unit of q; 0 at held samples.
+    const VecX& residual() const { return residual_; }
+
 private:
     void zero_held(VecX& values) const;
     void rate_of_change(const VecX& q, Real r, VecX& out) const;
@@ -57,6 +60,8 @@ public:
     void diffuse_explicitly(FaceField<Dim>& velocity, Real viscosity, Real dt);
     // Returns the solver's iterations over all components.
     Index diffuse_implicitly(FaceField<Dim>& velocity, Real viscosity, Real dt, const DiffusionSettings& settings = {});
+    // What the latest implicit step left of the equations of one component, m/s, one per face; after a step was made.
+    const VecX& residual(int axis) const { return components_[axis]->residual(); }
 
 private:
     Diffusion<Dim>& component(int axis);

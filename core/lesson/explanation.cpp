@@ -160,7 +160,7 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
         const std::string number = format_quantity(values[static_cast<std::size_t>(k)], "", 6);
         const std::size_t end = at + inputs[static_cast<std::size_t>(k)].symbol.size();
         const char32_t next = end < right.size() ? code_point(right, end).first : U'\0';
-        const bool alone = last == 0 || (last == '(' && next == ')');
+        const bool alone = last == 0 || last == '(';
         const bool raised = next == 0xb2 || next == 0xb3;
         const bool enclose = (number.starts_with("-") || number.starts_with("−")) && (!alone || raised);
         text += enclose ? fmt::format("({})", number) : number;

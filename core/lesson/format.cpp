@@ -72,6 +72,14 @@ std::string format_quantity(Real value, std::string_view unit, int digits) {
     return unit.empty() ? plain(value, digits) : fmt::format("{} {}", plain(value, digits), unit);
 }
 
+Real round_down(Real value, int digits) {
+    if (value == 0 || !std::isfinite(value)) return value;
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;
+    // Read back from decimal text, so that the number is as short as it looks.
+    const Real unit = std::pow(10.0, exponent);
+    return std::stod(fmt::format("{:.0f}e{}", std::floor(value / unit * (1 + (value < 0 ? -1e-12 : 1e-12))), exponent));
+}
+
 std::string format_exact(Real value) { return fmt::format("{}", value); }
 
 std::string unit_or_dimensionless(std::string_view unit) { return unit.empty() ? "dimensionless" : fmt::format("in {}", unit); }

@@ -204,7 +204,9 @@ Answer Asking::input(const Input& in, const Request& r) {
             if (!field) a.component = -1;
             if (in.from == From::before) a.when.passes = r.writers.empty() ? 0 : r.writers.front().begin;
             if (in.from == From::earlier) a.when.passes = at_.passes - 1;
-            a.can_ask = true;
+            const bool defined = field ? static_cast<bool>(field->explain) : static_cast<bool>(lesson_.probe(in.name).explain);
+            a.can_ask = defined || has_writer(a);
+            if (!a.can_ask) a.kind = Answer::Kind::state;
         }
     }
     return a;

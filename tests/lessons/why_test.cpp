@@ -88,7 +88,7 @@ TEST_CASE("explanations hold in every scene, method and preset", "[slow]") {
             }
         }
         for (const std::string& name : preset_names(entry.info.id)) {
-            Runner runner(entry, parse_scene(preset_text(entry.info.id, name), name).parameters);
+            Runner runner(entry, preset(entry, name).parameters);
             check_every_stage(runner, std::string(entry.info.id) + " preset " + name);
         }
     }
@@ -111,7 +111,7 @@ TEST_CASE("asking changes nothing: the run goes on with the same bits") {
 TEST_CASE("questions lead down to parameters and the state before") {
     for (const LessonEntry& entry : lessons()) {
         Runner runner(entry);
-        runner.step();
+        runner.step_stage();
         std::set<Answer::Kind> found;
         const auto collect = [&](const auto& self, const Answer& a) -> void {
             if (a.inputs.empty()) found.insert(a.kind);

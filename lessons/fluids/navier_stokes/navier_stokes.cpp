@@ -154,30 +154,34 @@ void NavierStokes::declare_stages() {
          .source = "Utrecht slides, Navier–Stokes equations; Stam1999 §3.1",
          .run = [this] { external_forces(); },
          .reads = {"velocity"},
-         .writes = {"velocity"},
-         .active = [this] { return forced(); }},
+         .writes = {"u_on_faces", "v_on_faces"},
+         .active = [this] { return forced(); },
+         .explain = [this](const Question& q) { return why_force(axis_of(q), q.index); }},
         {.name = "advection",
          .formula = "ũ(x) ← ũ(x − Δt ũ(x − ½Δt ũ(x)))",
          .source = "semi-Lagrangian: Stam1999 §3.2; Bridson2007 §3",
          .run = [this] { advect(); },
          .reads = {"velocity"},
-         .writes = {"velocity"}},
+         .writes = {"u_on_faces", "v_on_faces"},
+         .explain = [this](const Question& q) { return why_advected(axis_of(q), q.index); }},
         {.name = "viscosity",
          .formula = "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
          .source = "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §3.3",
          .run = [this] { diffuse(); },
          .reads = {"velocity"},
-         .writes = {"velocity"},
-         .active = [this] { return viscosity > 0; }},
+         .writes = {"u_on_faces", "v_on_faces"},
+         .active = [this] { return viscosity > 0; },
+         .explain = [this](const Question& q) { return why_diffused(axis_of(q), q.index); }},
         {.name = "projection",
          .formula = "Δt ∇²p = ∇·ũ,   u ← ũ − Δt ∇p",
          .source = "Utrecht slides, pressure projection (p is p/ρ); Chorin1968; Bridson2007 §4.3",
          .run = [this] { projection_pass(); },
          .reads = {"velocity", "pressure"},
-         .writes = {"divergence_before", "pressure", "divergence_after", "velocity"},
+         .writes = {"divergence_before", "pressure", "divergence_after", "u_on_faces", "v_on_faces"},
          .again = [this] { return !projection_->converged(); },
          .begin = [this] { begin_projection(); },
-         .end = [this] { end_projection(); }}};
+         .end = [this] { end_projection(); },
+         .explain = [this](const Question& q) { return why_projection(q); }}};
 }
 
 // The middle of the stirrer: a figure of eight around the middle of the box.
@@ -191,12 +195,16 @@ Vec<2> NavierStokes::stirrer_heading() const {
     return Vec<2>(stirrer_width * std::cos(angle), 2 * stirrer_height * std::cos(2 * angle)).normalized();
 }
 
+NavierStokes::Jet NavierStokes::stirrer_jet() const { return {stirrer_place(), stirrer_radius, stirring * stirrer_heading()}; }
+
+NavierStokes::Jet NavierStokes::hand_jet() const {
+    return {pull_->from.head<2>(), pull_radius, pull_stiffness * (pull_->to - pull_->from).head<2>()};
+}
+
 void NavierStokes::external_forces() {
-    if (stirred()) add_jet<2>(*grid_, velocity_, dt, stirrer_place(), stirrer_radius, stirring * stirrer_heading());
-    if (pull_) {
-        const Vec<3> drawn = pull_->to - pull_->from;
-        add_jet<2>(*grid_, velocity_, dt, pull_->from.head<2>(), pull_radius, pull_stiffness * drawn.head<2>());
-    }
+    const auto push = [this](const Jet& jet) { add_jet<2>(*grid_, velocity_, dt, jet.centre, jet.radius, jet.acceleration); };
+    if (stirred()) push(stirrer_jet());
+    if (pull_) push(hand_jet());
     fields_of_flow_.renew();
 }
 
@@ -240,6 +248,17 @@ std::string NavierStokes::blow_up_hint() const {
         "lower time_step below {} or the force",
         format_quantity(courant_number(*grid_, velocity_, dt), ""),
         format_quantity(5 * dx() / std::max(max_speed(velocity_), 1e-300), "s"));
+}
+
+std::optional<Fix> NavierStokes::fix(const Failure& failure) const {
+    if (failure.field == "pressure") return Fix{"tolerance = 1e-4", {{"tolerance", "1e-4"}}};
+    const Real step = round_down(2 * dx() / std::max(max_speed(velocity_), dx() / dt));
+    return Fix{fmt::format("Δt = {}", format_quantity(step, "s")), {{"time_step", format_exact(step)}}};
+}
+
+// The errors of space and time shrink together.
+std::vector<std::pair<std::string, std::string>> NavierStokes::finer() const {
+    return {{"resolution", std::to_string(std::min<Index>(2 * resolution, 512))}, {"time_step", format_exact(dt / 2)}};
 }
 
 }  // namespace pliant::navier_stokes

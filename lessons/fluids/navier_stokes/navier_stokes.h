@@ -30,6 +30,9 @@ public:
     std::optional<On> can_pull() const override { return On::cell; }
     void pull(const std::optional<Pull>& pull) override { pull_ = pull; }
     std::string blow_up_hint() const override;
+    std::optional<Fix> fix(const Failure& failure) const override;
+    std::vector<std::pair<std::string, std::string>> finer() const override;
+    std::string_view error_probe() const override { return "kinetic_energy"; }
     ColourBy first_colours() const override { return {scenario == Scenario::cavity ? "speed" : "vorticity"}; }
     std::vector<std::string_view> first_plots() const override;
     std::vector<std::string_view> key_numbers() const override;
@@ -62,6 +65,39 @@ private:
     Real time() const { return elapsed_[0]; }
     Vec<2> stirrer_place() const;    // m
     Vec<2> stirrer_heading() const;  // unit vector
+
+    // A push of the fluid around a place.
+    struct Jet {
+        Vec<2> centre;        // m
+        Real radius;          // m
+        Vec<2> acceleration;  // m/s²
+    };
+    Jet stirrer_jet() const;
+    Jet hand_jet() const;
+
+    // --- how the numbers came about (navier_stokes_why.cpp) ---
+    static int axis_of(const Question& q);
+    bool closed(int axis, Index face) const;
+    Index cell_beside(int axis, Index face, int side) const;
+    Input diffusion_number() const;
+    Explanation why_force(int axis, Index face) const;
+    Explanation why_advected(int axis, Index face) const;
+    Explanation why_departure(int axis, const GridPlace<2>& arrival, const GridPlace<2>& middle, bool inside,
+                              Real departure) const;
+    Explanation why_diffused(int axis, Index face) const;
+    std::optional<Explanation> why_projection(const Question& q) const;
+    Explanation why_projected(int axis, Index face) const;
+    Explanation why_pressure(Index cell) const;
+    Explanation why_divergence(Index cell, Input::From from) const;
+    Explanation why_remaining_divergence(Index cell) const;
+    Explanation why_velocity(const Question& q) const;
+    Explanation why_speed(Index cell) const;
+    Explanation why_vorticity(Index cell) const;
+    Explanation why_largest(std::string_view name, const VecX& values, std::string_view field) const;
+    Explanation why_courant() const;
+
+    std::optional<Fix> shorter_step(Real cells) const;  // that the fastest fluid may cross
+    std::optional<Fix> thicker_fluid(Real wanted) const;
 
     // --- what is measured ---
     std::optional<Real> reynolds() const;

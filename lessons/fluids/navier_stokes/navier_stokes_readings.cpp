@@ -6,6 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <pliant/lesson/format.h>
+
+#include <fmt/format.h>
+
 namespace pliant::navier_stokes {
 namespace {
 
@@ -28,18 +32,23 @@ void NavierStokes::declare_fields() {
                .components = 2,
                .view = [this] { return numbers(fields_of_flow_.centre_velocity()); },
                .help = "at cell centres, the mean of the two faces across each axis, where it is stored",
-               .bound = [] { return largest_velocity; }},
+               .defined_by = {"u_on_faces", "v_on_faces"},
+               .explain = [this](const Question& q) { return why_velocity(q); }},
               {.name = "speed",
                .symbol = "|u|",
                .unit = "m/s",
                .on = On::cell,
-               .view = [this] { return numbers(fields_of_flow_.speed()); }},
+               .view = [this] { return numbers(fields_of_flow_.speed()); },
+               .defined_by = {"velocity"},
+               .explain = [this](const Question& q) { return why_speed(q.index); }},
               {.name = "vorticity",
                .symbol = "ω",
                .unit = "1/s",
                .on = On::cell,
                .view = [this] { return numbers(fields_of_flow_.vorticity()); },
-               .help = "∂v/∂x − ∂u/∂y: twice the rate at which the fluid turns, positive to the left"},
+               .help = "∂v/∂x − ∂u/∂y: twice the rate at which the fluid turns, positive to the left",
+               .defined_by = {"u_on_faces", "v_on_faces"},
+               .explain = [this](const Question& q) { return why_vorticity(q.index); }},
               {.name = "divergence_before",
                .symbol = "∇·ũ",
                .unit = "1/s",
@@ -59,7 +68,21 @@ void NavierStokes::declare_fields() {
                .on = On::cell,
                .view = view_of(pressure_),
                .help = "kinematic pressure p/ρ: the lecture's Δt ∇²p = ∇·u has no ρ. Its mean is 0, since a closed box fixes p "
-                       "up to a constant"}};
+                       "up to a constant"},
+              {.name = "u_on_faces",
+               .symbol = "u",
+               .unit = "m/s",
+               .on = On::x_face,
+               .view = view_of(velocity_[0]),
+               .help = "x component of the velocity, where it is stored: on the upright faces of the cells",
+               .bound = [] { return largest_velocity; }},
+              {.name = "v_on_faces",
+               .symbol = "v",
+               .unit = "m/s",
+               .on = On::y_face,
+               .view = view_of(velocity_[1]),
+               .help = "y component of the velocity, where it is stored: on the level faces of the cells",
+               .bound = [] { return largest_velocity; }}};
 }
 
 // -------------------------------------------------------------------------------------------------------------- probes
@@ -79,16 +102,19 @@ void NavierStokes::declare_probes() {
          .symbol = "max|∇·u|",
          .unit = "1/s",
          .help = "what the projection leaves",
-         .value = [this] { return divergence_after_.lpNorm<Eigen::Infinity>(); }},
+         .value = [this] { return divergence_after_.lpNorm<Eigen::Infinity>(); },
+         .explain = [this] { return why_largest("max|∇·u|", divergence_after_, "divergence_after"); }},
         {.name = "max_divergence_before",
          .symbol = "max|∇·ũ|",
          .unit = "1/s",
          .help = "what the projection was given",
-         .value = [this] { return divergence_before_.lpNorm<Eigen::Infinity>(); }},
+         .value = [this] { return divergence_before_.lpNorm<Eigen::Infinity>(); },
+         .explain = [this] { return why_largest("max|∇·ũ|", divergence_before_, "divergence_before"); }},
         {.name = "cfl",
          .symbol = "CFL",
          .help = "Courant number max|u| Δt/Δx: cells that the fastest fluid crosses in a step",
-         .value = [this] { return courant_number(*grid_, velocity_, dt); }},
+         .value = [this] { return courant_number(*grid_, velocity_, dt); },
+         .explain = [this] { return why_courant(); }},
         {.name = "solver_iterations",
          .help = "of the pressure solver in the latest step",
          .value = [this] { return static_cast<Real>(projection_->iterations()); }},
@@ -215,27 +241,39 @@ std::optional<Real> NavierStokes::table_difference() const {
 
 // -------------------------------------------------------------------------------------------- assumptions and laws
 
+std::optional<Fix> NavierStokes::shorter_step(Real cells) const {
+    const Real step = round_down(cells * dx() / max_speed(velocity_));
+    return Fix{fmt::format("Δt = {}", format_quantity(step, "s")), {{"time_step", format_exact(step)}}};
+}
+
+std::optional<Fix> NavierStokes::thicker_fluid(Real wanted) const {
+    const Real nu = -round_down(-wanted);
+    return Fix{fmt::format("ν = {}", format_quantity(nu, "m²/s")), {{"viscosity", format_exact(nu)}}};
+}
+
 void NavierStokes::declare_checks() {
     const auto viscous = [this] { return viscosity > 0; };
-    assumptions = {
-        {.name = "courant number",
-         .value = [this] { return courant_number(*grid_, velocity_, dt); },
-         .limit = [] { return largest_courant; },
-         .formula = "max|u| Δt/Δx ≤ 5",
-         .broken = "still stable, but the particle paths cut through vortices and walls: the flow is smeared and late"},
-        {.name = "interpolation viscosity",
-         .unit = "m²/s",
-         .value = [this] { return interpolation_viscosity(); },
-         .limit = [this] { return Real(viscosity); },
-         .formula = "s(1 − s)Δx²/(2Δt) ≤ ν, s: fraction of a cell crossed per step",
-         .broken = "linear interpolation smooths the flow more than its own viscosity does: vortices die too soon",
-         .used = viscous},
-        {.name = "cell reynolds number",
-         .value = [this] { return max_speed(velocity_) * dx() / viscosity; },
-         .limit = [] { return largest_cell_reynolds; },
-         .formula = "max|u| Δx/ν ≤ 2",
-         .broken = "boundary layers and the smallest vortices are thinner than a cell: what is seen is the grid's",
-         .used = viscous}};
+    assumptions = {{.name = "courant number",
+                    .value = [this] { return courant_number(*grid_, velocity_, dt); },
+                    .limit = [] { return largest_courant; },
+                    .formula = "max|u| Δt/Δx ≤ 5",
+                    .broken = "still stable, but the particle paths cut through vortices and walls: the flow is smeared and late",
+                    .fix = [this] { return shorter_step(4); }},
+                   {.name = "interpolation viscosity",
+                    .unit = "m²/s",
+                    .value = [this] { return interpolation_viscosity(); },
+                    .limit = [this] { return Real(viscosity); },
+                    .formula = "s(1 − s)Δx²/(2Δt) ≤ ν, s: fraction of a cell crossed per step",
+                    .broken = "linear interpolation smooths the flow more than its own viscosity does: vortices die too soon",
+                    .used = viscous,
+                    .fix = [this] { return thicker_fluid(1.5 * dx() * dx() / (8 * dt)); }},
+                   {.name = "cell reynolds number",
+                    .value = [this] { return max_speed(velocity_) * dx() / viscosity; },
+                    .limit = [] { return largest_cell_reynolds; },
+                    .formula = "max|u| Δx/ν ≤ 2",
+                    .broken = "boundary layers and the smallest vortices are thinner than a cell: what is seen is the grid's",
+                    .used = viscous,
+                    .fix = [this] { return thicker_fluid(max_speed(velocity_) * dx() / largest_cell_reynolds * 1.2); }}};
     conserved = {{.probe = "max_divergence",
                   .law = Law::zero,
                   .tolerance =
