@@ -19,6 +19,8 @@ void LabState::note_control(const std::string& name) {
     controls[name] = {a.x, a.y, b.x - a.x, b.y - a.y};
 }
 
+std::string_view name_of(Layout layout) { return layout == Layout::lab ? "lab" : layout == Layout::slide ? "slide" : "deck"; }
+
 void fitted_text(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return ImGui::TextUnformatted(text.c_str());
     std::string cut = text;
@@ -38,6 +40,13 @@ void tooltip(const std::string& text, float scale) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+std::string without_marks(const std::string& text) {
+    std::string plain;
+    for (const char c : text)
+        if (c != '`' && c != '*') plain += c;
+    return plain;
 }
 
 std::string words(std::string_view key) {
