@@ -93,8 +93,8 @@ void Lab::deck_layout(float width, float height) {
     LabState& s = state_;
     const int flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNavInputs;
     const float head = s.px(64), notes = s.notes_shown ? std::min(slide_notes_height(s, width), height / 4) : 0,
-                body = height - head - notes, left = width * 0.37f, right = std::max(s.px(290), width * 0.24f),
-                middle = width - left - right, numbers = s.px(166), sliders = std::min(slide_parameters_height(s), body * 0.45f);
+                body = height - head - notes, left = width * 0.36f, right = width * 0.23f, middle = width - left - right,
+                numbers = s.px(172), sliders = std::min(slide_parameters_height(s), body * 0.45f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {s.px(20), s.px(10)});
     {

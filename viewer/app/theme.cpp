@@ -69,6 +69,7 @@ Fonts load_fonts(float scale) {
     fonts.small = add_font(file, 12.5f * scale);
     fonts.medium = add_font(file, 19 * scale);
     fonts.large = add_font(file, 24 * scale);
+    fonts.larger = add_font(file, 29 * scale);
     fonts.huge = add_font(file, 34 * scale);
     return fonts;
 }

@@ -11,6 +11,7 @@ struct Fonts {
     ImFont* small = nullptr;
     ImFont* medium = nullptr;  // for the words of a slide that are many
     ImFont* large = nullptr;   // for the number that the last row must read
+    ImFont* larger = nullptr;  // for the words of a slide that are few
     ImFont* huge = nullptr;    // titles of slides
 };
 

@@ -13,41 +13,50 @@ struct Paragraph {
     std::string text;
     ImFont* font;
     unsigned colour;
-    bool formula = false;
 
     float height(float width) const { return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y; }
 };
 
 float gap(const LabState& lab) { return lab.px(9); }
 
+bool fits(const std::string& line, const ImFont* font, float width) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, line.c_str()).x <= width;
+}
+
 // Equations that stand side by side go one below the other where the width asks for it.
 std::string broken_formula(const std::string& line, const ImFont* font, float width) {
     std::string text = line;
-    if (font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x <= width) return text;
-    for (auto at = text.find("   "); at != std::string::npos; at = text.find("   ", at + 1)) {
-        const auto end = text.find_first_not_of(' ', at);
-        if (end != std::string::npos) text.replace(at, end - at, "\n");
-    }
+    if (fits(line, font, width)) return text;
+    for (auto at = text.find("   "); at != std::string::npos; at = text.find("   ", at + 1))
+        if (const auto end = text.find_first_not_of(' ', at); end != std::string::npos) text.replace(at, end - at, "\n");
     return text;
 }
 
-// The words of the slide: the introduction, unless the answer needs its room, formulas, the question and, when it is revealed,
-// the answer.
-std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, bool introduction, float width) {
-    const WalkthroughPlayer& player = *lab.session.walkthrough;
+Paragraph formula(const LabState& lab, const std::string& line, float width) {
+    for (ImFont* font : {lab.fonts.larger, lab.fonts.large})
+        if (const std::string text = broken_formula(line, font, width); fits(text, font, width))
+            return {text, font, lab.ink(Ink::velocity)};
+    return {line, lab.fonts.large, lab.ink(Ink::velocity)};
+}
+
+// What of the slide is shown: the introduction, formulas, the question, and the answer.
+struct Shown {
+    bool introduction, answer;
+};
+
+std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, Shown shown, float width) {
     const unsigned ink = ImGui::GetColorU32(ImGuiCol_Text), quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     std::vector<Paragraph> result;
     const auto headed = [&](const char* heading, Ink role, const Block& block, unsigned colour) {
         result.push_back({heading, font, lab.ink(role)});
         result.push_back({without_marks(block.paragraph()), font, colour});
     };
-    for (const Block& b : player.slide().blocks) {
-        if (b.kind == BlockKind::text && introduction) result.push_back({without_marks(b.paragraph()), font, ink});
+    for (const Block& b : lab.session.walkthrough->slide().blocks) {
+        if (b.kind == BlockKind::text && shown.introduction) result.push_back({without_marks(b.paragraph()), font, ink});
         if (b.kind == BlockKind::formula)
-            for (const std::string& line : b.lines)
-                result.push_back({broken_formula(line, lab.fonts.large, width), lab.fonts.large, lab.ink(Ink::velocity), true});
-        if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, player.revealed() ? quiet : ink);
-        if (b.kind == BlockKind::answer && player.revealed()) headed("What happened", Ink::velocity, b, ink);
+            for (const std::string& line : b.lines) result.push_back(formula(lab, line, width));
+        if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, shown.answer ? quiet : ink);
+        if (b.kind == BlockKind::answer && shown.answer) headed("What happened", Ink::velocity, b, ink);
     }
     return result;
 }
@@ -58,17 +67,18 @@ float height_of(const LabState& lab, const std::vector<Paragraph>& words, float 
     return height;
 }
 
-// In the largest type that fits; with the answer the introduction may go.
+// In the largest type in which the slide fits both with and without its answer, so that the question stays as it is when the
+// answer comes. The answer may take the place of the introduction.
 std::vector<Paragraph> fitting_words(const LabState& lab, ImVec2 room) {
     const bool revealed = lab.session.walkthrough->revealed();
-    std::vector<Paragraph> words;
-    for (ImFont* font : {lab.fonts.large, lab.fonts.medium})
-        for (const bool introduction : {true, false}) {
-            if (!introduction && !revealed) continue;
-            words = words_of(lab, font, introduction, room.x);
-            if (height_of(lab, words, room.x) <= room.y) return words;
-        }
-    return words;
+    const auto fit = [&](ImFont* font, Shown shown) {
+        return height_of(lab, words_of(lab, font, shown, room.x), room.x) <= room.y;
+    };
+    for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
+        for (const bool introduction : {true, false})
+            if (fit(font, {true, false}) && fit(font, {introduction, true}))
+                return words_of(lab, font, {introduction || !revealed, revealed}, room.x);
+    return words_of(lab, lab.fonts.medium, {!revealed, revealed}, room.x);
 }
 
 std::vector<const Parameter*> shown_parameters(const LabState& lab) {

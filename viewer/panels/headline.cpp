@@ -47,7 +47,7 @@ void draw_key_numbers(LabState& lab) {
     const Runner& r = lab.session.runner();
     for (const Probe* p : key_probes(r.lesson())) {
         const auto value = r.value(*p), exact = r.exact(*p);
-        ImGui::PushFont(lab.fonts.small);
+        ImGui::PushFont(lab.layout == Layout::deck ? lab.fonts.normal : lab.fonts.small);
         const std::string name = words(p->name), symbol = p->symbol == name ? "" : "  " + std::string(p->symbol);
         ImGui::TextDisabled("%s%s", name.c_str(), symbol.c_str());
         ImGui::PopFont();

@@ -94,7 +94,8 @@ void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     ImGui::PopFont();
     tooltip(help_of(lab, p), lab.scale);
     if (!number) return;
-    ImGui::SameLine(right);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right);
     ImGui::SetCursorPosY(top);
     ImGui::TextUnformatted(value.c_str());
 }

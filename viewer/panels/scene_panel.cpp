@@ -74,7 +74,7 @@ void draw_colour_bar(LabState& lab, const View& view) {
         draw->AddRectFilled({low.x, y0}, {low.x + width, y1 + 0.5f}, packed(colour_at(scale.map, (i + 0.5) / bands)));
     }
     draw->AddRect({low.x, top}, {low.x + width, low.y}, lab.ink(Ink::text, 0.6f));
-    ImGui::PushFont(lab.fonts.small);
+    ImGui::PushFont(lab.layout == Layout::deck ? lab.fonts.normal : lab.fonts.small);
     const float line = ImGui::GetTextLineHeight();
     for (int i = 0; i <= 4; ++i) {
         const Real value = scale.min + (scale.max - scale.min) * i / 4;
@@ -241,7 +241,7 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     lab.note_control("scene");
     handle_mouse(lab, view);
     draw_labels(lab, view);
-    if (!s.message()) draw_notes(lab, view);
+    if (!s.message() && lab.layout != Layout::deck) draw_notes(lab, view);
     draw_colour_bar(lab, view);
     hints(lab, view);
     banner(lab, view);
