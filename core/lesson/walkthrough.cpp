@@ -135,19 +135,25 @@ Pull pull_of(const std::vector<std::string>& words) {
 
 void WalkthroughPlayer::act(const std::string& line, int number) {
     const auto words = words_of_line(line);
+    const bool was_at_start = runner_.place() == Place{};
     try {
-        if (words[0] == "set") return runner_.assign(assignments_of(words));
-        if (words[0] == "reset") return runner_.reset();
-        if (words[0] == "run") return run_for(runner_, words, after_step_);
-        if (words[0] == "release") return runner_.pull(std::nullopt);
-        if (words[0] == "pull") return runner_.pull(pull_of(words));
-        if (words[0] == "preset" && words.size() == 2)
-            return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
-        if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
-        throw Refused("unknown action; known: set, reset, run, show, pull, release, preset");
+        perform(words);
     } catch (const Refused& e) {
         refuse(number, fmt::format("{} (in '{}')", e.what(), line));
     }
+    if (after_step_ && !was_at_start && runner_.place() == Place{}) after_step_();
+}
+
+void WalkthroughPlayer::perform(const std::vector<std::string>& words) {
+    if (words[0] == "set") return runner_.assign(assignments_of(words));
+    if (words[0] == "reset") return runner_.reset();
+    if (words[0] == "run") return run_for(runner_, words, after_step_);
+    if (words[0] == "release") return runner_.pull(std::nullopt);
+    if (words[0] == "pull") return runner_.pull(pull_of(words));
+    if (words[0] == "preset" && words.size() == 2)
+        return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
+    if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
+    throw Refused("unknown action; known: set, reset, run, show, pull, release, preset");
 }
 
 Real WalkthroughPlayer::quantity(std::string_view name) const {

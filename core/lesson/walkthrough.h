@@ -69,7 +69,8 @@ struct ExpectationResult {
 // (answer and what was expected).
 class WalkthroughPlayer {
 public:
-    // after_step, where given, is called behind each whole step that an action runs. Throws Refused naming file and line when a
+    // after_step, where given, is called behind each whole step that an action runs, and where an action starts the run
+    // again. Throws Refused naming file and line when a
     // slide's controls name a parameter that the lesson lacks.
     WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step = {});
 
@@ -100,6 +101,7 @@ private:
     void check_control(const std::string& key, int line) const;
     void reveal();
     void act(const std::string& line, int number);
+    void perform(const std::vector<std::string>& words);
     ExpectationResult check(const std::string& line, int number) const;
     Real quantity(std::string_view name) const;
     [[noreturn]] void refuse(int line, const std::string& what) const;

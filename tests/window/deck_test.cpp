@@ -116,6 +116,7 @@ TEST_CASE("the notes are for the lecturer: by a key on the screen, and in the te
     desk.key("End");
     REQUIRE(at(desk, 7, false));
     CHECK(desk.becomes([&](const Json&) {
-        return desk.output().find("1 / 7  A pull\nThree minutes.") == 0 && desk.output().find("7 / 7  How exact") != std::string::npos;
+        return desk.output().find("1 / 7  A pull\nThree minutes.") == 0 &&
+               desk.output().find("7 / 7  How exact") != std::string::npos;
     }));
 }

@@ -94,7 +94,7 @@ void Lab::deck_layout(float width, float height) {
     const int flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNavInputs;
     const float head = s.px(64), notes = s.notes_shown ? std::min(slide_notes_height(s, width), height / 4) : 0,
                 body = height - head - notes, left = width * 0.36f, right = width * 0.23f, middle = width - left - right,
-                numbers = s.px(172), sliders = std::min(slide_parameters_height(s), body * 0.45f);
+                numbers = s.px(172), sliders = std::clamp(slide_parameters_height(s), s.px(10), body * 0.45f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {s.px(20), s.px(10)});
     {
@@ -105,7 +105,7 @@ void Lab::deck_layout(float width, float height) {
         const FixedPanel panel("Slide words", {0, head, left, body}, flags);
         draw_slide_words(s);
     }
-    if (sliders > 0) {
+    if (slide_parameters_height(s) > 0) {
         const FixedPanel panel("Slide parameters", {left, head + body - sliders, middle, sliders}, ImGuiWindowFlags_NoBackground);
         draw_slide_parameters(s);
     }

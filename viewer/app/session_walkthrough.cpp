@@ -73,6 +73,8 @@ void Session::walkthrough_back() {
 void Session::go_to_slide(std::size_t n) {
     move_walkthrough([this, n] {
         colours = lesson().first_colours();
+        runner_->load({});
+        begin_run();
         walkthrough->go_to_slide(n);
     });
 }

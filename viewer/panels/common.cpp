@@ -1,6 +1,7 @@
 #include "panels/lab_state.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pliant::viewer {
 
@@ -31,6 +32,16 @@ void fitted_text(const std::string& text, float width) {
     }
     ImGui::TextUnformatted((cut + "…").c_str());
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) ImGui::SetTooltip("%s", text.c_str());
+}
+
+void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const Rgba8 b = palette(lab.theme).background;
+    const unsigned halo = packed(b, 0.75f);
+    const float d = std::max(1.f, lab.px(1));
+    for (const auto& [x, y] : {std::pair{-d, 0.f}, {d, 0.f}, {0.f, -d}, {0.f, d}, {-d, -d}, {d, d}, {-d, d}, {d, -d}})
+        draw->AddText({at.x + x, at.y + y}, halo, text.c_str());
+    draw->AddText(at, colour, text.c_str());
 }
 
 void tooltip(const std::string& text, float scale) {

@@ -1,4 +1,5 @@
 // What the deck shows beside picture, plots and numbers: a slide of the walkthrough in large type.
+#include "panels/flowing_text.h"
 #include "panels/lab_state.h"
 
 #include <fmt/format.h>
@@ -49,10 +50,11 @@ std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, Shown shown, 
     std::vector<Paragraph> result;
     const auto headed = [&](const char* heading, Ink role, const Block& block, unsigned colour) {
         result.push_back({heading, font, lab.ink(role)});
-        result.push_back({without_marks(block.paragraph()), font, colour});
+        result.push_back({flowing_text(without_marks(block.paragraph()), font, width), font, colour});
     };
     for (const Block& b : lab.session.walkthrough->slide().blocks) {
-        if (b.kind == BlockKind::text && shown.introduction) result.push_back({without_marks(b.paragraph()), font, ink});
+        if (b.kind == BlockKind::text && shown.introduction)
+            result.push_back({flowing_text(without_marks(b.paragraph()), font, width), font, ink});
         if (b.kind == BlockKind::formula)
             for (const std::string& line : b.lines) result.push_back(formula(lab, line, width));
         if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, shown.answer ? quiet : ink);

@@ -64,6 +64,8 @@ public:
 
 // Text cut with an ellipsis to a width in px; the whole text is its tooltip when it was cut.
 void fitted_text(const std::string& text, float width);
+// Words that stay readable over any picture, at this place of the window that is being drawn.
+void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text);
 // A tooltip for the last item, wrapped.
 void tooltip(const std::string& text, float scale);
 // Without Markdown's marks of emphasis; the words stay.
