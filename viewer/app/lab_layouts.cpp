@@ -106,6 +106,9 @@ void Lab::deck_layout(float width, float height) {
         draw_slide_words(s);
     }
     if (slide_parameters_height(s) > 0) {
+        // Tab goes to the sliders, whatever was clicked before.
+        const bool busy = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+        if (!busy) ImGui::SetNextWindowFocus();
         const FixedPanel panel("Slide parameters", {left, head + body - sliders, middle, sliders}, ImGuiWindowFlags_NoBackground);
         draw_slide_parameters(s);
     }

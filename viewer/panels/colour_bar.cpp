@@ -35,12 +35,12 @@ std::vector<std::string> tick_texts(const ColourScale& scale, int intervals, std
     return texts;
 }
 
-// As many ticks as their words leave room for, at most five.
+// Five ticks, or three where the words of five would touch: the outer ones stand inside the ends of the bar.
 std::vector<std::string> ticks_that_fit(const LabState& lab, const Field& field, float width) {
     const auto five = tick_texts(lab.session.range.scale, 4, field.unit);
     float widest = 0;
     for (const std::string& text : five) widest = std::max(widest, ImGui::CalcTextSize(text.c_str()).x);
-    return 5 * widest + 4 * lab.px(14) <= width ? five : tick_texts(lab.session.range.scale, 2, field.unit);
+    return 6 * widest + 4 * lab.px(14) <= width ? five : tick_texts(lab.session.range.scale, 2, field.unit);
 }
 
 void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
@@ -98,7 +98,7 @@ void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
 ColourBarPlace colour_bar_place(const LabState& lab, float width) {
     if (!shown_field(lab)) return {};
     // Labels beside a body need some room.
-    const float right = lab.session.lesson().dimension() == 3 ? lab.px(44) : 0;
+    const float right = lab.session.lesson().dimension() == 3 ? lab.px(60) : 0;
     if (lab.layout == Layout::deck) return {.right = right, .below = 2 * lab.fonts.normal->FontSize + lab.px(30)};
     return {.right = std::min(lab.px(96), width / 3)};
 }
