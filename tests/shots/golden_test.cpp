@@ -36,13 +36,13 @@ std::vector<Golden> goldens() {
     PictureOptions projector = small;
     projector.theme = "projector";
     PictureOptions deck = projector;
-    deck.size = "960x540", deck.layout = "deck", deck.slide = 3, deck.revealed = true;
+    deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
     return {
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
-        {"moduli_deck", {"elasticity/moduli", {}, {}, deck}, ""},
+        {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }
 
