@@ -225,11 +225,13 @@ TEST_CASE("output that cannot be written is an error", "[process]") {
 
 TEST_CASE("without a display the window says what to do instead", "[process]") {
     for (const Environment& environment : {Environment{}, Environment{{"DISPLAY", ""}}, Environment{{"DISPLAY", ":987"}}}) {
-        const Outcome outcome = call({}, environment);
-        INFO(outcome.err);
-        CHECK(outcome.exit_code == machine_lacks);
-        CHECK(contains(outcome.err, "display"));
-        CHECK(contains(outcome.err, "pliant shot"));
-        CHECK(outcome.out.empty());
+        for (const Arguments& arguments : {Arguments{}, Arguments{"walkthrough", "moduli", "--present", "--notes"}}) {
+            const Outcome outcome = call(arguments, environment);
+            INFO(outcome.err);
+            CHECK(outcome.exit_code == machine_lacks);
+            CHECK(contains(outcome.err, "display"));
+            CHECK(contains(outcome.err, "pliant shot"));
+            CHECK(outcome.out.empty());
+        }
     }
 }
