@@ -1,34 +1,18 @@
+// Plays a walkthrough: its actions, and what it expects.
 #include <pliant/lesson/format.h>
 #include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
 #include <pliant/lesson/until.h>
 #include <pliant/lesson/walkthrough.h>
+#include <pliant/lesson/walkthrough_words.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 
 namespace pliant {
 namespace {
-
-struct Fence {
-    std::string_view name;
-    BlockKind kind;
-};
-constexpr std::array<Fence, 5> fences{{{"formula", BlockKind::formula},
-                                       {"ask", BlockKind::ask},
-                                       {"do", BlockKind::actions},
-                                       {"expect", BlockKind::expect},
-                                       {"answer", BlockKind::answer}}};
-
-std::vector<std::string> words_of(const std::string& line) {
-    std::istringstream in(line);
-    return {std::istream_iterator<std::string>(in), {}};
-}
 
 std::optional<Real> as_number(std::string_view text) {
     Real value = 0;
@@ -37,83 +21,33 @@ std::optional<Real> as_number(std::string_view text) {
     return value;
 }
 
-std::string trimmed(std::string_view line) {
-    const auto first = line.find_first_not_of(" \t\r"), last = line.find_last_not_of(" \t\r");
-    return first == std::string_view::npos ? "" : std::string(line.substr(first, last - first + 1));
-}
-
-// Reads the file line by line into slides and blocks.
-class Reader {
-public:
-    Reader(std::string_view text, std::string_view path) : text_(text) { result_.path = path; }
-
-    Walkthrough read() {
-        std::istringstream in{std::string(text_)};
-        for (std::string line; std::getline(in, line);) ++number_, take(line);
-        if (inside_) refuse("the block that begins with ``` has no end");
-        if (result_.slides.empty()) refuse("there is no slide: begin one with '## Title'");
-        return std::move(result_);
-    }
-
-private:
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw Refused(fmt::format("{}:{}: {}", result_.path, number_, what));
-    }
-
-    void take(const std::string& line) {
-        if (line.starts_with("```")) return fence(trimmed(line.substr(3)));
-        if (inside_) return block().lines.push_back(line);
-        if (line.starts_with("## ")) return result_.slides.push_back({trimmed(line.substr(3)), {}});
-        if (line.starts_with("# ")) return void(result_.title = trimmed(line.substr(2)));
-        const std::string text = trimmed(line);
-        if (result_.slides.empty()) return;  // words before the first slide introduce the file itself
-        auto& blocks = result_.slides.back().blocks;
-        const bool goes_on = !blocks.empty() && blocks.back().kind == BlockKind::text && !paragraph_ended_;
-        paragraph_ended_ = text.empty();
-        if (text.empty()) return;
-        if (goes_on)
-            blocks.back().lines.back() += " " + text;
-        else
-            blocks.push_back({BlockKind::text, {text}, number_});
-    }
-
-    void fence(const std::string& name) {
-        if (inside_) {
-            if (!name.empty()) refuse("a block ends with ``` alone");
-            inside_ = false;
-            return;
-        }
-        if (result_.slides.empty()) refuse("a block stands before the first slide ('## Title')");
-        const auto found = std::ranges::find(fences, name, &Fence::name);
-        if (found == fences.end()) refuse(fmt::format("unknown block '{}'; known: formula, ask, do, expect, answer", name));
-        result_.slides.back().blocks.push_back({found->kind, {}, number_ + 1});
-        inside_ = true;
-        paragraph_ended_ = true;
-    }
-
-    Block& block() { return result_.slides.back().blocks.back(); }
-
-    std::string_view text_;
-    Walkthrough result_;
-    int number_ = 0;
-    bool inside_ = false, paragraph_ended_ = true;
-};
-
 }  // namespace
 
-bool Slide::has(BlockKind kind) const { return std::ranges::find(blocks, kind, &Block::kind) != blocks.end(); }
-
-Walkthrough parse_walkthrough(std::string_view text, std::string_view path) { return Reader(text, path).read(); }
-
-Walkthrough walkthrough_of(const LessonEntry& entry) {
-    const std::string path = fmt::format("{}/walkthrough.md", entry.info.id);
-    const std::string_view text = find_text(path);
-    if (text.empty()) throw Refused(fmt::format("{} has no walkthrough", entry.info.id));
-    return parse_walkthrough(text, path);
+WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
+    : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {
+    check_controls();
 }
 
-WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
-    : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {}
+void WalkthroughPlayer::check_controls() const {
+    for (const Slide& s : walkthrough_.slides)
+        for (const Block& b : s.blocks) {
+            if (b.kind != BlockKind::controls || b.paragraph() == "none") continue;
+            int number = b.first_line;
+            for (const std::string& line : b.lines) {
+                for (const std::string& key : words_of_line(line)) check_control(key, number);
+                ++number;
+            }
+        }
+}
+
+void WalkthroughPlayer::check_control(const std::string& key, int line) const {
+    if (key == "none") refuse(line, "'none' stands alone: it locks all parameters");
+    try {
+        runner_.lesson().parameter(key);
+    } catch (const Refused& e) {
+        refuse(line, fmt::format("{} (in controls)", e.what()));
+    }
+}
 
 void WalkthroughPlayer::refuse(int line, const std::string& what) const {
     throw Refused(fmt::format("{}:{}: {}", walkthrough_.path, line, what));
@@ -131,17 +65,18 @@ bool WalkthroughPlayer::next() {
 
 bool WalkthroughPlayer::back() {
     if (slide_ == 0 && !revealed_) return false;
-    const std::size_t target = revealed_ ? slide_ : slide_ - 1;
-    // Initial parameters, then everything that the slides before did.
-    Runner::Assignments initial;
-    for (const Parameter* p : runner_.lesson().parameters) initial.emplace_back(p->info.key, p->text(p->info.initial));
-    runner_.assign(initial);
-    runner_.reset();
+    go_to_slide(revealed_ ? slide_ : slide_ - 1);
+    return true;
+}
+
+void WalkthroughPlayer::go_to_slide(std::size_t n) {
+    const std::size_t count = walkthrough_.slides.size();
+    if (n >= count) throw Refused(fmt::format("slide {} is not there: {} has slides 1 to {}", n + 1, walkthrough_.path, count));
+    runner_.load({});
     shown_field_.clear();
-    for (slide_ = 0; slide_ < target; ++slide_) reveal();
+    for (slide_ = 0; slide_ < n; ++slide_) reveal();
     revealed_ = false;
     results_.clear();
-    return true;
 }
 
 void WalkthroughPlayer::reveal() {
@@ -199,20 +134,26 @@ Pull pull_of(const std::vector<std::string>& words) {
 }  // namespace
 
 void WalkthroughPlayer::act(const std::string& line, int number) {
-    const auto words = words_of(line);
+    const auto words = words_of_line(line);
+    const bool was_at_start = runner_.place() == Place{};
     try {
-        if (words[0] == "set") return runner_.assign(assignments_of(words));
-        if (words[0] == "reset") return runner_.reset();
-        if (words[0] == "run") return run_for(runner_, words, after_step_);
-        if (words[0] == "release") return runner_.pull(std::nullopt);
-        if (words[0] == "pull") return runner_.pull(pull_of(words));
-        if (words[0] == "preset" && words.size() == 2)
-            return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
-        if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
-        throw Refused("unknown action; known: set, reset, run, show, pull, release, preset");
+        perform(words);
     } catch (const Refused& e) {
         refuse(number, fmt::format("{} (in '{}')", e.what(), line));
     }
+    if (after_step_ && !was_at_start && runner_.place() == Place{}) after_step_();
+}
+
+void WalkthroughPlayer::perform(const std::vector<std::string>& words) {
+    if (words[0] == "set") return runner_.assign(assignments_of(words));
+    if (words[0] == "reset") return runner_.reset();
+    if (words[0] == "run") return run_for(runner_, words, after_step_);
+    if (words[0] == "release") return runner_.pull(std::nullopt);
+    if (words[0] == "pull") return runner_.pull(pull_of(words));
+    if (words[0] == "preset" && words.size() == 2)
+        return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
+    if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
+    throw Refused("unknown action; known: set, reset, run, show, pull, release, preset");
 }
 
 Real WalkthroughPlayer::quantity(std::string_view name) const {
@@ -227,7 +168,7 @@ Real WalkthroughPlayer::quantity(std::string_view name) const {
 
 // NAME OP [FACTOR] VALUE [within TOLERANCE [relative]]
 ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) const try {
-    const auto words = words_of(line);
+    const auto words = words_of_line(line);
     if (words.size() < 3) throw Refused("an expectation reads: NAME < VALUE, or NAME = VALUE within TOLERANCE [relative]");
     const Real left = quantity(words[0]);
 

@@ -12,6 +12,10 @@
 //                where NAME is a probe, a parameter, `time` or `step`, and VALUE a number, `exact` (of that probe), `before` (its
 //                value before the actions), another NAME, or a number times one of these ("0.5 before"); = needs a tolerance
 //   ```answer    shown after the actions
+//   ```notes     for the lecturer alone: never shown with the slide itself
+//   ```controls  the keys of the parameters that a person may change on this slide, one or more a line. All others are locked
+//   while
+//                the slide shows; `none`, or an empty block, locks all. A slide without this block leaves all free.
 #pragma once
 #include <pliant/lesson/runner.h>
 
@@ -24,18 +28,24 @@
 
 namespace pliant {
 
-enum class BlockKind { text, formula, ask, actions, expect, answer };
+enum class BlockKind { text, formula, ask, actions, expect, answer, notes, controls };
 
 struct Block {
     BlockKind kind;
     std::vector<std::string> lines;
     int first_line = 0;  // in the file, from 1
+    // The lines as one paragraph.
+    std::string paragraph() const;
 };
 
 struct Slide {
     std::string title;
     std::vector<Block> blocks;
     bool has(BlockKind kind) const;
+    // What the lecturer should know; "" when nothing is noted.
+    std::string notes() const;
+    // May a person change the parameter of this key?
+    bool allows(std::string_view key) const;
 };
 
 struct Walkthrough {
@@ -59,7 +69,9 @@ struct ExpectationResult {
 // (answer and what was expected).
 class WalkthroughPlayer {
 public:
-    // after_step, where given, is called behind each whole step that an action runs.
+    // after_step, where given, is called behind each whole step that an action runs, and where an action starts the run
+    // again. Throws Refused naming file and line when a
+    // slide's controls name a parameter that the lesson lacks.
     WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step = {});
 
     const Walkthrough& walkthrough() const { return walkthrough_; }
@@ -73,12 +85,23 @@ public:
     // Performs the actions of the slide, if they have not been, else goes to the next slide. False at the end. Throws Refused
     // naming file and line for an action that the lesson refuses, and Diverged when the run does.
     bool next();
-    // To the start of the slide before (or of this one, when it was revealed): everything up to there is played again.
+    // To the start of the slide before (or of this one, when it was revealed), as go_to_slide; false at the beginning.
     bool back();
+    // To the start of slide n, counted from 0: everything up to there is played again from the initial parameters, so whatever a
+    // person changed is gone. Throws as next, and Refused when there is no such slide.
+    void go_to_slide(std::size_t n);
+    // To the start of this slide, as it was before anything was changed on it.
+    void reset_slide() { go_to_slide(slide_); }
+
+    // May a person change the parameter of this key on this slide?
+    bool allows(std::string_view key) const { return slide().allows(key); }
 
 private:
+    void check_controls() const;
+    void check_control(const std::string& key, int line) const;
     void reveal();
     void act(const std::string& line, int number);
+    void perform(const std::vector<std::string>& words);
     ExpectationResult check(const std::string& line, int number) const;
     Real quantity(std::string_view name) const;
     [[noreturn]] void refuse(int line, const std::string& what) const;

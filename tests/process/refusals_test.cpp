@@ -85,6 +85,12 @@ TEST_CASE("calls that lack something or have too much are refused", "[process]")
     refusal({"run", "moduli", "--stpes", "3"}, {"--stpes", "--help"});
     refusal({"run", "moduli", "--steps"}, {"--steps"});
     refusal({"list", "moduli"}, {"moduli"});
+    refusal({"walkthrough", "moduli", "--check", "--present"}, {"--check", "--present"});
+    refusal({"walkthrough", "moduli", "--theme", "projector"}, {"--theme", "--present"});
+    refusal({"shot", "moduli", "--slide", "2", "--out", "x.png"}, {"--slide", "--layout deck"});
+    refusal({"shot", "moduli", "--layout", "deck", "--slide", "8", "--out", "x.png"}, {"slide 8", "1 to 7"});
+    refusal({"shot", "moduli", "--layout", "deck", "--slide", "0", "--out", "x.png"}, {"--slide"});
+    refusal({"shot", "moduli", "--layout", "deck", "--set", "load=1", "--out", "x.png"}, {"--set", "walkthrough"});
     refusal({"run", "moduli", "--scene", "a.json", "--preset", "b"}, {"--scene or --preset"});
     refusal({"run", "moduli", "--steps", "3", "--time", "1"}, {"--steps, --time and --rest"});
     refusal({"run", "moduli", "--rest", "--time", "1"}, {"--steps, --time and --rest"});
@@ -219,11 +225,13 @@ TEST_CASE("output that cannot be written is an error", "[process]") {
 
 TEST_CASE("without a display the window says what to do instead", "[process]") {
     for (const Environment& environment : {Environment{}, Environment{{"DISPLAY", ""}}, Environment{{"DISPLAY", ":987"}}}) {
-        const Outcome outcome = call({}, environment);
-        INFO(outcome.err);
-        CHECK(outcome.exit_code == machine_lacks);
-        CHECK(contains(outcome.err, "display"));
-        CHECK(contains(outcome.err, "pliant shot"));
-        CHECK(outcome.out.empty());
+        for (const Arguments& arguments : {Arguments{}, Arguments{"walkthrough", "moduli", "--present", "--notes"}}) {
+            const Outcome outcome = call(arguments, environment);
+            INFO(outcome.err);
+            CHECK(outcome.exit_code == machine_lacks);
+            CHECK(contains(outcome.err, "display"));
+            CHECK(contains(outcome.err, "pliant shot"));
+            CHECK(outcome.out.empty());
+        }
     }
 }

@@ -71,9 +71,10 @@ struct Spot {
 
 class Desk {
 public:
+    // More of the command line: a command, if any, comes first.
     explicit Desk(const Arguments& more = {}) {
-        Arguments arguments{"--size", "1280x800", "--state", state_path_};
-        arguments.insert(arguments.end(), more.begin(), more.end());
+        Arguments arguments = more;
+        arguments.insert(arguments.end(), {"--size", "1280x800", "--state", state_path_});
         lab_ = std::make_unique<Child>(PLIANT_PROGRAM, arguments, scratch_.path("lab.out"), scratch_.path("lab.err"),
                                        Environment{{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", std::nullopt}},
                                        std::vector<int>{}, scratch_.folder());
@@ -156,6 +157,7 @@ public:
         XConnection(screen_.display()).ask_to_close(static_cast<std::uint32_t>(std::stoul(window_)));
         return lab_->wait(10s) ? lab_->exit_code() : -1;
     }
+    std::string output() const { return contents_of(scratch_.path("lab.out")); }
     std::string complaints() const { return contents_of(scratch_.path("lab.err")); }
 
 private:

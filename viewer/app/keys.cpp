@@ -20,9 +20,21 @@ constexpr std::array bindings{
     KeyBinding{Action::find, ImGuiKey_F, false, false, "F", "find a lesson"},
     KeyBinding{Action::walkthrough_next, ImGuiKey_N, false, false, "N", "walkthrough: next"},
     KeyBinding{Action::walkthrough_back, ImGuiKey_B, false, false, "B", "walkthrough: back"},
-    KeyBinding{Action::hide_panels, ImGuiKey_Tab, false, false, "Tab", "hide or show the panels"},
+    KeyBinding{Action::unlock, ImGuiKey_L, false, false, "L", "walkthrough: unlock or lock the parameters",
+               Where::in_walkthrough},
+    KeyBinding{Action::deck, ImGuiKey_D, false, false, "D", "walkthrough as a deck for a lecture"},
+    KeyBinding{Action::walkthrough_next, ImGuiKey_RightArrow, false, false, "→", "deck: next", Where::in_deck},
+    KeyBinding{Action::walkthrough_next, ImGuiKey_PageDown, false, false, "Page Down", "deck: next", Where::in_deck},
+    KeyBinding{Action::walkthrough_back, ImGuiKey_LeftArrow, false, false, "←", "deck: back", Where::in_deck},
+    KeyBinding{Action::walkthrough_back, ImGuiKey_PageUp, false, false, "Page Up", "deck: back", Where::in_deck},
+    KeyBinding{Action::reset_slide, ImGuiKey_Backspace, false, false, "Backspace", "deck: start of this slide", Where::in_deck},
+    KeyBinding{Action::first_slide, ImGuiKey_Home, false, false, "Home", "deck: first slide", Where::in_deck},
+    KeyBinding{Action::last_slide, ImGuiKey_End, false, false, "End", "deck: last slide", Where::in_deck},
+    KeyBinding{Action::notes, ImGuiKey_O, false, false, "O", "deck: the lecturer's notes", Where::in_deck},
+    KeyBinding{Action::leave_deck, ImGuiKey_Escape, false, false, "Escape", "deck: to the lab, with this run", Where::in_deck},
+    KeyBinding{Action::hide_panels, ImGuiKey_Tab, false, false, "Tab", "hide or show the panels", Where::outside_deck},
     KeyBinding{Action::arrows, ImGuiKey_A, false, false, "A", "arrows on or off"},
-    KeyBinding{Action::frame, ImGuiKey_Home, false, false, "Home", "frame the whole scene"},
+    KeyBinding{Action::frame, ImGuiKey_Home, false, false, "Home", "frame the whole scene", Where::outside_deck},
     KeyBinding{Action::extreme, ImGuiKey_E, false, false, "E", "extreme ranges of the sliders"},
     KeyBinding{Action::theme, ImGuiKey_T, false, false, "T", "dark or projector theme"},
     KeyBinding{Action::larger, ImGuiKey_Equal, true, false, "Ctrl +", "larger type and lines"},
@@ -36,6 +48,20 @@ constexpr std::array bindings{
 
 std::span<const KeyBinding> key_bindings() { return bindings; }
 
+bool KeyContext::suits(Where where) const {
+    switch (where) {
+        case Where::everywhere:
+            return true;
+        case Where::outside_deck:
+            return !deck;
+        case Where::in_deck:
+            return deck;
+        case Where::in_walkthrough:
+            return walkthrough;
+    }
+    return false;
+}
+
 bool pressed(const KeyBinding& b) {
     const ImGuiIO& io = ImGui::GetIO();
     // In a slow frame Ctrl may be up again when the key that it went with is looked at.
@@ -43,6 +69,8 @@ bool pressed(const KeyBinding& b) {
     if (io.WantTextInput || ctrl != b.ctrl) return false;
     // Space acts on the control that has the visible focus, if one has.
     if (b.key == ImGuiKey_Space && io.NavVisible) return false;
+    // A control that was taken hold of by keys has the arrows, and Escape lets go of it.
+    if (b.where == Where::in_deck && ImGui::IsAnyItemActive()) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);
 }
 

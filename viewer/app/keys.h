@@ -26,9 +26,19 @@ enum class Action {
     smaller,
     walkthrough_next,
     walkthrough_back,
+    deck,
+    leave_deck,
+    reset_slide,
+    first_slide,
+    last_slide,
+    unlock,
+    notes,
     save,
     frame
 };
+
+// Where a key has its meaning. The deck is the layout for a lecture, while a walkthrough plays in it.
+enum class Where { everywhere, outside_deck, in_deck, in_walkthrough };
 
 struct KeyBinding {
     Action action;
@@ -36,17 +46,23 @@ struct KeyBinding {
     bool ctrl;
     bool repeats;  // while the key is held
     std::string_view keys, meaning;
+    Where where = Where::everywhere;
+};
+
+// What the person is in, for the keys that depend on it.
+struct KeyContext {
+    bool walkthrough = false, deck = false;
+    bool suits(Where where) const;
 };
 
 std::span<const KeyBinding> key_bindings();
 
-// Calls `perform` for each action whose key was pressed in this frame, unless a text is being typed.
-void handle_keys(const auto& perform);
 bool pressed(const KeyBinding& binding);
 
-void handle_keys(const auto& perform) {
+// Calls `perform` for each action whose key was pressed in this frame, unless a text is being typed.
+void handle_keys(const KeyContext& context, const auto& perform) {
     for (const KeyBinding& b : key_bindings())
-        if (pressed(b)) perform(b.action);
+        if (context.suits(b.where) && pressed(b)) perform(b.action);
 }
 
 }  // namespace pliant::viewer

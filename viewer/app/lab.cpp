@@ -80,10 +80,10 @@ void Lab::perform(Action action) {
             s.open_next(1);
             break;
         case Action::find:
-            state_.layout = Layout::lab, state_.focus_search = true;
+            set_layout(Layout::lab), state_.focus_search = true;
             break;
         case Action::hide_panels:
-            state_.layout = state_.layout == Layout::lab ? Layout::slide : Layout::lab, s.camera.reset();
+            set_layout(state_.layout == Layout::lab ? Layout::slide : Layout::lab);
             break;
         case Action::help:
             state_.help_shown = !state_.help_shown;
@@ -112,6 +112,27 @@ void Lab::perform(Action action) {
         case Action::walkthrough_back:
             s.walkthrough_back();
             break;
+        case Action::deck:
+            in_deck() ? set_layout(Layout::lab) : open_deck();
+            break;
+        case Action::leave_deck:
+            set_layout(Layout::lab);
+            break;
+        case Action::reset_slide:
+            s.reset_slide();
+            break;
+        case Action::first_slide:
+            s.go_to_slide(0);
+            break;
+        case Action::last_slide:
+            s.go_to_slide(s.walkthrough->walkthrough().slides.size() - 1);
+            break;
+        case Action::unlock:
+            s.toggle_lock();
+            break;
+        case Action::notes:
+            state_.notes_shown = !state_.notes_shown;
+            break;
         case Action::save:
             save_scene();
             break;
@@ -119,6 +140,15 @@ void Lab::perform(Action action) {
             s.camera.reset();
             break;
     }
+}
+
+void Lab::set_layout(Layout layout) {
+    if (std::exchange(state_.layout, layout) != layout) state_.session.camera.reset();
+}
+
+void Lab::open_deck() {
+    if (!state_.session.walkthrough) state_.session.start_walkthrough();
+    if (state_.session.walkthrough) set_layout(Layout::deck);
 }
 
 void Lab::write_and_tell(const std::string& file, const std::function<void()>& write) {
@@ -151,9 +181,15 @@ void Lab::drop_file(const std::string& path) {
 }
 
 namespace {
-// Tab hides the panels here, so it does not move the focus as well.
-void release_tab() {
-    if (ImGui::IsKeyPressed(ImGuiKey_Tab) && !ImGui::GetIO().WantTextInput) ImGui::NavMoveRequestCancel();
+// What a key of the lab does, it does not do to the focus as well: Tab hides the panels, and in the deck, where Tab goes through
+// the sliders, the arrows turn the slides.
+void release_keys(bool deck) {
+    if (ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive()) return;
+    const auto cancel_on = [](std::initializer_list<ImGuiKey> keys) {
+        if (std::ranges::any_of(keys, [](ImGuiKey k) { return ImGui::IsKeyPressed(k); })) ImGui::NavMoveRequestCancel();
+    };
+    deck ? cancel_on({ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_PageUp, ImGuiKey_PageDown, ImGuiKey_Home, ImGuiKey_End})
+         : cancel_on({ImGuiKey_Tab});
 }
 }  // namespace
 
@@ -168,89 +204,17 @@ void Lab::frame(Real dt) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
-    release_tab();
+    if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
+    release_keys(in_deck());
     state_.session.update(dt);
-    handle_keys([this](Action a) { perform(a); });
+    handle_keys({.walkthrough = state_.session.walkthrough.has_value(), .deck = in_deck()}, [this](Action a) { perform(a); });
     ImGui::PushFont(state_.fonts.normal);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    state_.layout == Layout::lab ? lab_layout(display.x, display.y) : slide_layout(display.x, display.y);
+    draw_layout(display.x, display.y);
     if (state_.help_shown) draw_help(state_);
     ImGui::PopFont();
     gui_.end_frame();
     if (const auto shot = std::exchange(plot_to_save_, std::nullopt)) save_plot(*shot);
-}
-
-void Lab::lab_layout(float width, float height) {
-    LabState& s = state_;
-    const float status = ImGui::GetFrameHeight() + s.px(8), left = std::min(s.px(238), width * 0.28f);
-    const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right,
-                body = height - status;
-    const float list =
-        std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
-    const float bars =
-        ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ItemSpacing.y;
-    {
-        const FixedPanel panel("Lessons", {0, 0, left, list});
-        draw_lesson_list(s);
-    }
-    {
-        const FixedPanel panel("Parameters", {0, list, left, body - list});
-        draw_parameters(s);
-    }
-    {
-        const FixedPanel panel("Stages", {left, 0, middle, bars}, ImGuiWindowFlags_NoScrollbar);
-        draw_transport(s);
-        draw_stage_bar(s);
-    }
-    {
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-        const FixedPanel panel("Scene", {left, bars, middle, body - bars},
-                               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-        ImGui::PopStyleVar();
-        draw_scene(s, renderer_);
-    }
-    if (s.session.walkthrough) {
-        const float split = body * 0.58f;
-        {
-            const FixedPanel panel("Walkthrough", {width - right, 0, right, split});
-            draw_walkthrough(s);
-        }
-        const FixedPanel panel("Plots", {width - right, split, right, body - split});
-        draw_plots(s);
-    } else {
-        const FixedPanel panel("Plots", {width - right, 0, right, body});
-        draw_plots(s);
-    }
-    const FixedPanel panel("Status", {0, body, width, status}, ImGuiWindowFlags_NoScrollbar);
-    draw_status_line(s);
-}
-
-void Lab::slide_layout(float width, float height) {
-    LabState& s = state_;
-    const float head = s.px(78), right = std::max(s.px(300), width * 0.32f), numbers = s.px(158);
-    const int flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-    {
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {s.px(18), s.px(10)});
-        const FixedPanel panel("Headline", {0, 0, width, head}, flags);
-        ImGui::PopStyleVar();
-        draw_headline(s);
-    }
-    {
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-        const FixedPanel panel("Scene", {0, head, width - right, height - head}, flags | ImGuiWindowFlags_NoScrollWithMouse);
-        ImGui::PopStyleVar();
-        draw_scene(s, renderer_);
-    }
-    {
-        const FixedPanel panel("Plots", {width - right, head, right, height - head - numbers}, flags);
-        draw_plots(s);
-    }
-    {
-        const FixedPanel panel("Numbers", {width - right, height - numbers, right, numbers}, flags);
-        draw_key_numbers(s);
-    }
-    ImGui::PopStyleVar();
 }
 
 }  // namespace pliant::viewer

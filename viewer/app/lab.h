@@ -20,6 +20,11 @@ public:
     // Takes effect with the next frame.
     void set_theme(Theme theme);
     void set_scale(float scale);  // clamped to 1 to 3
+    void set_layout(Layout layout);
+    // The walkthrough of the lesson in the deck, from its first slide unless it plays already. Stays where it is, with a message,
+    // when the lesson has none.
+    void open_deck();
+    bool in_deck() const { return state_.layout == Layout::deck && state_.session.walkthrough; }
     void perform(Action action);
     void drop_file(const std::string& path);
 
@@ -28,8 +33,10 @@ public:
 
 private:
     void restyle();
+    void draw_layout(float width, float height);
     void lab_layout(float width, float height);
     void slide_layout(float width, float height);
+    void deck_layout(float width, float height);
     void save_scene();
     void save_plot(const PlotShot& shot);
     void write_and_tell(const std::string& file, const std::function<void()>& write);
@@ -39,6 +46,7 @@ private:
     SceneRenderer renderer_;
     LabState state_;
     std::optional<PlotShot> plot_to_save_;
+    Rectangle deck_picture_;  // where the deck's picture was in the last frame
     bool restyle_ = true, fonts_loaded_ = false;
 };
 

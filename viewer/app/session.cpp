@@ -1,5 +1,7 @@
 #include "app/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -33,6 +35,7 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     undo_.clear();
     message_.reset();
     walkthrough.reset();
+    unlocked = false;
     playing = false;
     camera.reset();
     colours = lesson().first_colours();
@@ -68,8 +71,7 @@ SceneFile Session::scene_file() const {
 
 // ---------------------------------------------------------------------------------------------------------------- time
 
-template <class Action>
-bool Session::guarded(Action action) {
+bool Session::guarded(const std::function<void()>& action) {
     try {
         action();
         return true;
@@ -204,7 +206,11 @@ bool Session::set(const Parameter& parameter, Real value) {
 
 void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
     const Real before = runner_->wanted(parameter);
-    if (before == value || !set(parameter, value)) return;
+    if (before == value) return;
+    if (locked(parameter))
+        return say(Message::Kind::refused,
+                   fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
+    if (!set(parameter, value)) return;
     const bool joins = same_drag && !undo_.empty() && undo_.back().key == parameter.info.key;
     if (!joins) undo_.push_back({std::string(parameter.info.key), before});
 }
@@ -237,50 +243,6 @@ Scene Session::scene() const {
     if (!smooth)
         for (GridMarks& g : picture.grids) g.smooth = false;
     return picture;
-}
-
-// --------------------------------------------------------------------------------------------------------- walkthrough
-
-void Session::start_walkthrough() {
-    guarded([&] {
-        Walkthrough text = walkthrough_of(*entry_);
-        open(*entry_);
-        walkthrough.emplace(*runner_, std::move(text), [this] { record_of_walkthrough(); });
-    });
-}
-
-// A slide may start the lesson again, so a step that was recorded before begins another run.
-void Session::record_of_walkthrough() {
-    if (!recorder_.empty() && runner_->place().step <= recorder_.steps().back())
-        begin_run();
-    else
-        moved();
-}
-
-// Without a run in the slide, a reset shows by the step alone.
-void Session::after_walkthrough() {
-    const bool restarted = !recorder_.empty() && runner_->place().step < recorder_.steps().back();
-    restarted ? begin_run() : moved();
-}
-
-void Session::walkthrough_next() {
-    if (!walkthrough) return;
-    playing = false;
-    guarded([&] {
-        if (!walkthrough->next()) say(Message::Kind::info, "This was the last slide.");
-    });
-    if (!walkthrough->shown_field().empty() && walkthrough->shown_field() != colours.field) {
-        colours = {walkthrough->shown_field(), -1};
-        range.forget();
-    }
-    after_walkthrough();
-}
-
-void Session::walkthrough_back() {
-    if (!walkthrough) return;
-    playing = false;
-    guarded([&] { walkthrough->back(); });
-    after_walkthrough();
 }
 
 }  // namespace pliant::viewer

@@ -10,6 +10,7 @@
 
 #include "render/palette.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,7 +69,8 @@ public:
 
     // --- parameters ---
     bool extreme = false;  // sliders span all that the solver accepts
-    // A refusal becomes a message. Values that follow each other on one parameter within a drag are one undo step.
+    // A refusal, also of a parameter that the slide locks, becomes a message. Values that follow each other on one parameter
+    // within a drag are one undo step.
     void assign(const Parameter& parameter, Real value, bool same_drag = false);
     void restore_default(const Parameter& parameter);
     void undo();
@@ -88,9 +90,15 @@ public:
 
     // --- walkthrough ---
     std::optional<WalkthroughPlayer> walkthrough;
-    void start_walkthrough();
+    bool unlocked = false;  // whatever the slide locks, until the walkthrough ends
+    bool locked(const Parameter& parameter) const;
+    void toggle_lock();
+    void start_walkthrough();  // from its first slide
     void walkthrough_next();
     void walkthrough_back();
+    void go_to_slide(std::size_t n);  // from 0
+    void reset_slide();
+    void end_walkthrough();  // the run stays as it is
 
     // --- messages ---
     struct Message {
@@ -106,12 +114,13 @@ private:
         std::string key;
         Real value;
     };
-    template <class Action>
-    bool guarded(Action action);  // an error becomes a message and a pause
+    bool guarded(const std::function<void()>& action);  // an error becomes a message and a pause
     bool set(const Parameter& parameter, Real value);
     void begin_run();  // nothing of the run before is shown any longer
     void moved();      // records, and keeps the view up to date
     void record_of_walkthrough();
+    void move_walkthrough(const std::function<void()>& move);
+    void show_field_of_slide();
     void after_walkthrough();
     void keep_hand();  // after a move back: the hand is where it is now, not where it was then
     bool advance_one();

@@ -26,7 +26,12 @@ std::string state_json(const LabState& lab) {
     j["pulling"] = lab.pulling ? lab.pulling->index : -1;
     j["hovered"] = lab.hovered ? lab.hovered->index : -1;
     j["message"] = lab.session.message() ? lab.session.message()->text : "";
-    j["layout"] = lab.layout == Layout::lab ? "lab" : "slide";
+    j["layout"] = name_of(lab.layout);
+    const auto& walkthrough = lab.session.walkthrough;
+    j["slide"] = walkthrough ? walkthrough->slide_number() + 1 : 0;
+    j["revealed"] = walkthrough && walkthrough->revealed();
+    j["unlocked"] = lab.session.unlocked;
+    j["notes"] = lab.notes_shown;
     j["scale"] = lab.scale;
     j["help"] = lab.help_shown;
     j["frame"] = ImGui::GetFrameCount();

@@ -67,7 +67,9 @@ Fonts load_fonts(float scale) {
     Fonts fonts;
     fonts.normal = add_font(file, 15 * scale);
     fonts.small = add_font(file, 12.5f * scale);
+    fonts.medium = add_font(file, 19 * scale);
     fonts.large = add_font(file, 24 * scale);
+    fonts.larger = add_font(file, 29 * scale);
     fonts.huge = add_font(file, 34 * scale);
     return fonts;
 }

@@ -9,8 +9,10 @@ namespace pliant::viewer {
 struct Fonts {
     ImFont* normal = nullptr;
     ImFont* small = nullptr;
-    ImFont* large = nullptr;  // for the number that the last row must read
-    ImFont* huge = nullptr;   // titles of slides
+    ImFont* medium = nullptr;  // for the words of a slide that are many
+    ImFont* large = nullptr;   // for the number that the last row must read
+    ImFont* larger = nullptr;  // for the words of a slide that are few
+    ImFont* huge = nullptr;    // titles of slides
 };
 
 // Loads the typeface at the scale (1 to 3) into ImGui's atlas. Call between frames; the GL texture of the atlas must be made

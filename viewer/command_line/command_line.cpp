@@ -36,8 +36,19 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
     command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command.add_option("--ui-scale", o.ui_scale, "of type and lines, 1 to 3")->capture_default_str();
     command.add_option("--theme", o.theme, "dark or projector")->capture_default_str();
-    command.add_option("--layout", o.layout, "slide (picture, plots, numbers) or lab (all panels)")->capture_default_str();
+    command.add_option("--layout", o.layout, "slide (picture, plots, numbers), lab (all panels) or deck (--slide)")
+        ->capture_default_str();
+    command.add_option("--slide", o.slide, "with --layout deck: the slide of the walkthrough, from 1");
+    command.add_flag("--revealed", o.revealed, "with --layout deck: with the answer");
     command.add_option("--backend", o.backend, "any, osmesa or egl")->capture_default_str();
+}
+
+void add_window_options(CLI::App& command, WindowOptions& o) {
+    command.add_option("--size", o.size, "of the window")->capture_default_str();
+    command.add_option("--theme", o.theme, "dark or projector")->capture_default_str();
+    command.add_option("--ui-scale", o.ui_scale, "of type and lines, 1 to 3; as the screen asks when not given");
+    command.add_option("--frames", o.frames, "close after so many frames");
+    command.add_option("--state", o.state_path, "keep the state of the lab in this JSON file, for tests and screen readers");
 }
 
 // CLI11 would take a mistyped command for a stray argument.
@@ -65,12 +76,7 @@ int dispatch(int argc, const char* const* argv) {
 
     app.add_option("--lesson", window_options.lesson, "the lesson to open");
     app.add_option("--scene", window_options.scene_path, "the scene file to open");
-    app.add_option("--size", window_options.size, "of the window")->capture_default_str();
-    app.add_option("--theme", window_options.theme, "dark or projector")->capture_default_str();
-    app.add_option("--ui-scale", window_options.ui_scale, "of type and lines, 1 to 3; as the screen asks when not given");
-    app.add_option("--frames", window_options.frames, "close after so many frames");
-    app.add_option("--state", window_options.state_path,
-                   "keep the state of the lab in this JSON file, for tests and screen readers");
+    add_window_options(app, window_options);
 
     CLI::App* list = app.add_subcommand("list", "the lessons");
     list->add_flag("--json", json, "as JSON");
@@ -108,9 +114,20 @@ int dispatch(int argc, const char* const* argv) {
     tour_command->callback([&] { action = [&] { return tour(folder); }; });
 
     CLI::App* walkthrough_command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
-    walkthrough_command->add_option("lesson", lesson)->required();
+    walkthrough_command->add_option("lesson", window_options.lesson)->required();
     walkthrough_command->add_flag("--check", check, "exit with 1 when an expectation is missed");
-    walkthrough_command->callback([&] { action = [&] { return walkthrough(lesson, check); }; });
+    CLI::Option* present =
+        walkthrough_command->add_flag("--present", window_options.deck, "show it in a window, as a deck for a lecture");
+    present->excludes(walkthrough_command->get_option("--check"));
+    walkthrough_command->add_flag("--notes", window_options.notes, "print the lecturer's notes as well");
+    CLI::Option_group* in_window = walkthrough_command->add_option_group("window", "with --present");
+    add_window_options(*in_window, window_options);
+    for (CLI::Option* o : in_window->get_options()) o->needs(present);
+    walkthrough_command->callback([&] {
+        action = [&] {
+            return window_options.deck ? window(window_options) : walkthrough(window_options.lesson, check, window_options.notes);
+        };
+    });
 
     check_command(app, argc, argv);
     try {

@@ -72,7 +72,11 @@ Theme theme_from(const std::string& text) {
 Layout layout_from(const std::string& text) {
     if (text == "slide") return Layout::slide;
     if (text == "lab") return Layout::lab;
-    throw Refused(fmt::format("--layout {} is not accepted: give slide (picture, plots, numbers) or lab (all panels)", text));
+    if (text == "deck") return Layout::deck;
+    throw Refused(
+        fmt::format("--layout {} is not accepted: give slide (picture, plots, numbers), lab (all panels) or deck (a slide of the "
+                    "walkthrough)",
+                    text));
 }
 
 float ui_scale_from(float scale) {

@@ -26,6 +26,8 @@ struct RunOptions {
 struct PictureOptions {
     std::string stage, field, size = "1280x720", theme = "dark", layout = "slide", backend = "any", out;
     int component = -1;
+    std::optional<Index> slide;  // of the walkthrough, from 1
+    bool revealed = false;
     float ui_scale = 1;
 };
 
@@ -33,6 +35,8 @@ struct WindowOptions {
     std::string lesson, scene_path, size = "1440x810", theme = "dark", state_path;
     float ui_scale = 0;  // 0: as the screen asks
     long frames = 0;     // stop after so many; 0: when closed
+    bool deck = false;   // opens the walkthrough of the lesson, paused
+    bool notes = false;  // writes the notes of each slide to standard output
 };
 
 // The scene that lesson, scene file, preset and settings describe together; later ones win. Throws Refused.
@@ -57,7 +61,8 @@ struct WhyOptions {
 int why(const RunOptions& run, const WhyOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
 int tour(const std::string& folder);
-int walkthrough(const std::string& lesson, bool check);
+// notes: prints those of the lecturer as well.
+int walkthrough(const std::string& lesson, bool check, bool notes);
 int window(const WindowOptions& options);
 
 }  // namespace pliant::viewer

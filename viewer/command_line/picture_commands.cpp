@@ -47,6 +47,26 @@ void choose_view(Session& session, const PictureOptions& o) {
     session.view_changed();
 }
 
+// A slide makes its own run.
+void check_deck(const RunOptions& run, const PictureOptions& picture) {
+    if (!run.scene_path.empty() || !run.preset.empty() || !run.settings.empty() || run.steps || run.time || run.rest ||
+        !picture.stage.empty())
+        throw Refused(
+            "--layout deck shows a slide of the walkthrough, which sets and runs the lesson itself: leave out --scene, --preset, "
+            "--set, --steps, --time, --rest and --stage");
+    if (picture.slide && *picture.slide < 1)
+        throw Refused("--slide", static_cast<Real>(*picture.slide), "", "a number from 1 on");
+}
+
+// Unlike a person at the window, a command is refused what goes wrong.
+void show_slide(Session& s, const PictureOptions& o) {
+    walkthrough_of(s.entry());
+    s.start_walkthrough();
+    s.go_to_slide(static_cast<std::size_t>(o.slide.value_or(1) - 1));
+    if (o.revealed && !s.message()) s.walkthrough_next();
+    if (s.message()) throw Refused(s.message()->text);
+}
+
 void check_writable_png(const std::string& path) {
     if (path.empty()) throw Refused("--out is missing: name the picture to write, such as --out picture.png");
     const auto folder = std::filesystem::path(path).parent_path();
@@ -113,6 +133,9 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     const Size size = size_from(picture.size);
     const Theme theme = theme_from(picture.theme);
     const Layout layout = layout_from(picture.layout);
+    if (layout == Layout::deck) check_deck(options, picture);
+    if (layout != Layout::deck && (picture.slide || picture.revealed))
+        throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck as well");
     const float scale = ui_scale_from(picture.ui_scale);
     check_writable_png(picture.out);
     const auto context = headless(picture.backend, size);
@@ -123,7 +146,10 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     lab.state().hints_shown = false;
     Session& s = lab.session();
     s.open_scene(scene);
-    s.run(until_from(options, s.entry(), s.runner().is_static()));
+    if (layout == Layout::deck)
+        show_slide(s, picture);
+    else
+        s.run(until_from(options, s.entry(), s.runner().is_static()));
     choose_view(s, picture);
     write_png(capture(lab, *context), picture.out);
     return 0;

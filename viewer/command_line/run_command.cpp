@@ -18,7 +18,7 @@ void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), s
 
 std::string joined(const std::vector<std::string>& lines) { return fmt::format("{}\n", fmt::join(lines, "\n")); }
 
-void print_slide(const WalkthroughPlayer& player) {
+void print_slide(const WalkthroughPlayer& player, bool notes) {
     print(fmt::format("\n{}. {}\n", player.slide_number() + 1, player.slide().title));
     for (const Block& b : player.slide().blocks) {
         if (b.kind == BlockKind::text || b.kind == BlockKind::answer) print("  " + joined(b.lines));
@@ -26,6 +26,7 @@ void print_slide(const WalkthroughPlayer& player) {
         if (b.kind == BlockKind::ask) print("  Predict: " + joined(b.lines));
         if (b.kind == BlockKind::actions) print("  > " + fmt::format("{}\n", fmt::join(b.lines, "\n  > ")));
     }
+    if (notes && !player.slide().notes().empty()) print("  Notes: " + player.slide().notes() + "\n");
     for (const ExpectationResult& r : player.results())
         print(fmt::format("  {} {}   ({})\n", r.met ? "✓" : "✗", r.text, r.measured));
 }
@@ -71,7 +72,7 @@ int run(const RunOptions& options) {
     return 0;
 }
 
-int walkthrough(const std::string& lesson, bool check) {
+int walkthrough(const std::string& lesson, bool check, bool notes) {
     const LessonEntry& entry = find_lesson(lesson);
     Runner runner(entry);
     WalkthroughPlayer player(runner, walkthrough_of(entry));
@@ -84,7 +85,7 @@ int walkthrough(const std::string& lesson, bool check) {
         const bool was_revealed = player.revealed();
         more = player.next();
         if (player.slide_number() != slide || (was_revealed && !more) || (!more && !player.revealed())) continue;
-        print_slide(player);
+        print_slide(player, notes);
         for (const ExpectationResult& r : player.results()) {
             r.met ? ++met : ++missed;
             if (!r.met) misses += fmt::format("\n{}:{}: {} ({})", player.walkthrough().path, r.line, r.text, r.measured);

@@ -1,6 +1,7 @@
 #include "panels/lab_state.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pliant::viewer {
 
@@ -19,6 +20,8 @@ void LabState::note_control(const std::string& name) {
     controls[name] = {a.x, a.y, b.x - a.x, b.y - a.y};
 }
 
+std::string_view name_of(Layout layout) { return layout == Layout::lab ? "lab" : layout == Layout::slide ? "slide" : "deck"; }
+
 void fitted_text(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return ImGui::TextUnformatted(text.c_str());
     std::string cut = text;
@@ -31,6 +34,16 @@ void fitted_text(const std::string& text, float width) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) ImGui::SetTooltip("%s", text.c_str());
 }
 
+void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const Rgba8 b = palette(lab.theme).background;
+    const unsigned halo = packed(b, 0.75f);
+    const float d = std::max(1.f, lab.px(1));
+    for (const auto& [x, y] : {std::pair{-d, 0.f}, {d, 0.f}, {0.f, -d}, {0.f, d}, {-d, -d}, {d, d}, {-d, d}, {d, -d}})
+        draw->AddText({at.x + x, at.y + y}, halo, text.c_str());
+    draw->AddText(at, colour, text.c_str());
+}
+
 void tooltip(const std::string& text, float scale) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort | ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
@@ -38,6 +51,13 @@ void tooltip(const std::string& text, float scale) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+std::string without_marks(const std::string& text) {
+    std::string plain;
+    for (const char c : text)
+        if (c != '`' && c != '*') plain += c;
+    return plain;
 }
 
 std::string words(std::string_view key) {

@@ -23,6 +23,29 @@ std::string now_text(const Runner& r) {
     return fmt::format("t = {}, Δt = {}", format_quantity(r.time(), "s", 3), format_quantity(r.time_step(), "s", 3));
 }
 
+// The name of a number and, where the number leaves it no room beside it, its exact value. Tells whether that is still to come.
+bool draw_label(LabState& lab, const Probe& probe, const std::string& number, const std::string& exact) {
+    ImGui::PushFont(lab.fonts.large);
+    const float number_width = ImGui::CalcTextSize(number.c_str()).x;
+    ImGui::PopFont();
+    const float room = ImGui::GetContentRegionAvail().x, gap = lab.px(12);
+    const bool beside = number_width + gap + ImGui::CalcTextSize(exact.c_str()).x <= room;
+    ImGui::PushFont(lab.layout == Layout::deck ? lab.fonts.normal : lab.fonts.small);
+    const std::string name = words(probe.name), symbol = probe.symbol == name ? "" : fmt::format("  {}", probe.symbol);
+    ImGui::TextDisabled("%s%s", name.c_str(), symbol.c_str());
+    ImGui::PopFont();
+    const float label_width = ImGui::GetItemRectSize().x;
+    ImGui::PushFont(lab.fonts.small);
+    const float width = ImGui::CalcTextSize(exact.c_str()).x;
+    // Without room on either line the plot alone tells it.
+    if (!beside && label_width + gap + width <= room) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+        ImGui::TextDisabled("%s", exact.c_str());
+    }
+    ImGui::PopFont();
+    return beside;
+}
+
 }  // namespace
 
 void draw_headline(LabState& lab) {
@@ -47,17 +70,16 @@ void draw_key_numbers(LabState& lab) {
     const Runner& r = lab.session.runner();
     for (const Probe* p : key_probes(r.lesson())) {
         const auto value = r.value(*p), exact = r.exact(*p);
-        ImGui::PushFont(lab.fonts.small);
-        const std::string name = words(p->name), symbol = p->symbol == name ? "" : "  " + std::string(p->symbol);
-        ImGui::TextDisabled("%s%s", name.c_str(), symbol.c_str());
-        ImGui::PopFont();
+        const std::string number = value ? format_quantity(*value, p->unit) : "undefined";
+        const std::string exact_text = exact ? fmt::format("exact {}", format_quantity(*exact, p->unit)) : "";
+        const bool beside = draw_label(lab, *p, number, exact_text);
         ImGui::PushFont(lab.fonts.large);
-        ImGui::TextUnformatted(value ? format_quantity(*value, p->unit).c_str() : "undefined");
+        ImGui::TextUnformatted(number.c_str());
         ImGui::PopFont();
-        if (!exact) continue;
+        if (!exact || !beside) continue;
         ImGui::SameLine(0, lab.px(12));
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("exact %s", format_quantity(*exact, p->unit).c_str());
+        ImGui::TextDisabled("%s", exact_text.c_str());
     }
 }
 

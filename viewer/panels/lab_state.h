@@ -11,12 +11,15 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pliant::viewer {
 
-// lab: all panels. slide: the picture, its plots and the numbers that matter, large.
-enum class Layout { lab, slide };
+// lab: all panels. slide: the picture, its plots and the numbers that matter, large. deck: a slide of the walkthrough beside
+// them.
+enum class Layout { lab, slide, deck };
+std::string_view name_of(Layout layout);
 
 struct Rectangle {
     float x = 0, y = 0, width = 0, height = 0;  // px
@@ -28,7 +31,7 @@ struct LabState {
     float scale = 1;  // UI scale, 1 to 3
     Fonts fonts;
     Layout layout = Layout::lab;
-    bool help_shown = false, hints_shown = true;
+    bool help_shown = false, hints_shown = true, notes_shown = false;
 
     std::string search;
     bool focus_search = false;
@@ -61,8 +64,12 @@ public:
 
 // Text cut with an ellipsis to a width in px; the whole text is its tooltip when it was cut.
 void fitted_text(const std::string& text, float width);
+// Words that stay readable over any picture, at this place of the window that is being drawn.
+void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text);
 // A tooltip for the last item, wrapped.
 void tooltip(const std::string& text, float scale);
+// Without Markdown's marks of emphasis; the words stay.
+std::string without_marks(const std::string& text);
 // "youngs_modulus" as words.
 std::string words(std::string_view key);
 
@@ -70,12 +77,22 @@ inline constexpr float stage_height = 60;  // px at scale 1
 
 void draw_lesson_list(LabState& lab);
 void draw_parameters(LabState& lab);
+// One control. Large ones are for the deck.
+void draw_parameter(LabState& lab, const Parameter& parameter, bool large = false);
 void draw_transport(LabState& lab);
 void draw_stage_bar(LabState& lab);
 void draw_scene(LabState& lab, SceneRenderer& renderer);
 void draw_plots(LabState& lab);
 void draw_status_line(LabState& lab);
 void draw_walkthrough(LabState& lab);
+// The deck: the title with the number of the slide; its words; the parameters that it allows; the lecturer's notes. The heights
+// are those that suit, px; the parameters have none when the slide allows none.
+void draw_slide_title(LabState& lab);
+void draw_slide_words(LabState& lab);
+void draw_slide_parameters(LabState& lab);
+void draw_slide_notes(LabState& lab);
+float slide_parameters_height(const LabState& lab);
+float slide_notes_height(const LabState& lab, float width);
 void draw_help(LabState& lab);
 void draw_headline(LabState& lab);
 void draw_key_numbers(LabState& lab);

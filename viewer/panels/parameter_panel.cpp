@@ -70,6 +70,11 @@ void switch_box(LabState& lab, const Parameter& p, const std::string& label) {
     if (ImGui::Checkbox((label + "##value").c_str(), &on)) lab.session.assign(p, on ? 1 : 0);
 }
 
+std::string help_of(const LabState& lab, const Parameter& p) {
+    if (lab.session.locked(p)) return "Locked on this slide; End the walkthrough or press L to unlock.";
+    return describe(p);
+}
+
 std::string label_of(const Parameter& p) {
     std::string label = words(p.info.key);
     if (!p.info.symbol.empty()) label += "  " + std::string(p.info.symbol);
@@ -78,39 +83,21 @@ std::string label_of(const Parameter& p) {
 }
 
 // The name on the left and, of a number, the value on the right.
-void label_row(LabState& lab, const Parameter& p) {
+void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     const bool number = p.info.kind != Kind::choice;
     const std::string value = number ? format_quantity(lab.session.runner().wanted(p), p.info.unit, 5) : "";
     const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x - lab.px(2);
     const float top = ImGui::GetCursorPosY(), drop = ImGui::GetTextLineHeight();
-    ImGui::PushFont(lab.fonts.small);
+    ImGui::PushFont(label_font);
     ImGui::SetCursorPosY(top + drop - ImGui::GetTextLineHeight());
     fitted_text(label_of(p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
-    tooltip(describe(p), lab.scale);
+    tooltip(help_of(lab, p), lab.scale);
     if (!number) return;
-    ImGui::SameLine(right);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right);
     ImGui::SetCursorPosY(top);
     ImGui::TextUnformatted(value.c_str());
-}
-
-void parameter_row(LabState& lab, const Parameter& p) {
-    ImGui::PushID(&p);
-    ImGui::BeginDisabled(!p.used());
-    if (p.info.kind == Kind::toggle) {
-        switch_box(lab, p, label_of(p));
-    } else {
-        label_row(lab, p);
-        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
-        ImGui::SetNextItemWidth(-1);
-        if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
-        p.info.kind == Kind::choice ? choice_box(lab, p) : number_slider(lab, p);
-        if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
-    }
-    lab.note_control(std::string(p.info.key));
-    tooltip(describe(p), lab.scale);
-    ImGui::EndDisabled();
-    ImGui::PopID();
 }
 
 void extreme_switch(LabState& lab) {
@@ -124,6 +111,27 @@ void extreme_switch(LabState& lab) {
 
 }  // namespace
 
+void draw_parameter(LabState& lab, const Parameter& p, bool large) {
+    ImGui::PushID(&p);
+    ImGui::PushFont(large ? lab.fonts.large : lab.fonts.normal);
+    ImGui::BeginDisabled(!p.used() || lab.session.locked(p));
+    if (p.info.kind == Kind::toggle) {
+        switch_box(lab, p, label_of(p));
+    } else {
+        label_row(lab, p, large ? lab.fonts.medium : lab.fonts.small);
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
+        ImGui::SetNextItemWidth(-1);
+        if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
+        p.info.kind == Kind::choice ? choice_box(lab, p) : number_slider(lab, p);
+        if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
+    }
+    lab.note_control(std::string(p.info.key));
+    ImGui::EndDisabled();
+    ImGui::PopFont();
+    tooltip(help_of(lab, p), lab.scale);
+    ImGui::PopID();
+}
+
 void draw_parameters(LabState& lab) {
     ImGui::TextDisabled("Parameters");
     ImGui::SameLine();
@@ -131,7 +139,7 @@ void draw_parameters(LabState& lab) {
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
     extreme_switch(lab);
     ImGui::BeginChild("parameters");
-    for (const Parameter* p : lab.session.lesson().parameters) parameter_row(lab, *p);
+    for (const Parameter* p : lab.session.lesson().parameters) draw_parameter(lab, *p);
     ImGui::EndChild();
 }
 

@@ -157,6 +157,18 @@ bool shown_now(const LabState& lab, const std::string& name) {
     return true;
 }
 
+// What was chosen; in the deck the first two that suit its scene.
+std::vector<std::string> shown_plots(const LabState& lab) {
+    const bool deck = lab.layout == Layout::deck;
+    const auto first = lab.session.lesson().first_plots();
+    const std::vector<std::string> wanted =
+        deck && !first.empty() ? std::vector<std::string>(first.begin(), first.end()) : lab.plots.chosen;
+    std::vector<std::string> shown;
+    std::ranges::copy_if(wanted, std::back_inserter(shown), [&](const std::string& n) { return shown_now(lab, n); });
+    if (deck && shown.size() > 2) shown.resize(2);
+    return shown;
+}
+
 }  // namespace
 
 void draw_plots(LabState& lab) {
@@ -164,8 +176,7 @@ void draw_plots(LabState& lab) {
     if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
     if (lab.layout == Layout::lab) choice_menu(lab);
     Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
-    std::vector<std::string> shown;
-    std::ranges::copy_if(lab.plots.chosen, std::back_inserter(shown), [&](const std::string& n) { return shown_now(lab, n); });
+    const std::vector<std::string> shown = shown_plots(lab);
     if (shown.empty()) return;
     ImGui::BeginChild("plots");
     const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));

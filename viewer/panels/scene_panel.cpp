@@ -1,7 +1,8 @@
-// The picture: drawn into a texture, with labels, colour bar, notes and read-out over it; turned, moved and pulled with the
+// The picture: drawn into a texture, with labels, notes and read-out over it; turned, moved and pulled with the
 // mouse.
 #include <pliant/lesson/format.h>
 
+#include "panels/colour_bar.h"
 #include "panels/lab_state.h"
 
 #include <fmt/format.h>
@@ -18,17 +19,6 @@ struct View {
     ImVec2 origin, size;
     int dimension;
 };
-
-// Words that stay readable over any picture.
-void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text) {
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    const Rgba8 b = palette(lab.theme).background;
-    const unsigned halo = packed(b, 0.75f);
-    const float d = std::max(1.f, lab.px(1));
-    for (const auto& [x, y] : {std::pair{-d, 0.f}, {d, 0.f}, {0.f, -d}, {0.f, d}, {-d, -d}, {d, d}, {-d, d}, {d, -d}})
-        draw->AddText({at.x + x, at.y + y}, halo, text.c_str());
-    draw->AddText(at, colour, text.c_str());
-}
 
 void draw_labels(LabState& lab, const View& view) {
     if (!view.scene.show_labels) return;
@@ -57,41 +47,6 @@ void draw_notes(LabState& lab, const View& view) {
         haloed_text(lab, {view.origin.x + lab.px(10), y}, lab.ink(Ink::text), note);
         y += ImGui::GetTextLineHeightWithSpacing();
     }
-}
-
-void draw_colour_bar(LabState& lab, const View& view) {
-    const Session& s = lab.session;
-    const Field* field = s.lesson().find_field(s.colours.field);
-    if (!field || !field->in_use()) return;
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    const ColourScale& scale = s.range.scale;
-    const float height = std::min(view.size.y * 0.45f, lab.px(240)), width = lab.px(14);
-    const ImVec2 low{view.origin.x + view.size.x - width - lab.px(12), view.origin.y + view.size.y - lab.px(16)};
-    const float top = low.y - height;
-    constexpr int bands = 64;
-    for (int i = 0; i < bands; ++i) {
-        const float y0 = low.y - height * static_cast<float>(i + 1) / bands, y1 = low.y - height * static_cast<float>(i) / bands;
-        draw->AddRectFilled({low.x, y0}, {low.x + width, y1 + 0.5f}, packed(colour_at(scale.map, (i + 0.5) / bands)));
-    }
-    draw->AddRect({low.x, top}, {low.x + width, low.y}, lab.ink(Ink::text, 0.6f));
-    ImGui::PushFont(lab.fonts.small);
-    const float line = ImGui::GetTextLineHeight();
-    for (int i = 0; i <= 4; ++i) {
-        const Real value = scale.min + (scale.max - scale.min) * i / 4;
-        const std::string text = format_quantity(
-            std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max)) ? 0 : value, field->unit, 3);
-        const float y = low.y - height * static_cast<float>(i) / 4;
-        draw->AddLine({low.x - lab.px(4), y}, {low.x, y}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
-        haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
-    }
-    std::string title = words(field->name);
-    if (s.colours.component >= 0)
-        title += " " + component_names(*field)[static_cast<std::size_t>(s.colours.component)];
-    else if (field->rank != Rank::scalar)
-        title = "|" + title + "|";
-    if (!s.range.automatic) title += " (fixed)";
-    haloed_text(lab, {low.x + width - ImGui::CalcTextSize(title.c_str()).x, top - 1.6f * line}, lab.ink(Ink::text), title);
-    ImGui::PopFont();
 }
 
 // The thing under the pointer, with all that is known of it.
@@ -200,7 +155,7 @@ void banner(LabState& lab, const View& view) {
 }
 
 void hints(LabState& lab, const View& view) {
-    if (!lab.hints_shown || lab.layout == Layout::slide) return;
+    if (!lab.hints_shown || lab.layout != Layout::lab) return;
     const bool can_pull = lab.session.lesson().can_pull().has_value();
     const std::string text = fmt::format(
         "{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",
@@ -220,18 +175,19 @@ void hints(LabState& lab, const View& view) {
 
 void draw_scene(LabState& lab, SceneRenderer& renderer) {
     Session& s = lab.session;
-    const ImVec2 origin = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    ImVec2 size = ImGui::GetContentRegionAvail();
+    const ColourBarPlace bar = colour_bar_place(lab, size.x);
+    size.y -= bar.below;
     if (size.x < 8 || size.y < 8) return;
     const int dimension = s.lesson().dimension();
     Scene scene = s.scene();
-    const Field* shown = s.lesson().find_field(s.colours.field);
-    const float margin = shown && shown->in_use() ? std::min(lab.px(96), size.x / 3) : 0;
-    if (!s.camera) s.camera = framing(scene, dimension, (size.x - margin) / size.y);
-    const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y, margin), origin, size, dimension};
+    if (!s.camera) s.camera = framing(scene, dimension, (size.x - bar.right) / size.y);
+    const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y, bar.right), origin, size, dimension};
 
     const Size pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
     const GLuint texture =
-        renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale, margin);
+        renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale, bar.right);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin,
                                          {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
 
@@ -241,8 +197,8 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     lab.note_control("scene");
     handle_mouse(lab, view);
     draw_labels(lab, view);
-    if (!s.message()) draw_notes(lab, view);
-    draw_colour_bar(lab, view);
+    if (!s.message() && lab.layout != Layout::deck) draw_notes(lab, view);
+    draw_colour_bar(lab, {origin.x, origin.y, size.x, size.y + bar.below});
     hints(lab, view);
     banner(lab, view);
 }

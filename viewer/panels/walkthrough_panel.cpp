@@ -6,11 +6,7 @@ namespace pliant::viewer {
 namespace {
 
 void paragraph(const std::string& text) {
-    // Markdown's emphasis marks are left out; the words stay.
-    std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] != '`' && text[i] != '*') plain += text[i];
-    ImGui::TextWrapped("%s", plain.c_str());
+    ImGui::TextWrapped("%s", without_marks(text).c_str());
     ImGui::Spacing();
 }
 
@@ -30,14 +26,14 @@ void heading(LabState& lab, const char* text, Ink role) {
 void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& player) {
     switch (block.kind) {
         case BlockKind::text:
-            for (const std::string& line : block.lines) paragraph(line);
+            paragraph(block.paragraph());
             break;
         case BlockKind::formula:
             formula(lab, block);
             break;
         case BlockKind::ask:
             heading(lab, "Predict", Ink::accent);
-            for (const std::string& line : block.lines) paragraph(line);
+            paragraph(block.paragraph());
             break;
         case BlockKind::actions:
             heading(lab, player.revealed() ? "Done" : "Next will", Ink::force);
@@ -47,9 +43,11 @@ void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& play
         case BlockKind::answer:
             if (!player.revealed()) break;
             heading(lab, "What happened", Ink::velocity);
-            for (const std::string& line : block.lines) paragraph(line);
+            paragraph(block.paragraph());
             break;
         case BlockKind::expect:
+        case BlockKind::notes:
+        case BlockKind::controls:
             break;
     }
 }
@@ -88,7 +86,16 @@ void draw_walkthrough(LabState& lab) {
     if (ImGui::Button("Next##walkthrough", {lab.px(80), 0})) lab.session.walkthrough_next();
     lab.note_control("walkthrough next");
     ImGui::SameLine();
+    const bool end = ImGui::Button("End##walkthrough");
+    lab.note_control("walkthrough end");
+    tooltip("Ends the walkthrough and unlocks the parameters; the run stays.", lab.scale);
+    ImGui::SameLine();
+    if (ImGui::Button("Deck##walkthrough")) lab.layout = Layout::deck, lab.session.camera.reset();
+    lab.note_control("walkthrough deck");
+    tooltip("Shows the slide in large type beside the picture, for a lecture (D).", lab.scale);
+    ImGui::SameLine();
     ImGui::TextDisabled("%zu of %zu", player.slide_number() + 1, player.walkthrough().slides.size());
+    if (end) lab.session.end_walkthrough();
 }
 
 }  // namespace pliant::viewer

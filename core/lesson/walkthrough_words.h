@@ -1,0 +1,14 @@
+// How the lines of a walkthrough fall into words.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+// Split at blanks.
+std::vector<std::string> words_of_line(const std::string& line);
+// Without the blanks at both ends.
+std::string trimmed(std::string_view line);
+
+}  // namespace pliant

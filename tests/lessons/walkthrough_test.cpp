@@ -1,0 +1,163 @@
+// The format of walkthroughs, what a slide locks, and going to a slide.
+#include <pliant/lesson/walkthrough.h>
+
+#include <pliant/math/error.h>
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace pliant;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+// A point that moves at a constant speed.
+class Walker final : public Lesson {
+public:
+    Number speed{*this, {.key = "speed", .unit = "m/s", .initial = 1, .useful = {0, 10}}};
+    Number start{*this, {.key = "start", .unit = "m", .initial = 0, .useful = {0, 5}, .effect = Effect::rebuild}};
+
+    Walker() {
+        state = {state_array("x", "m", x_)};
+        fields = {{.name = "x", .unit = "m", .view = view_of(x_)}, {.name = "twice", .unit = "m", .view = view_of(x_)}};
+        stages = {{.name = "walk", .run = [this] { x_[0] += 0.5 * speed; }, .writes = {"x"}}};
+        probes = {{.name = "x", .unit = "m", .value = [this] { return x_[0]; }}};
+    }
+    int dimension() const override { return 2; }
+    Real time_step() const override { return 0.5; }
+    void reset() override { x_ = VecX::Constant(1, start); }
+    void draw(Scene&) const override {}
+
+private:
+    VecX x_;
+};
+
+const LessonEntry walker{{.id = "time/walker", .title = "Walker", .summary = ""},
+                         [] { return std::unique_ptr<Lesson>(new Walker); }};
+
+constexpr std::string_view three_slides = R"(# Walking
+## One
+Words.
+```ask
+Where?
+```
+```do
+run 2 steps
+show twice
+```
+```answer
+At 1 m.
+```
+```controls
+speed
+```
+```notes
+Two minutes.
+Point at x.
+
+They say 2 m.
+```
+## Two
+```do
+set speed=3
+run 1 steps
+```
+```expect
+x = 2.5 within 0
+```
+```controls
+none
+```
+## Three
+```do
+set start=2
+run 1 steps
+```
+)";
+
+struct Played {
+    explicit Played(std::string_view text = three_slides) : runner(walker), player(runner, parse_walkthrough(text, "w.md")) {}
+    Real x() const { return *runner.lesson().probe("x").value(); }
+    Real speed() const { return runner.lesson().parameter("speed").value(); }
+    Runner runner;
+    WalkthroughPlayer player;
+};
+
+void check_refused(std::string_view text, const std::string& place, const std::string& what) {
+    CAPTURE(text);
+    CHECK_THROWS_WITH(Played(text), ContainsSubstring(place) && ContainsSubstring(what));
+}
+
+}  // namespace
+
+TEST_CASE("notes are read as words for the lecturer", "[walkthrough]") {
+    const Walkthrough w = parse_walkthrough(three_slides, "w.md");
+    REQUIRE(w.slides.size() == 3);
+    CHECK(w.slides[0].notes() == "Two minutes. Point at x. They say 2 m.");
+    CHECK(w.slides[1].notes().empty());
+    CHECK(w.slides[0].has(BlockKind::notes));
+}
+
+TEST_CASE("a slide allows the parameters of its controls, all without the block and none with an empty one", "[walkthrough]") {
+    Played p;
+    CHECK(p.player.allows("speed"));
+    CHECK_FALSE(p.player.allows("start"));
+    p.player.go_to_slide(1);
+    CHECK_FALSE(p.player.allows("speed"));
+    p.player.go_to_slide(2);
+    CHECK(p.player.allows("speed"));
+    CHECK(p.player.allows("start"));
+
+    const Played empty("## One\n```controls\n```\n");
+    CHECK_FALSE(empty.player.allows("speed"));
+    const Played both("## One\n```controls\nspeed\nstart\n```\n");
+    CHECK(both.player.allows("start"));
+}
+
+TEST_CASE("controls that name no parameter are refused with file, line and the nearest key", "[walkthrough]") {
+    check_refused("# T\n## One\n```controls\nstart\nspede\n```\n", "w.md:5", "'speed'");
+    check_refused("## One\n```controls\nnone speed\n```\n", "w.md:3", "'none' stands alone");
+    check_refused("## One\n```control\nspeed\n```\n", "w.md:2", "controls");
+    check_refused("## One\n```notes\nspeed\n", "w.md:3", "no end");
+    check_refused("```notes\n```\n## One\n", "w.md:1", "before the first slide");
+}
+
+TEST_CASE("going to a slide plays what comes before it", "[walkthrough]") {
+    Played p, straight;
+    p.player.go_to_slide(2);
+    CHECK(p.player.slide_number() == 2);
+    CHECK_FALSE(p.player.revealed());
+    CHECK(p.player.results().empty());
+    CHECK(p.player.shown_field() == "twice");
+    for (int i = 0; i < 4; ++i) straight.player.next();
+    CHECK(straight.player.slide_number() == 2);
+    CHECK(p.x() == straight.x());
+    CHECK(p.x() == 2.5);
+    CHECK(p.speed() == 3);
+    CHECK(state_hash(p.runner.lesson()) == state_hash(straight.runner.lesson()));
+    p.player.go_to_slide(0);
+    CHECK(p.x() == 0);
+    CHECK(p.speed() == 1);
+    CHECK(p.player.shown_field().empty());
+    CHECK_THROWS_WITH(p.player.go_to_slide(3), ContainsSubstring("slide 4") && ContainsSubstring("1 to 3"));
+    CHECK(p.player.slide_number() == 0);
+}
+
+TEST_CASE("a slide that is reset is as it was before anything was changed on it", "[walkthrough]") {
+    Played p;
+    p.player.go_to_slide(1);
+    const auto hash = state_hash(p.runner.lesson());
+    p.runner.assign("speed", 7);
+    for (int i = 0; i < 3; ++i) p.runner.step();
+    p.runner.assign("start", 4);
+    p.player.next();
+    REQUIRE(p.player.revealed());
+    REQUIRE_FALSE(p.player.results().at(0).met);
+    p.player.reset_slide();
+    CHECK(p.player.slide_number() == 1);
+    CHECK_FALSE(p.player.revealed());
+    CHECK(state_hash(p.runner.lesson()) == hash);
+    CHECK(p.speed() == 1);
+    p.player.next();
+    CHECK(p.player.results().at(0).met);
+}

@@ -1,0 +1,93 @@
+// What a slide of a walkthrough locks, and what goes with it.
+#include "app/session.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace pliant;
+using namespace pliant::viewer;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+// The first slide of this lesson allows youngs_modulus and load.
+Session at_first_slide() {
+    Session session("elasticity/moduli");
+    session.start_walkthrough();
+    REQUIRE(session.walkthrough);
+    return session;
+}
+
+const Parameter& parameter(const Session& s, std::string_view key) { return s.lesson().parameter(key); }
+Real value(const Session& s, std::string_view key) { return s.runner().wanted(parameter(s, key)); }
+
+}  // namespace
+
+TEST_CASE("a locked parameter is refused with the way out, and the one beside it is not", "[session][walkthrough]") {
+    Session s = at_first_slide();
+    CHECK(s.locked(parameter(s, "poisson_ratio")));
+    s.assign(parameter(s, "poisson_ratio"), 0.1);
+    CHECK(value(s, "poisson_ratio") == 0.3);
+    REQUIRE(s.message());
+    CHECK(s.message()->kind == Session::Message::Kind::refused);
+    CHECK_THAT(s.message()->text, ContainsSubstring("poisson_ratio is locked") && ContainsSubstring("press L"));
+    s.dismiss();
+    s.restore_default(parameter(s, "poisson_ratio"));
+    CHECK_FALSE(s.message());
+    CHECK_FALSE(s.can_undo());
+
+    CHECK_FALSE(s.locked(parameter(s, "load")));
+    s.assign(parameter(s, "load"), 1e4);
+    CHECK(value(s, "load") == 1e4);
+    CHECK_FALSE(s.message());
+}
+
+TEST_CASE("the lock is taken off and put back, and ends with the walkthrough", "[session][walkthrough]") {
+    Session s = at_first_slide();
+    s.toggle_lock();
+    s.assign(parameter(s, "poisson_ratio"), 0.1);
+    CHECK(value(s, "poisson_ratio") == 0.1);
+    s.toggle_lock();
+    s.assign(parameter(s, "poisson_ratio"), 0.2);
+    CHECK(value(s, "poisson_ratio") == 0.1);
+    s.end_walkthrough();
+    CHECK_FALSE(s.walkthrough);
+    s.assign(parameter(s, "poisson_ratio"), 0.2);
+    CHECK(value(s, "poisson_ratio") == 0.2);
+    s.toggle_lock();
+    CHECK_FALSE(s.unlocked);
+}
+
+TEST_CASE("a slide that is reset forgets what was changed on it, with its undo", "[session][walkthrough]") {
+    Session s = at_first_slide();
+    s.go_to_slide(1);
+    CHECK(s.walkthrough->slide_number() == 1);
+    const auto hash = state_hash(s.lesson());
+    const auto steps = s.recorder().steps();
+    s.assign(parameter(s, "width"), 0.15);
+    s.step();
+    REQUIRE(s.can_undo());
+    REQUIRE(state_hash(s.lesson()) != hash);
+    s.reset_slide();
+    CHECK(state_hash(s.lesson()) == hash);
+    CHECK(s.recorder().steps() == steps);
+    CHECK(value(s, "width") == 0.1);
+    CHECK_FALSE(s.can_undo());
+    CHECK_FALSE(s.walkthrough->revealed());
+    s.undo();
+    CHECK(value(s, "width") == 0.1);
+}
+
+TEST_CASE("a slide shows the colours of those before it", "[session][walkthrough]") {
+    Session s = at_first_slide();
+    s.go_to_slide(3);
+    CHECK(s.colours.field == "strain");
+    s.go_to_slide(0);
+    CHECK(s.colours.field == s.lesson().first_colours().field);
+    s.walkthrough_back();
+    CHECK(s.walkthrough->slide_number() == 0);
+    s.go_to_slide(99);
+    REQUIRE(s.message());
+    CHECK_THAT(s.message()->text, ContainsSubstring("slide 100"));
+    CHECK(s.walkthrough->slide_number() == 0);
+}

@@ -1,0 +1,122 @@
+// A lecture: the walkthrough as a deck, under the keys of a presenter.
+#include "desk.h"
+
+using namespace pliant::test;
+
+namespace {
+
+// The first slide allows youngs_modulus and load.
+const Arguments lecture{"walkthrough", "elasticity/moduli", "--present", "--notes"};
+
+bool at(Desk& desk, long slide, bool revealed) {
+    return desk.becomes([&](const Json& s) { return s["slide"] == slide && s["revealed"] == revealed; });
+}
+
+}  // namespace
+
+TEST_CASE("the keys of a presenter go through the deck", "[window][deck]") {
+    need_screen_and_mouse();
+    Desk desk(lecture);
+    CHECK(desk.state()["layout"] == "deck");
+    CHECK(desk.state()["playing"] == false);
+    REQUIRE(at(desk, 1, false));
+    CHECK(desk.state()["step"] == 0);
+    desk.key("Right");
+    CHECK(at(desk, 1, true));
+    CHECK(desk.state()["step"] == 1);
+    desk.key("Right");
+    CHECK(at(desk, 2, false));
+    desk.key("Next");
+    CHECK(at(desk, 2, true));
+    desk.key("Left");
+    CHECK(at(desk, 2, false));
+    desk.key("Prior");
+    CHECK(at(desk, 1, false));
+    desk.key("End");
+    CHECK(at(desk, 7, false));
+    desk.key("Home");
+    CHECK(at(desk, 1, false));
+    desk.key("n");
+    CHECK(at(desk, 1, true));
+    desk.key("b");
+    CHECK(at(desk, 1, false));
+    CHECK(desk.complaints().empty());
+}
+
+TEST_CASE("in the deck a slider that the slide allows moves, and Backspace puts everything back", "[window][deck]") {
+    need_screen_and_mouse();
+    Desk desk(lecture);
+    REQUIRE(at(desk, 1, false));
+    const double load = desk.parameter("load");
+    CHECK_FALSE(desk.state()["controls"].contains("poisson_ratio"));
+    desk.drag(desk.on("load"), desk.on("load", 0.25));
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("load") != load; }));
+    desk.key("Right");
+    CHECK(at(desk, 1, true));
+    desk.key("BackSpace");
+    CHECK(at(desk, 1, false));
+    CHECK(desk.parameter("load") == load);
+    CHECK(desk.state()["step"] == 0);
+}
+
+TEST_CASE("Escape goes to the lab with this run; there a locked slider does not move until L unlocks it", "[window][deck]") {
+    need_screen_and_mouse();
+    Desk desk(lecture);
+    desk.key("Right");
+    REQUIRE(at(desk, 1, true));
+    desk.key("Escape");
+    REQUIRE(desk.becomes("layout", "lab"));
+    CHECK(at(desk, 1, true));
+    CHECK(desk.state()["step"] == 1);
+    const std::string key = "poisson_ratio";
+    REQUIRE(desk.becomes([&](const Json& s) { return s["controls"].contains(key); }));
+    desk.drag(desk.on(key), desk.on(key, 0.25));
+    CHECK(desk.stays("parameters", desk.state()["parameters"]));
+    CHECK(desk.parameter(key) == 0.3);
+    // The arrows belong to the deck alone.
+    desk.key("Right");
+    CHECK(at(desk, 1, true));
+    desk.key("l");
+    CHECK(desk.becomes("unlocked", true));
+    desk.drag(desk.on(key), desk.on(key, 0.25));
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter(key) < 0.1; }));
+    desk.key("l");
+    CHECK(desk.becomes("unlocked", false));
+    desk.click("walkthrough deck");
+    CHECK(desk.becomes("layout", "deck"));
+    desk.key("d");
+    CHECK(desk.becomes("layout", "lab"));
+    desk.click("walkthrough end");
+    CHECK(desk.becomes("slide", 0));
+}
+
+TEST_CASE("a slider of the deck is set by keys alone", "[window][deck]") {
+    need_screen_and_mouse();
+    Desk desk(lecture);
+    REQUIRE(at(desk, 1, false));
+    desk.key("Tab");
+    desk.key("ctrl+a");
+    desk.type("500000");
+    desk.key("Return");
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("youngs_modulus") == 500000; }));
+    CHECK(at(desk, 1, false));
+    desk.key("Right");
+    CHECK(at(desk, 1, true));
+}
+
+TEST_CASE("the notes are for the lecturer: by a key on the screen, and in the terminal", "[window][deck]") {
+    need_screen_and_mouse();
+    Desk desk(lecture);
+    REQUIRE(at(desk, 1, false));
+    CHECK(desk.state()["notes"] == false);
+    CHECK_FALSE(desk.state()["controls"].contains("notes"));
+    desk.key("o");
+    CHECK(desk.becomes("notes", true));
+    CHECK(desk.becomes([](const Json& s) { return s["controls"].contains("notes"); }));
+    desk.key("End");
+    REQUIRE(at(desk, 7, false));
+    CHECK(desk.becomes([&](const Json&) {
+        return desk.output().find("1 / 7  A pull\nThree minutes.") == 0 &&
+               desk.output().find("7 / 7  How exact") != std::string::npos;
+    }));
+}

@@ -1,0 +1,86 @@
+// The session under a walkthrough: slides, their locks, and what is recorded of their runs.
+#include "app/session.h"
+
+namespace pliant::viewer {
+
+bool Session::locked(const Parameter& parameter) const {
+    return walkthrough && !unlocked && !walkthrough->allows(parameter.info.key);
+}
+
+void Session::toggle_lock() {
+    if (walkthrough) unlocked = !unlocked;
+}
+
+void Session::start_walkthrough() {
+    guarded([&] {
+        Walkthrough text = walkthrough_of(*entry_);
+        open(*entry_);
+        walkthrough.emplace(*runner_, std::move(text), [this] { record_of_walkthrough(); });
+    });
+}
+
+void Session::end_walkthrough() {
+    walkthrough.reset();
+    unlocked = false;
+}
+
+// A slide may start the lesson again, so a step that was recorded before begins another run.
+void Session::record_of_walkthrough() {
+    if (!recorder_.empty() && runner_->place().step <= recorder_.steps().back())
+        begin_run();
+    else
+        moved();
+}
+
+// Without a run in the slide, a reset shows by the step alone.
+void Session::after_walkthrough() {
+    const bool restarted = !recorder_.empty() && runner_->place().step < recorder_.steps().back();
+    restarted ? begin_run() : moved();
+}
+
+void Session::show_field_of_slide() {
+    const std::string& shown = walkthrough->shown_field();
+    if (shown.empty() || shown == colours.field) return;
+    colours = {shown, -1};
+    range.forget();
+}
+
+// Changes of parameters on the slide before cannot be undone on this one, and a scene of another size is framed afresh.
+void Session::move_walkthrough(const std::function<void()>& move) {
+    if (!walkthrough) return;
+    playing = false;
+    dismiss();
+    const Scene before = scene();
+    guarded(move);
+    undo_.clear();
+    show_field_of_slide();
+    after_walkthrough();
+    const Scene now = scene();
+    if (now.lower != before.lower || now.upper != before.upper) camera.reset();
+}
+
+void Session::walkthrough_next() {
+    move_walkthrough([this] {
+        if (!walkthrough->next()) say(Message::Kind::info, "This was the last slide.");
+    });
+}
+
+void Session::walkthrough_back() {
+    if (walkthrough && walkthrough->slide_number() == 0 && !walkthrough->revealed()) return;
+    go_to_slide(walkthrough->revealed() ? walkthrough->slide_number() : walkthrough->slide_number() - 1);
+}
+
+void Session::go_to_slide(std::size_t n) {
+    move_walkthrough([this, n] {
+        colours = lesson().first_colours();
+        runner_->load({});
+        begin_run();
+        walkthrough->go_to_slide(n);
+    });
+}
+
+void Session::reset_slide() {
+    if (walkthrough) go_to_slide(walkthrough->slide_number());
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,112 @@
+#include "panels/colour_bar.h"
+
+#include <pliant/lesson/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pliant::viewer {
+namespace {
+
+constexpr int bands = 64;
+
+const Field* shown_field(const LabState& lab) {
+    const Field* field = lab.session.lesson().find_field(lab.session.colours.field);
+    return field && field->in_use() ? field : nullptr;
+}
+
+std::string title_of(const Session& s, const Field& field) {
+    std::string title = words(field.name);
+    if (s.colours.component >= 0)
+        title += " " + component_names(field)[static_cast<std::size_t>(s.colours.component)];
+    else if (field.rank != Rank::scalar)
+        title = "|" + title + "|";
+    return s.range.automatic ? title : title + " (fixed)";
+}
+
+std::vector<std::string> tick_texts(const ColourScale& scale, int intervals, std::string_view unit) {
+    std::vector<std::string> texts;
+    for (int i = 0; i <= intervals; ++i) {
+        const Real value = scale.min + (scale.max - scale.min) * i / intervals;
+        const bool zero = std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max));
+        texts.push_back(format_quantity(zero ? 0 : value, unit, 3));
+    }
+    return texts;
+}
+
+// Five ticks, or three where the words of five would touch: the outer ones stand inside the ends of the bar.
+std::vector<std::string> ticks_that_fit(const LabState& lab, const Field& field, float width) {
+    const auto five = tick_texts(lab.session.range.scale, 4, field.unit);
+    float widest = 0;
+    for (const std::string& text : five) widest = std::max(widest, ImGui::CalcTextSize(text.c_str()).x);
+    return 6 * widest + 4 * lab.px(14) <= width ? five : tick_texts(lab.session.range.scale, 2, field.unit);
+}
+
+void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ColourScale& scale = lab.session.range.scale;
+    const float height = std::min(picture.height * 0.45f, lab.px(240)), width = lab.px(14);
+    const ImVec2 low{picture.x + picture.width - width - lab.px(12), picture.y + picture.height - lab.px(16)};
+    const float top = low.y - height;
+    for (int i = 0; i < bands; ++i) {
+        const float y0 = low.y - height * static_cast<float>(i + 1) / bands, y1 = low.y - height * static_cast<float>(i) / bands;
+        draw->AddRectFilled({low.x, y0}, {low.x + width, y1 + 0.5f}, packed(colour_at(scale.map, (i + 0.5) / bands)));
+    }
+    draw->AddRect({low.x, top}, {low.x + width, low.y}, lab.ink(Ink::text, 0.6f));
+    ImGui::PushFont(lab.fonts.small);
+    const float line = ImGui::GetTextLineHeight();
+    const auto ticks = tick_texts(scale, 4, field.unit);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const std::string& text = ticks[i];
+        const float y = low.y - height * static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
+        draw->AddLine({low.x - lab.px(4), y}, {low.x, y}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
+        haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
+    }
+    const std::string title = title_of(lab.session, field);
+    haloed_text(lab, {low.x + width - ImGui::CalcTextSize(title.c_str()).x, top - 1.6f * line}, lab.ink(Ink::text), title);
+    ImGui::PopFont();
+}
+
+void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ColourScale& scale = lab.session.range.scale;
+    ImGui::PushFont(lab.fonts.normal);
+    const float line = ImGui::GetTextLineHeight(), height = lab.px(14), left = picture.x + lab.px(20),
+                width = picture.width - lab.px(40), bottom = picture.y + picture.height - line - lab.px(9), top = bottom - height;
+    for (int i = 0; i < bands; ++i) {
+        const float x0 = left + width * static_cast<float>(i) / bands, x1 = left + width * static_cast<float>(i + 1) / bands;
+        draw->AddRectFilled({x0, top}, {x1 + 0.5f, bottom}, packed(colour_at(scale.map, (i + 0.5) / bands)));
+    }
+    draw->AddRect({left, top}, {left + width, bottom}, lab.ink(Ink::text, 0.6f));
+    const auto ticks = ticks_that_fit(lab, field, width);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const std::string& text = ticks[i];
+        const float x = left + width * static_cast<float>(i) / static_cast<float>(ticks.size() - 1),
+                    size = ImGui::CalcTextSize(text.c_str()).x;
+        draw->AddLine({x, bottom}, {x, bottom + lab.px(4)}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
+        // The first begins and the last ends with the bar.
+        const float at = i == 0 ? x : i + 1 == ticks.size() ? x - size : x - size / 2;
+        haloed_text(lab, {at, bottom + lab.px(5)}, lab.ink(Ink::text), text);
+    }
+    haloed_text(lab, {left, top - line - lab.px(3)}, lab.ink(Ink::text), title_of(lab.session, field));
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+ColourBarPlace colour_bar_place(const LabState& lab, float width) {
+    if (!shown_field(lab)) return {};
+    // Labels beside a body need some room.
+    const float right = lab.session.lesson().dimension() == 3 ? lab.px(60) : 0;
+    if (lab.layout == Layout::deck) return {.right = right, .below = 2 * lab.fonts.normal->FontSize + lab.px(30)};
+    return {.right = std::min(lab.px(96), width / 3)};
+}
+
+void draw_colour_bar(LabState& lab, const Rectangle& picture) {
+    const Field* field = shown_field(lab);
+    if (!field) return;
+    lab.layout == Layout::deck ? lying_bar(lab, picture, *field) : upright_bar(lab, picture, *field);
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,179 @@
+// What the deck shows beside picture, plots and numbers: a slide of the walkthrough in large type.
+#include "panels/flowing_text.h"
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cfloat>
+
+namespace pliant::viewer {
+namespace {
+
+struct Paragraph {
+    std::string text;
+    ImFont* font;
+    unsigned colour;
+
+    float height(float width) const { return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y; }
+};
+
+float gap(const LabState& lab) { return lab.px(9); }
+
+bool fits(const std::string& line, const ImFont* font, float width) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, line.c_str()).x <= width;
+}
+
+// Equations that stand side by side go one below the other where the width asks for it.
+std::string broken_formula(const std::string& line, const ImFont* font, float width) {
+    std::string text = line;
+    if (fits(line, font, width)) return text;
+    for (auto at = text.find("   "); at != std::string::npos; at = text.find("   ", at + 1))
+        if (const auto end = text.find_first_not_of(' ', at); end != std::string::npos) text.replace(at, end - at, "\n");
+    return text;
+}
+
+Paragraph formula(const LabState& lab, const std::string& line, float width) {
+    for (ImFont* font : {lab.fonts.larger, lab.fonts.large})
+        if (const std::string text = broken_formula(line, font, width); fits(text, font, width))
+            return {text, font, lab.ink(Ink::velocity)};
+    return {line, lab.fonts.large, lab.ink(Ink::velocity)};
+}
+
+// What of the slide is shown: the introduction, formulas, the question, and the answer.
+struct Shown {
+    bool introduction, answer;
+};
+
+std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, Shown shown, float width) {
+    const unsigned ink = ImGui::GetColorU32(ImGuiCol_Text), quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    std::vector<Paragraph> result;
+    const auto headed = [&](const char* heading, Ink role, const Block& block, unsigned colour) {
+        result.push_back({heading, font, lab.ink(role)});
+        result.push_back({flowing_text(without_marks(block.paragraph()), font, width), font, colour});
+    };
+    for (const Block& b : lab.session.walkthrough->slide().blocks) {
+        if (b.kind == BlockKind::text && shown.introduction)
+            result.push_back({flowing_text(without_marks(b.paragraph()), font, width), font, ink});
+        if (b.kind == BlockKind::formula)
+            for (const std::string& line : b.lines) result.push_back(formula(lab, line, width));
+        if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, shown.answer ? quiet : ink);
+        if (b.kind == BlockKind::answer && shown.answer) headed("What happened", Ink::velocity, b, ink);
+    }
+    return result;
+}
+
+float height_of(const LabState& lab, const std::vector<Paragraph>& words, float width) {
+    float height = 0;
+    for (const Paragraph& p : words) height += p.height(width) + gap(lab);
+    return height;
+}
+
+// In the largest type in which the slide fits both with and without its answer, so that the question stays as it is when the
+// answer comes. The answer may take the place of the introduction.
+std::vector<Paragraph> fitting_words(const LabState& lab, ImVec2 room) {
+    const bool revealed = lab.session.walkthrough->revealed();
+    const auto fit = [&](ImFont* font, Shown shown) {
+        return height_of(lab, words_of(lab, font, shown, room.x), room.x) <= room.y;
+    };
+    for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
+        for (const bool introduction : {true, false})
+            if (fit(font, {true, false}) && fit(font, {introduction, true}))
+                return words_of(lab, font, {introduction || !revealed, revealed}, room.x);
+    return words_of(lab, lab.fonts.medium, {!revealed, revealed}, room.x);
+}
+
+std::vector<const Parameter*> shown_parameters(const LabState& lab) {
+    const Session& s = lab.session;
+    const bool chosen = s.walkthrough->slide().has(BlockKind::controls) && !s.unlocked;
+    std::vector<const Parameter*> shown;
+    for (const Parameter* p : s.lesson().parameters)
+        if (chosen ? !s.locked(*p) : p->used()) shown.push_back(p);
+    return shown;
+}
+
+int columns(std::size_t count) { return count > 2 ? 2 : 1; }
+
+}  // namespace
+
+void draw_slide_title(LabState& lab) {
+    const WalkthroughPlayer& player = *lab.session.walkthrough;
+    const std::size_t number = player.slide_number() + 1, count = player.walkthrough().slides.size();
+    const std::string progress = fmt::format("{}{} / {}", lab.session.unlocked ? "unlocked   " : "", number, count);
+    ImGui::PushFont(lab.fonts.large);
+    const float width = ImGui::CalcTextSize(progress.c_str()).x, right = ImGui::GetContentRegionMax().x - width;
+    ImGui::PopFont();
+    ImGui::PushFont(lab.fonts.huge);
+    fitted_text(player.slide().title, right - ImGui::GetCursorPosX() - lab.px(20));
+    ImGui::PopFont();
+    ImGui::SameLine(right);
+    ImGui::PushFont(lab.fonts.large);
+    ImGui::TextDisabled("%s", progress.c_str());
+    ImGui::PopFont();
+
+    // A rule whose bright part is what has been shown.
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const float y = at.y + size.y - lab.px(5), x = at.x + lab.px(20), length = size.x - lab.px(40);
+    const float done = static_cast<float>(number) / static_cast<float>(count), line = std::max(2.f, lab.px(3));
+    ImGui::GetWindowDrawList()->AddLine({x, y}, {x + length, y}, ImGui::GetColorU32(ImGuiCol_Separator), line);
+    ImGui::GetWindowDrawList()->AddLine({x, y}, {x + done * length, y}, lab.ink(Ink::accent), line);
+}
+
+void draw_slide_words(LabState& lab) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const auto words = fitting_words(lab, room);
+    ImGui::BeginChild("words", {0, 0}, 0, ImGuiWindowFlags_NoBackground);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, gap(lab)});
+    for (const Paragraph& p : words) {
+        ImGui::PushFont(p.font);
+        ImGui::PushStyleColor(ImGuiCol_Text, p.colour);
+        ImGui::PushTextWrapPos(room.x);
+        ImGui::TextUnformatted(p.text.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+        ImGui::PopFont();
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+}
+
+float slide_parameters_height(const LabState& lab) {
+    const auto count = shown_parameters(lab).size();
+    if (count == 0) return 0;
+    const auto rows =
+        static_cast<float>((count + static_cast<std::size_t>(columns(count)) - 1) / static_cast<std::size_t>(columns(count)));
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return rows * (2 * lab.fonts.large->FontSize + 2 * style.ItemSpacing.y + 2 * style.FramePadding.y + lab.px(2)) + lab.px(18);
+}
+
+void draw_slide_parameters(LabState& lab) {
+    const auto shown = shown_parameters(lab);
+    if (!ImGui::BeginTable("parameters", columns(shown.size()))) return;
+    for (const Parameter* p : shown) {
+        ImGui::TableNextColumn();
+        draw_parameter(lab, *p, true);
+    }
+    ImGui::EndTable();
+}
+
+namespace {
+std::string notes_of(const LabState& lab) {
+    const std::string notes = lab.session.walkthrough->slide().notes();
+    return notes.empty() ? "This slide has no notes." : without_marks(notes);
+}
+}  // namespace
+
+float slide_notes_height(const LabState& lab, float width) {
+    const ImFont* font = lab.fonts.normal;
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, width - lab.px(40), notes_of(lab).c_str()).y + lab.px(22);
+}
+
+void draw_slide_notes(LabState& lab) {
+    ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x);
+    ImGui::TextUnformatted(notes_of(lab).c_str());
+    ImGui::PopTextWrapPos();
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    lab.controls["notes"] = {at.x, at.y, size.x, size.y};
+}
+
+}  // namespace pliant::viewer
