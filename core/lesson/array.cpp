@@ -63,7 +63,10 @@ Real reduce(const Real* row, int components, int component) {
 }  // namespace
 
 void row_values(const Field& field, int component, std::vector<Real>& values) {
-    const auto numbers = field.view();
+    row_values(field, field.view(), component, values);
+}
+
+void row_values(const Field& field, std::span<const Real> numbers, int component, std::vector<Real>& values) {
     const std::size_t width = static_cast<std::size_t>(field.components);
     values.resize(numbers.size() / width);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = reduce(numbers.data() + i * width, field.components, component);

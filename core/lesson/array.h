@@ -54,6 +54,8 @@ std::vector<std::string> component_names(const Field& field);
 // One number per row: the component, or with component = -1 the value of a scalar, the length of a vector, the Frobenius norm of
 // a tensor.
 void row_values(const Field& field, int component, std::vector<Real>& values);
+// The same of numbers that are laid out like the field's: a copy of another moment.
+void row_values(const Field& field, std::span<const Real> numbers, int component, std::vector<Real>& values);
 Real row_value(const Field& field, Index row, int component);
 
 // A state array over any Eigen matrix or std::vector<Real> that outlives it.

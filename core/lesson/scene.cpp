@@ -16,6 +16,7 @@ void Scene::clear() {
 std::vector<float> Scene::values(const Lesson& lesson, On on) const {
     const Field* field = lesson.find_field(colour_by.field);
     if (!field || field->on != on || !field->in_use()) return {};
+    if (override_values) return {override_values->begin(), override_values->end()};
     std::vector<float> numbers(static_cast<std::size_t>(field->size()));
     for (std::size_t i = 0; i < numbers.size(); ++i)
         numbers[i] = static_cast<float>(row_value(*field, static_cast<Index>(i), colour_by.component));

@@ -26,6 +26,8 @@ public:
     // The numbers as the stages left them after so many passes of the step.
     std::span<const Real> at(const Lesson& lesson, Index passes, std::string_view field) const;
 
+    // Stages that have ended in this step so far.
+    std::size_t stages() const { return moments_.empty() ? 0 : moments_.size() - 1; }
     std::size_t bytes() const;
 
 private:

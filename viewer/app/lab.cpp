@@ -70,6 +70,21 @@ void Lab::perform(Action action) {
         case Action::pass:
             s.step_pass();
             break;
+        case Action::pass_back:
+            s.pass_back();
+            break;
+        case Action::stops:
+            state_.open_breaks = true;
+            break;
+        case Action::compare:
+            s.compare(static_cast<Compare>((static_cast<int>(s.inspector.compare) + 1) % 5));
+            break;
+        case Action::inspect:
+            state_.choose_inspector = state_.focus_thing = true;
+            break;
+        case Action::why_back:
+            if (s.inspector.asked.size() > 1) s.inspector.ask_back(s.runner());
+            break;
         case Action::reset:
             s.reset();
             break;

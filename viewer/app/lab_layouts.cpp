@@ -23,8 +23,8 @@ void Lab::lab_layout(float width, float height) {
                 body = height - status;
     const float list =
         std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
-    const float bars =
-        ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ItemSpacing.y;
+    const float bars = 2 * ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y +
+                       2 * ImGui::GetStyle().ItemSpacing.y;
     {
         const FixedPanel panel("Lessons", {0, 0, left, list});
         draw_lesson_list(s);
@@ -37,6 +37,7 @@ void Lab::lab_layout(float width, float height) {
         const FixedPanel panel("Stages", {left, 0, middle, bars}, ImGuiWindowFlags_NoScrollbar);
         draw_transport(s);
         draw_stage_bar(s);
+        draw_timeline(s);
     }
     {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -52,10 +53,10 @@ void Lab::lab_layout(float width, float height) {
             draw_walkthrough(s);
         }
         const FixedPanel panel("Plots", {width - right, split, right, body - split});
-        draw_plots(s);
+        draw_side(s);
     } else {
         const FixedPanel panel("Plots", {width - right, 0, right, body});
-        draw_plots(s);
+        draw_side(s);
     }
     const FixedPanel panel("Status", {0, body, width, status}, ImGuiWindowFlags_NoScrollbar);
     draw_status_line(s);

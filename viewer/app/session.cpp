@@ -30,6 +30,7 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     // The new run is made before the old one is given up, so a refusal leaves everything as it was.
     auto runner = std::make_unique<Runner>(entry, assignments);
     runner->set_events(std::move(events));
+    if (entry_ != &entry) inspector.forget_lesson();
     runner_ = std::move(runner);
     entry_ = &entry;
     undo_.clear();
@@ -86,6 +87,8 @@ bool Session::guarded(const std::function<void()>& action) {
 
 void Session::begin_run() {
     ++run_count_;
+    inspector.forget_run();
+    before_.reset();
     recorder_.clear();
     range.forget();
     owed_ = 0;
@@ -93,27 +96,60 @@ void Session::begin_run() {
 }
 
 void Session::moved() {
-    if (!runner_->inside_step()) guarded([&] { recorder_.record(*runner_); });
+    // In the past everything is recorded already.
+    if (!runner_->inside_step() && runner_->place() == runner_->reach())
+        guarded([&] {
+            recorder_.record(*runner_);
+            inspector.record(*runner_);
+        });
+    if (!playing && !inspector.asked.empty()) guarded([&] { inspector.ask_again(*runner_); });
     view_changed();
 }
 
 void Session::view_changed() {
     const Field* field = lesson().find_field(colours.field);
+    shows_change_ = false;
     if (!field || !field->in_use()) return;
     std::vector<Real> values;
     row_values(*field, colours.component, values);
     range.update(values);
+    if (inspector.compare != Compare::difference) return;
+    guarded([&] { inspector.renew_trace(*runner_); });
+    if (const auto change = inspector.change(*runner_, *field, colours.component)) {
+        change_range_.update(*change);
+        shows_change_ = true;
+    }
 }
 
 bool Session::advance_one() {
     // A static lesson is played pass by pass, so that its solve can be watched.
-    const bool done = guarded([&] { runner_->is_static() ? runner_->step_pass() : runner_->step(); });
+    const bool pass_by_pass = runner_->is_static() || inspector.breaks.any();
+    if (!std::exchange(armed_, true)) inspector.breaks.arm(*runner_);
+    bool go_on = true;
+    const bool done = guarded([&] {
+        if (!pass_by_pass) return runner_->step();
+        do {
+            runner_->step_pass();
+            if (const auto reason = inspector.breaks.stops(*runner_)) inspector.stopped = *reason, go_on = false;
+        } while (go_on && !runner_->is_static() && runner_->inside_step());
+    });
+    if (!go_on) playing = false;
     moved();
-    return done;
+    return done && go_on;
+}
+
+void Session::trace() {
+    const bool looked_at = !playing || inspector.compare != Compare::now;
+    runner_->trace_to(looked_at ? &inspector.trace : nullptr);
 }
 
 void Session::update(Real seconds, Real budget_ms) {
-    if (!playing) return;
+    trace();
+    if (!playing) {
+        armed_ = false;
+        return;
+    }
+    inspector.stopped.clear();
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto spent_ms = [&] { return std::chrono::duration<Real, std::milli>(Clock::now() - start).count(); };
@@ -142,26 +178,53 @@ void Session::run(const Until& until) {
 
 void Session::step() {
     playing = false;
+    trace();
+    inspector.stopped.clear();
     guarded([&] { runner_->step(); });
     moved();
 }
 
 void Session::step_stage() {
     playing = false;
+    trace();
+    inspector.stopped.clear();
     guarded([&] { runner_->step_stage(); });
     moved();
 }
 
 void Session::run_to_stage(std::string_view name) {
     playing = false;
+    trace();
+    inspector.stopped.clear();
     guarded([&] { runner_->run_to_stage(name); });
     moved();
 }
 
 void Session::step_pass() {
     playing = false;
+    trace();
+    inspector.stopped.clear();
     guarded([&] { runner_->step_pass(); });
     moved();
+}
+
+void Session::pass_back() {
+    playing = false;
+    dismiss();
+    bool found = true;
+    guarded([&] { found = runner_->pass_back(); });
+    keep_hand();
+    if (!found) say(Message::Kind::info, "Nothing before this is stored.");
+    moved();
+}
+
+void Session::go_to(Place place) {
+    playing = false;
+    dismiss();
+    inspector.stopped.clear();
+    guarded([&] { runner_->go_to(place); });
+    view_changed();
+    if (!inspector.asked.empty()) guarded([&] { inspector.ask_again(*runner_); });
 }
 
 void Session::step_back() {
@@ -235,14 +298,68 @@ void Session::keep_hand() {
 
 // ---------------------------------------------------------------------------------------------------------------- view
 
-Scene Session::scene() const {
+Scene Session::drawn() const {
     Scene picture;
     picture.colour_by = colours;
     picture.show_arrows = show_arrows, picture.show_labels = show_labels;
-    lesson().draw(picture);
-    if (!smooth)
-        for (GridMarks& g : picture.grids) g.smooth = false;
     return picture;
+}
+
+namespace {
+void show_cells(Scene& picture, bool smooth) {
+    if (smooth) return;
+    for (GridMarks& g : picture.grids) g.smooth = false;
+}
+}  // namespace
+
+Scene Session::scene() {
+    if (inspector.compare == Compare::before)
+        if (auto before = other_scene()) return *std::move(before);
+    Scene picture = drawn();
+    const Field* field = lesson().find_field(colours.field);
+    if (shows_change_ && field) picture.override_values = inspector.change(*runner_, *field, colours.component);
+    lesson().draw(picture);
+    show_cells(picture, smooth);
+    return picture;
+}
+
+// It is drawn again only when the run, the stage or the colours are others.
+std::optional<Scene> Session::other_scene() {
+    if (inspector.compare == Compare::now || inspector.compare == Compare::difference) return std::nullopt;
+    const std::string key = inspector.stage + "/" + colours.field + std::to_string(colours.component) + (show_arrows ? "a" : "") +
+                            (show_labels ? "l" : "") + (smooth ? "s" : "");
+    if (!before_ || before_place_ != runner_->place() || before_key_ != key) {
+        Scene picture = drawn();
+        bool found = false;
+        guarded([&] { found = inspector.draw_before(*runner_, picture); });
+        show_cells(picture, smooth);
+        before_ = found ? std::optional(std::move(picture)) : std::nullopt;
+        before_place_ = runner_->place();
+        before_key_ = key;
+    }
+    return before_;
+}
+
+// ------------------------------------------------------------------------------------------------------ looking inside
+
+void Session::compare(Compare what) {
+    inspector.compare = what;
+    before_.reset();
+    change_range_.forget();
+    view_changed();
+}
+
+void Session::ask(Inspector::Asked question) {
+    playing = false;
+    guarded([&] { inspector.ask(*runner_, std::move(question)); });
+}
+
+void Session::toggle_break(std::string_view stage) {
+    auto& stages = inspector.breaks.stages;
+    if (const auto there = stages.find(stage); there != stages.end())
+        stages.erase(there);
+    else
+        stages.emplace(stage);
 }
 
 }  // namespace pliant::viewer

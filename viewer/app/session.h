@@ -8,6 +8,7 @@
 #include <pliant/lesson/until.h>
 #include <pliant/lesson/walkthrough.h>
 
+#include "app/inspector.h"
 #include "render/palette.h"
 
 #include <functional>
@@ -61,6 +62,9 @@ public:
     void step_pass();
     void step_back();
     void stage_back();
+    void pass_back();
+    // To a place over which the run has gone already: the past that is stored, and forward again.
+    void go_to(Place place);
     void reset();
     // Runs headless, recording every step. Throws Diverged.
     void run(const Until& until);
@@ -85,8 +89,20 @@ public:
     bool show_arrows = true, show_labels = true, smooth = true;
     std::optional<Camera> camera;  // framed afresh when empty
     void view_changed();           // after a change of the colours: their range is found again
-    // The picture of now.
-    Scene scene() const;
+    // The picture, as the inspector asks for it: of now, of before the stage that is looked at, or of what that changed.
+    Scene scene();
+    // The one as the stage found it, beside or under that of now; empty when only one is to be seen.
+    std::optional<Scene> other_scene();
+    // The colours of the picture: the range of the field, or of its change.
+    const ColourScale& colour_scale() const { return shows_change_ ? change_range_.scale : range.scale; }
+    bool shows_change() const { return shows_change_; }
+
+    // --- looking inside ---
+    Inspector inspector;
+    void compare(Compare what);
+    void ask(Inspector::Asked question);
+    // A stop before this stage is set or taken away.
+    void toggle_break(std::string_view stage);
 
     // --- walkthrough ---
     std::optional<WalkthroughPlayer> walkthrough;
@@ -124,6 +140,8 @@ private:
     void after_walkthrough();
     void keep_hand();  // after a move back: the hand is where it is now, not where it was then
     bool advance_one();
+    void trace();  // copies what the stages do, while someone looks
+    Scene drawn() const;
 
     const LessonEntry* entry_ = nullptr;
     std::unique_ptr<Runner> runner_;
@@ -135,6 +153,12 @@ private:
     bool hand_used_ = false;
     Real owed_ = 0;  // simulated seconds asked for and not yet run
     Real reached_speed_ = 0;
+    bool armed_ = false;  // have the breakpoints seen where the run stood when it was let go?
+    bool shows_change_ = false;
+    ColourRange change_range_;
+    std::optional<Scene> before_;  // as the shown stage found it, at before_place_
+    Place before_place_;
+    std::string before_key_;
 };
 
 }  // namespace pliant::viewer

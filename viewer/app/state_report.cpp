@@ -8,6 +8,25 @@
 
 namespace pliant::viewer {
 
+namespace {
+nlohmann::ordered_json inspector_json(const LabState& lab) {
+    const Inspector& in = lab.session.inspector;
+    const Stage* stage = in.shown_stage(lab.session.runner());
+    nlohmann::ordered_json j{{"shown", lab.show_inspector},       {"compare", name_of(in.compare)},
+                             {"stage", stage ? stage->name : ""}, {"stopped", in.stopped},
+                             {"stops", in.breaks.stages},         {"pins", nlohmann::ordered_json::array()}};
+    for (const Condition& c : in.breaks.conditions) j["conditions"].push_back(c.text());
+    for (const Pin& p : in.pins) j["pins"].push_back(p.title);
+    if (in.thing) j["thing"] = {{"on", name_of(in.thing->on)}, {"index", in.thing->index}};
+    if (in.answer) {
+        j["answer"] = nlohmann::ordered_json::parse(why_json(*in.answer, 1));
+        j["questions"] = in.asked.size();
+    }
+    j["reach"] = lab.session.runner().reach().step;
+    return j;
+}
+}  // namespace
+
 std::string state_json(const LabState& lab) {
     const Runner& r = lab.session.runner();
     const Lesson& lesson = r.lesson();
@@ -32,6 +51,7 @@ std::string state_json(const LabState& lab) {
     j["revealed"] = walkthrough && walkthrough->revealed();
     j["unlocked"] = lab.session.unlocked;
     j["notes"] = lab.notes_shown;
+    j["inspector"] = inspector_json(lab);
     j["scale"] = lab.scale;
     j["help"] = lab.help_shown;
     j["frame"] = ImGui::GetFrameCount();

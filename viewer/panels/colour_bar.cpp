@@ -22,6 +22,10 @@ std::string title_of(const Session& s, const Field& field) {
         title += " " + component_names(field)[static_cast<std::size_t>(s.colours.component)];
     else if (field.rank != Rank::scalar)
         title = "|" + title + "|";
+    if (s.shows_change()) {
+        const Stage* stage = s.inspector.shown_stage(s.runner());
+        return "Change of " + title + (stage ? " by " + words(stage->name) : "");
+    }
     return s.range.automatic ? title : title + " (fixed)";
 }
 
@@ -37,15 +41,15 @@ std::vector<std::string> tick_texts(const ColourScale& scale, int intervals, std
 
 // Five ticks, or three where the words of five would touch: the outer ones stand inside the ends of the bar.
 std::vector<std::string> ticks_that_fit(const LabState& lab, const Field& field, float width) {
-    const auto five = tick_texts(lab.session.range.scale, 4, field.unit);
+    const auto five = tick_texts(lab.session.colour_scale(), 4, field.unit);
     float widest = 0;
     for (const std::string& text : five) widest = std::max(widest, ImGui::CalcTextSize(text.c_str()).x);
-    return 6 * widest + 4 * lab.px(14) <= width ? five : tick_texts(lab.session.range.scale, 2, field.unit);
+    return 6 * widest + 4 * lab.px(14) <= width ? five : tick_texts(lab.session.colour_scale(), 2, field.unit);
 }
 
 void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const ColourScale& scale = lab.session.range.scale;
+    const ColourScale& scale = lab.session.colour_scale();
     const float height = std::min(picture.height * 0.45f, lab.px(240)), width = lab.px(14);
     const ImVec2 low{picture.x + picture.width - width - lab.px(12), picture.y + picture.height - lab.px(16)};
     const float top = low.y - height;
@@ -70,7 +74,7 @@ void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
 
 void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const ColourScale& scale = lab.session.range.scale;
+    const ColourScale& scale = lab.session.colour_scale();
     ImGui::PushFont(lab.fonts.normal);
     const float line = ImGui::GetTextLineHeight(), height = lab.px(14), left = picture.x + lab.px(20),
                 width = picture.width - lab.px(40), bottom = picture.y + picture.height - line - lab.px(9), top = bottom - height;

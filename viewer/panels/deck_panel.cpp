@@ -29,7 +29,7 @@ std::string broken_formula(const std::string& line, const ImFont* font, float wi
     std::string text = line;
     if (fits(line, font, width)) return text;
     for (auto at = text.find("   "); at != std::string::npos; at = text.find("   ", at + 1))
-        if (const auto end = text.find_first_not_of(' ', at); end != std::string::npos) text.replace(at, end - at, "\n");
+        if (const auto end = text.find_first_not_of(' ', at); end != std::string::npos) text.replace(at, end - at, 1, '\n');
     return text;
 }
 

@@ -42,7 +42,13 @@ struct LabState {
     // the scene panel
     std::optional<Picked> hovered;
     std::optional<Pull> pulling;
-    bool turning = false;
+    bool turning = false, clicked_only = false;  // has the pointer stayed where it was pressed?
+    bool scene_has_grid = false;                 // of the last frame
+
+    // the inspector
+    bool show_inspector = false, choose_inspector = false, focus_thing = false, open_breaks = false;
+    std::string condition_text{};
+    std::string condition_refused{};  // why the text above is none
 
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls;
@@ -82,6 +88,10 @@ void draw_parameter(LabState& lab, const Parameter& parameter, bool large = fals
 void draw_transport(LabState& lab);
 void draw_stage_bar(LabState& lab);
 void draw_scene(LabState& lab, SceneRenderer& renderer);
+void draw_timeline(LabState& lab);
+// Plots and inspector, one behind the other.
+void draw_side(LabState& lab);
+void draw_inspector(LabState& lab);
 void draw_plots(LabState& lab);
 void draw_status_line(LabState& lab);
 void draw_walkthrough(LabState& lab);

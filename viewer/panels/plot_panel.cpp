@@ -34,6 +34,13 @@ std::string field_title(const LabState& lab, const Field& f) {
     return words(f.name) + (c >= 0 ? " " + component_names(f)[static_cast<std::size_t>(c)] : "");
 }
 
+// Where the run stands, when that is not the end of what was recorded.
+void mark_now(const LabState& lab, Plot& plot) {
+    const Runner& runner = lab.session.runner();
+    if (runner.place() == runner.reach()) return;
+    plot.vertical_line("now", runner.is_static() ? static_cast<Real>(runner.place().step) : runner.time());
+}
+
 void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
     const Session& s = lab.session;
     const Probe& probe = s.lesson().probes[i];
@@ -50,6 +57,7 @@ void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
     if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
     plot.line("measured", xs, series.value);
     if (std::ranges::any_of(series.exact, [](Real x) { return std::isfinite(x); })) plot.reference("exact", xs, series.exact);
+    mark_now(lab, plot);
     plot.end();
 }
 
@@ -69,7 +77,7 @@ void plot_line(Plot& plot, const Line& line, Point size) {
 }
 
 void plot_along(LabState& lab, Plot& plot, Point size) {
-    const Session& s = lab.session;
+    Session& s = lab.session;
     PlotPanelState& state = lab.plots;
     const Field* field = s.lesson().find_field(s.colours.field);
     if (!field || !field->in_use()) return ImGui::TextDisabled("Choose a field above the picture to see it along a line.");
@@ -89,25 +97,42 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
         ImGui::SliderScalar(fmt::format("##across {}", k).c_str(), ImGuiDataType_Double, &state.across[next++], &low, &high,
                             format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     }
-    const FieldProfile profile = field_profile(s.lesson(), s.scene(), *field, s.colours.component, state.axis, state.across);
+    const Inspector& looked = s.inspector;
+    const Scene scene = s.scene();
+    std::vector<Real> rows;
+    row_values(*field, s.colours.component, rows);
+    if (s.shows_change())
+        if (const auto change = looked.change(s.runner(), *field, s.colours.component)) rows = *change;
+    const auto along_line = [&](std::span<const Real> values) {
+        return field_profile(s.lesson(), scene, field->on, values, state.axis, state.across);
+    };
+    const FieldProfile profile = along_line(rows);
     const std::string axis = axes[static_cast<std::size_t>(state.axis)], title = field_title(lab, *field);
     size.y -= ImGui::GetFrameHeightWithSpacing();
     if (!plot.begin(fmt::format("{} along {}##along", title, axis), size,
                     {.x = {axis, "m"}, .y = {title, std::string(field->unit)}, .empty_hint = "this field has no places"}))
         return;
-    plot.line("now", profile.position, profile.value);
+    plot.line(s.shows_change() ? "change" : "now", profile.position, profile.value);
+    if (looked.compare != Compare::now && !s.shows_change()) {
+        // What the stage found, beneath what it left.
+        const auto found = looked.before(s.runner(), field->name);
+        std::vector<Real> before;
+        row_values(*field, found, s.colours.component, before);
+        const FieldProfile old = along_line(before);
+        plot.reference("before", old.position, old.value);
+    }
     plot.end();
 }
 
 void plot_map(LabState& lab, Plot& plot, Point size) {
-    const Session& s = lab.session;
+    Session& s = lab.session;
     const Field* field = s.lesson().find_field(s.colours.field);
     const Scene scene = s.scene();
     if (!field || scene.grids.empty() || scene.grids[0].values.empty())
         return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
     const GridMarks& g = scene.grids[0];
     const std::vector<Real> values(g.values.begin(), g.values.end());
-    const ColourScale& scale = s.range.scale;
+    const ColourScale& scale = s.colour_scale();
     if (!plot.begin(field_title(lab, *field) + "##map", size, {.x = {"x", "m"}, .y = {"y", "m"}})) return;
     plot.heat_map({.name = field_title(lab, *field),
                    .unit = std::string(field->unit),
@@ -121,7 +146,18 @@ void plot_map(LabState& lab, Plot& plot, Point size) {
     plot.end();
 }
 
+void plot_pin(LabState& lab, Plot& plot, const Pin& pin, Point size) {
+    const bool steps = lab.session.runner().is_static();
+    const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(pin.field), pin.unit}};
+    if (!plot.begin(fmt::format("{}##pin", pin.title), size, axes)) return;
+    plot.line("pinned", pin.times, pin.values);
+    mark_now(lab, plot);
+    plot.end();
+}
+
 void draw_one(LabState& lab, Plot& plot, const std::string& name, Point size) {
+    for (const Pin& pin : lab.session.inspector.pins)
+        if (pin.title == name) return plot_pin(lab, plot, pin, size);
     if (name == along) return plot_along(lab, plot, size);
     if (name == heat_map) return plot_map(lab, plot, size);
     const Lesson& lesson = lab.session.lesson();
@@ -147,7 +183,7 @@ void choice_menu(LabState& lab) {
     for (const Line& l : lesson.lines)
         if (l.in_use()) toggle(lab, l.name, words(l.name));
     toggle(lab, along, "the field along a line");
-    if (!lab.session.scene().grids.empty()) toggle(lab, heat_map, "the field as a heat map");
+    if (lab.scene_has_grid) toggle(lab, heat_map, "the field as a heat map");
     ImGui::EndCombo();
 }
 

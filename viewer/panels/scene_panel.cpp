@@ -4,6 +4,7 @@
 
 #include "panels/colour_bar.h"
 #include "panels/lab_state.h"
+#include "render/places.h"
 
 #include <fmt/format.h>
 
@@ -72,6 +73,17 @@ void read_out(LabState& lab, const Picked& picked) {
     ImGui::PopFont();
 }
 
+// A ring around the thing that is inspected.
+void mark_thing(LabState& lab, const View& view) {
+    const auto& thing = lab.session.inspector.thing;
+    if (!thing || !lab.show_inspector) return;
+    if (const auto at = place_of(view.scene, thing->on, thing->index)) {
+        const Eigen::Vector3f p = view.projection.pixel(*at);
+        ImGui::GetWindowDrawList()->AddCircle({view.origin.x + p.x(), view.origin.y + p.y()}, lab.px(11), lab.ink(Ink::accent), 0,
+                                              std::max(2.f, lab.px(3)));
+    }
+}
+
 void mark_hovered(LabState& lab, const View& view, const Picked& picked) {
     const Eigen::Vector3f p = view.projection.pixel(position<3>(picked.at));
     ImGui::GetWindowDrawList()->AddCircle({view.origin.x + p.x(), view.origin.y + p.y()}, lab.px(9), lab.ink(Ink::accent), 0,
@@ -86,6 +98,7 @@ Eigen::Vector2f pointer_in(const View& view) {
 void begin_drag(LabState& lab, const View& view) {
     const auto can_pull = lab.session.lesson().can_pull();
     lab.turning = true;
+    lab.clicked_only = true;
     if (!can_pull || !lab.hovered || lab.hovered->on != *can_pull) return;
     lab.turning = false;
     lab.pulling = Pull{lab.hovered->index, lab.hovered->at, lab.hovered->at};
@@ -94,6 +107,8 @@ void begin_drag(LabState& lab, const View& view) {
 
 void go_on_dragging(LabState& lab, const View& view) {
     Session& s = lab.session;
+    if (lab.clicked_only && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, lab.px(4))) return;
+    lab.clicked_only = false;
     if (lab.pulling) {
         lab.pulling->to = view.projection.at_depth_of(pointer_in(view), lab.pulling->from);
         s.pull(lab.pulling);
@@ -104,8 +119,14 @@ void go_on_dragging(LabState& lab, const View& view) {
     view.dimension == 3 ? orbit(*s.camera, d.x, d.y) : pan(*s.camera, 2, view.projection, d.x, d.y);
 }
 
+// A press that did not move picks what lies there.
 void end_drag(LabState& lab) {
-    if (lab.pulling) lab.session.pull(std::nullopt);
+    if (lab.clicked_only && lab.hovered && lab.layout == Layout::lab) {
+        lab.session.inspector.thing = Thing{lab.hovered->on, lab.hovered->index};
+        lab.choose_inspector = true;
+    }
+    if (lab.pulling && !lab.clicked_only) lab.session.pull(std::nullopt);
+    lab.clicked_only = false;
     lab.pulling.reset();
     lab.turning = false;
 }
@@ -182,12 +203,13 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     if (size.x < 8 || size.y < 8) return;
     const int dimension = s.lesson().dimension();
     Scene scene = s.scene();
+    lab.scene_has_grid = !scene.grids.empty();
     if (!s.camera) s.camera = framing(scene, dimension, (size.x - bar.right) / size.y);
     const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y, bar.right), origin, size, dimension};
 
     const Size pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
     const GLuint texture =
-        renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale, bar.right);
+        renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.colour_scale(), pixels, lab.scale, bar.right);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin,
                                          {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
 
@@ -196,6 +218,7 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
         "scene", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     lab.note_control("scene");
     handle_mouse(lab, view);
+    mark_thing(lab, view);
     draw_labels(lab, view);
     if (!s.message() && lab.layout != Layout::deck) draw_notes(lab, view);
     draw_colour_bar(lab, {origin.x, origin.y, size.x, size.y + bar.below});

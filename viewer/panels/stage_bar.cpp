@@ -24,7 +24,7 @@ void colour_menu(LabState& lab) {
     std::string current = shown ? words(shown->name) : "none";
     if (shown && s.colours.component >= 0)
         current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
-    ImGui::SetNextItemWidth(lab.px(140));
+    ImGui::SetNextItemWidth(lab.px(122));
     if (ImGui::BeginCombo("##colour", current.c_str(), ImGuiComboFlags_HeightLarge)) {
         if (ImGui::Selectable("none", !shown)) s.colours = {};
         for (const Field& f : s.lesson().fields) {
@@ -49,7 +49,7 @@ void colour_menu(LabState& lab) {
 
 void speed_menu(LabState& lab) {
     Session& s = lab.session;
-    ImGui::SetNextItemWidth(lab.px(66));
+    ImGui::SetNextItemWidth(lab.px(60));
     if (ImGui::BeginCombo("##speed", fmt::format("{:g}×", s.speed).c_str())) {
         for (const Real speed : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0})
             if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), s.speed == speed)) s.speed = speed;
@@ -57,6 +57,25 @@ void speed_menu(LabState& lab) {
     }
     lab.note_control("speed");
     tooltip("Simulated seconds per second to play at", lab.scale);
+}
+
+// A ring, or a filled disc where the run is to stop before this stage. True when it was pressed.
+bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, float size) {
+    const auto& breaks = lab.session.inspector.breaks;
+    const bool set = breaks.stages.contains(stage.name) || breaks.passes.contains(stage.name);
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::SetCursorScreenPos({at.x - lab.px(3), at.y});
+    const bool pressed = ImGui::InvisibleButton(fmt::format("break {}", i).c_str(), {size + lab.px(6), line});
+    lab.note_control(fmt::format("dot {}", stage.name));
+    tooltip(set ? "The run stops before this stage. Click: it does not" : "Click: stop before this stage", lab.scale);
+    const ImVec2 middle{at.x + size / 2, at.y + line / 2};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    if (set)
+        draw->AddCircleFilled(middle, size / 2, packed(bad_colour));
+    else
+        draw->AddCircle(middle, size / 2, lab.ink(Ink::text, ImGui::IsItemHovered() ? 0.9f : 0.35f), 0, std::max(1.f, lab.px(1)));
+    if (pressed) lab.session.toggle_break(stage.name);
+    return pressed;
 }
 
 // The name with its milliseconds, then the formula on up to two lines; the tooltip has it whole.
@@ -84,14 +103,16 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::PopFont();
     std::string name = fmt::format("{} {}", i + 1, words(stage.name));
     if (next && runner.passes_in_stage() > 0) name += fmt::format(" · pass {}", runner.passes_in_stage());
-    ImGui::SetCursorScreenPos({at.x + pad, at.y + pad * 0.4f});
-    const float room = width - ms_width - 3 * pad;
+    const float dot = ImGui::GetTextLineHeight() * 0.5f;
+    ImGui::SetCursorScreenPos({at.x + 2 * pad + dot, at.y + pad * 0.4f});
+    const float room = width - ms_width - 4 * pad - dot;
     ImGui::PushFont(ImGui::CalcTextSize(name.c_str()).x <= room ? lab.fonts.normal : lab.fonts.small);
     fitted_text(name, room);
     ImGui::PopFont();
     draw->PopClipRect();
 
     ImGui::SetCursorScreenPos(at);
+    ImGui::SetNextItemAllowOverlap();
     ImGui::InvisibleButton(fmt::format("stage {}", i).c_str(), {width, height});
     lab.note_control(fmt::format("stage {}", stage.name));
     std::string more = fmt::format("{}\n{}\nSource: {}\nReads {}; writes {}.", words(stage.name), stage.formula, stage.source,
@@ -99,9 +120,18 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     if (cost.runs)
         more += fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} passes in {} runs.", cost.last_ms, cost.total_ms, cost.passes,
                             cost.runs);
-    more += "\nClick: run to the end of this stage.";
+    more += "\nClick: run to the end of this stage. Right click: compare before and after.";
     tooltip(more, lab.scale);
-    if (ImGui::IsItemClicked()) lab.session.run_to_stage(stage.name);
+    const bool clicked = ImGui::IsItemClicked(), looked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    const bool toggled = break_dot(lab, stage, i, {at.x + pad, at.y + pad * 0.4f}, dot);
+    // The box is what the next one stands beside.
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({width, height});
+    if (toggled) return;
+    if (clicked) lab.session.run_to_stage(stage.name);
+    if (!looked) return;
+    lab.session.inspector.stage = stage.name;
+    lab.session.compare(lab.session.inspector.compare == Compare::now ? Compare::difference : lab.session.inspector.compare);
 }
 
 }  // namespace
@@ -115,11 +145,11 @@ void draw_transport(LabState& lab) {
     if (button(lab, "Back", "back", "One step back, from stored states (,)")) s.step_back();
     if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
     if (!s.runner().is_static()) speed_menu(lab);
-    ImGui::SameLine(0, lab.px(14));
+    ImGui::SameLine(0, lab.px(8));
     colour_menu(lab);
     ImGui::SameLine();
     ImGui::Checkbox("arrows", &s.show_arrows);
-    if (!s.scene().grids.empty()) {
+    if (lab.scene_has_grid) {
         ImGui::SameLine();
         ImGui::Checkbox("smooth", &s.smooth);
         tooltip("Interpolate between cell centres, or show the cells as they are", lab.scale);

@@ -25,13 +25,22 @@ void NavierStokes::draw(Scene& scene) const {
     scene.frame(position(-0.06, -0.06), position(1.06, 1.12));
 }
 
+// Numbers on faces are drawn as cells around the faces, half of which reach beyond the walls.
 void NavierStokes::draw_field(Scene& scene) const {
+    const Field* field = find_field(scene.colour_by.field);
+    const On on = field && (field->on == On::x_face || field->on == On::y_face) ? field->on : On::cell;
+    const Lattice<2>& lattice = on == On::x_face ? grid_->faces(0) : on == On::y_face ? grid_->faces(1) : grid_->cells();
+    const auto corner = [&](Real beyond_x, Real beyond_y) {
+        return position((lattice.offset[0] - 0.5 + beyond_x) * dx(), (lattice.offset[1] - 0.5 + beyond_y) * dx());
+    };
     GridMarks map;
-    map.nx = map.ny = static_cast<int>(Index(resolution));
-    map.lower = position(0, 0);
-    map.upper = position(1, 1);
-    map.values = scene.values(*this, On::cell);
-    if (map.values.empty()) map.values.assign(static_cast<std::size_t>(grid_->cells().size()), 0.0f);
+    map.nx = static_cast<int>(lattice.count[0]);
+    map.ny = static_cast<int>(lattice.count[1]);
+    map.lower = corner(0, 0);
+    map.upper = corner(static_cast<Real>(map.nx), static_cast<Real>(map.ny));
+    map.pick.on = on;
+    map.values = scene.values(*this, on);
+    if (map.values.empty()) map.values.assign(static_cast<std::size_t>(lattice.size()), 0.0f);
     scene.grids.push_back(std::move(map));
 }
 

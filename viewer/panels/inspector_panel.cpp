@@ -1,0 +1,294 @@
+// A picked thing with all its quantities, and how a number came about.
+#include <pliant/lesson/file.h>
+#include <pliant/lesson/format.h>
+
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace pliant::viewer {
+namespace {
+
+constexpr int digits = 5;
+
+// Square brackets around a block that starts at `at`.
+void brackets(LabState& lab, ImVec2 at, ImVec2 size) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const unsigned ink = ImGui::GetColorU32(ImGuiCol_Text);
+    const float tick = lab.px(4), line = std::max(1.f, lab.px(1.5f));
+    for (const auto& [x, inward] : {std::pair{at.x, tick}, {at.x + size.x, -tick}}) {
+        draw->AddLine({x, at.y}, {x, at.y + size.y}, ink, line);
+        draw->AddLine({x, at.y}, {x + inward, at.y}, ink, line);
+        draw->AddLine({x, at.y + size.y}, {x + inward, at.y + size.y}, ink, line);
+    }
+}
+
+// A number that answers when it is clicked.
+void number(LabState& lab, const Field& f, Index index, int component, float width, std::string_view unit) {
+    const std::string text = format_quantity(row_value(f, index, component), unit, digits);
+    const float room = std::max(width - ImGui::CalcTextSize(text.c_str()).x, 0.f);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    ImGui::PushID(component);
+    if (ImGui::Selectable(text.c_str(), false, 0, {ImGui::CalcTextSize(text.c_str()).x, 0}))
+        lab.session.ask({.field = std::string(f.name), .index = index, .component = component});
+    const auto names = component_names(f);
+    const std::string suffix = component >= 0 && f.rank != Rank::scalar ? "." + names[static_cast<std::size_t>(component)] : "";
+    lab.note_control(fmt::format("why {}{}", f.name, suffix));
+    tooltip("Why this number? Click to see its formula and what went into it", lab.scale);
+    ImGui::PopID();
+}
+
+void pin_button(LabState& lab, const Field& f, Index index) {
+    Inspector& in = lab.session.inspector;
+    const bool pinned = in.pinned(f.name, index, -1);
+    const float width = ImGui::CalcTextSize("unpin").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    if (ImGui::SmallButton(pinned ? "unpin" : "pin")) {
+        if (pinned)
+            std::erase_if(in.pins, [&](const Pin& p) { return p.field == f.name && p.index == index && p.component == -1; });
+        else
+            in.pin(lab.session.runner(), f, index, -1);
+    }
+    lab.note_control(fmt::format("pin {}", f.name));
+    tooltip("Follow this quantity in a plot over time, from now on", lab.scale);
+}
+
+// A vector as a column, a tensor as a square of numbers in brackets; the unit once.
+void block_of_numbers(LabState& lab, const Field& f, Index index) {
+    const int columns = f.rank == Rank::vector ? 1 : (f.components == 4 ? 2 : 3), rows = f.components / columns;
+    float widest = 0;
+    for (int c = 0; c < f.components; ++c)
+        widest = std::max(widest, ImGui::CalcTextSize(format_quantity(row_value(f, index, c), "", digits).c_str()).x);
+    const float gap = lab.px(12), left = lab.px(18), line = ImGui::GetTextLineHeightWithSpacing();
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    for (int r = 0; r < rows; ++r)
+        for (int c = 0; c < columns; ++c) {
+            if (c) ImGui::SameLine();
+            ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + left + lab.px(6) + static_cast<float>(c) * (widest + gap));
+            number(lab, f, index, r * columns + c, widest, "");
+        }
+    const float width = static_cast<float>(columns) * widest + static_cast<float>(columns - 1) * gap + lab.px(12);
+    const float height = static_cast<float>(rows) * line - ImGui::GetStyle().ItemSpacing.y;
+    brackets(lab, {start.x + left, start.y}, {width, height});
+    if (f.unit.empty()) return;
+    ImGui::GetWindowDrawList()->AddText(
+        {start.x + left + width + lab.px(6), start.y + height / 2 - ImGui::GetTextLineHeight() / 2},
+        ImGui::GetColorU32(ImGuiCol_TextDisabled), std::string(f.unit).c_str());
+}
+
+void quantity(LabState& lab, const Field& f, Index index) {
+    ImGui::PushID(f.name.data(), f.name.data() + f.name.size());
+    const std::string name = f.symbol.empty() ? words(f.name) : fmt::format("{} {}", words(f.name), f.symbol);
+    ImGui::TextUnformatted(name.c_str());
+    if (!f.help.empty()) tooltip(std::string(f.help), lab.scale);
+    if (f.rank == Rank::scalar) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("=");
+        ImGui::SameLine();
+        number(lab, f, index, -1, 0, f.unit);
+        pin_button(lab, f, index);
+    } else {
+        ImGui::SameLine();
+        ImGui::TextDisabled("| | =");
+        ImGui::SameLine();
+        number(lab, f, index, -1, 0, f.unit);
+        pin_button(lab, f, index);
+        block_of_numbers(lab, f, index);
+    }
+    ImGui::PopID();
+}
+
+void choose_thing(LabState& lab) {
+    Inspector& in = lab.session.inspector;
+    std::set<On> kinds;
+    Index count = 0;
+    for (const Field& f : lab.session.lesson().fields)
+        if (f.in_use() && f.size() > 0) kinds.insert(f.on);
+    if (kinds.empty()) return;
+    if (!in.thing || !kinds.contains(in.thing->on)) in.thing = Thing{*kinds.begin(), 0};
+    for (const Field& f : lab.session.lesson().fields)
+        if (f.in_use() && f.on == in.thing->on) count = std::max(count, f.size());
+    ImGui::SetNextItemWidth(lab.px(92));
+    if (ImGui::BeginCombo("##on", words(name_of(in.thing->on)).c_str())) {
+        for (const On on : kinds)
+            if (ImGui::Selectable(words(name_of(on)).c_str(), on == in.thing->on)) in.thing = Thing{on, 0};
+        ImGui::EndCombo();
+    }
+    lab.note_control("thing kind");
+    tooltip("What is looked at; a click in the picture chooses too", lab.scale);
+    ImGui::SameLine();
+    const Index one = 1, hundred = 100;
+    if (std::exchange(lab.focus_thing, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(lab.px(120));
+    ImGui::InputScalar("##index", ImGuiDataType_S64, &in.thing->index, &one, &hundred);
+    lab.note_control("thing index");
+    tooltip(fmt::format("Its number, 0 to {}", count - 1), lab.scale);
+    in.thing->index = std::clamp<Index>(in.thing->index, 0, std::max<Index>(count - 1, 0));
+}
+
+void save(LabState& lab, const std::string& name, const std::string& text) {
+    try {
+        write_file(name, text);
+        lab.session.say(Session::Message::Kind::info, "Saved as " + name + " in the folder where Pliant was started.");
+    } catch (const Error& e) {
+        lab.session.say(Session::Message::Kind::refused, e.what());
+    }
+}
+
+void exports(LabState& lab) {
+    const Inspector& in = lab.session.inspector;
+    const std::string_view id = lab.session.entry().info.id;
+    const std::string lesson(id.substr(id.find('/') + 1));
+    if (ImGui::SmallButton("save these numbers"))
+        save(lab, fmt::format("{}_{}_{}.csv", lesson, name_of(in.thing->on), in.thing->index),
+             in.thing_csv(lab.session.lesson()));
+    lab.note_control("save thing");
+    tooltip("All quantities of this thing as a CSV file", lab.scale);
+    if (in.pins.empty()) return;
+    ImGui::SameLine();
+    if (ImGui::SmallButton("save pinned plots")) save(lab, lesson + "_pinned.csv", in.pins_csv());
+    lab.note_control("save pins");
+    tooltip("Every pinned quantity over time as a CSV file", lab.scale);
+}
+
+// ----------------------------------------------------------------------------------------------------------------- why
+
+std::string origin_of(const Answer& a) {
+    switch (a.kind) {
+        case Answer::Kind::parameter:
+            return "a parameter";
+        case Answer::Kind::constant:
+            return a.field;
+        case Answer::Kind::state:
+            return a.when.step == 0 ? "the initial state" : fmt::format("left by step {}", a.when.step);
+        default:
+            return "";
+    }
+}
+
+void wrapped(const std::string& text) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void formula_block(LabState& lab, const Answer& a) {
+    if (a.formula.empty()) return;
+    wrapped(a.formula);
+    ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
+    wrapped(a.substituted);
+    ImGui::PopStyleColor();
+}
+
+// The inputs of an answer; a click asks the same of one of them. Intermediate results unfold.
+void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& next) {
+    for (std::size_t k = 0; k < a.inputs.size(); ++k) {
+        const Answer& in = a.inputs[k];
+        ImGui::PushID(static_cast<int>(k));
+        const std::string text = fmt::format("{} = {}", in.symbol, format_quantity(in.value, in.unit, digits + 1));
+        if (in.kind == Answer::Kind::part) {
+            const bool open = ImGui::TreeNodeEx("part", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", text.c_str());
+            lab.note_control(fmt::format("part {}", in.symbol));
+            if (open) {
+                formula_block(lab, in);
+                inputs_of(lab, in, next);
+                ImGui::TreePop();
+            }
+        } else if (in.can_ask || in.kind == Answer::Kind::state) {
+            ImGui::Bullet();
+            ImGui::SameLine();
+            if (ImGui::Selectable(fmt::format("{}##ask", text).c_str()))
+                next = {.field = in.field, .index = in.index, .component = in.component, .when = in.when};
+            lab.note_control(fmt::format("ask {}", in.symbol));
+            const std::string origin = origin_of(in);
+            tooltip(fmt::format("{}{}. Click: why this number?", title_of(in, lab.session.lesson()),
+                                origin.empty() ? "" : ", " + origin),
+                    lab.scale);
+        } else {
+            ImGui::Bullet();
+            ImGui::SameLine();
+            ImGui::PushTextWrapPos(0);
+            ImGui::TextDisabled("%s   %s", text.c_str(), origin_of(in).c_str());
+            ImGui::PopTextWrapPos();
+        }
+        ImGui::PopID();
+    }
+}
+
+void why_part(LabState& lab) {
+    Session& s = lab.session;
+    Inspector& in = s.inspector;
+    if (!in.answer) {
+        wrapped("Click a number to see why it is what it is.");
+        return;
+    }
+    if (in.asked.size() > 1) {
+        if (ImGui::SmallButton("◂ back")) try {
+                in.ask_back(s.runner());
+            } catch (const Error& e) {
+                s.say(Session::Message::Kind::refused, e.what());
+            }
+        lab.note_control("why back");
+        tooltip("To the number that this one went into", lab.scale);
+        ImGui::SameLine();
+        ImGui::TextDisabled("%zu questions deep", in.asked.size());
+    }
+    if (!in.answer) return;
+    const Answer a = *in.answer;
+    wrapped(fmt::format("Why is {} {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits + 1)));
+    const bool end_of_step = a.kind == Answer::Kind::state;
+    if (!a.stage.empty()) {
+        ImGui::TextDisabled("step %lld, stage %s", static_cast<long long>(a.when.step + 1), words(a.stage).c_str());
+        if (!a.source.empty()) tooltip(a.source, lab.scale);
+    } else if (end_of_step) {
+        ImGui::TextDisabled("%s", origin_of(a).c_str());
+    }
+    formula_block(lab, a);
+    std::optional<Inspector::Asked> next;
+    inputs_of(lab, a, next);
+    if (next) s.ask(*next);
+}
+
+}  // namespace
+
+void draw_inspector(LabState& lab) {
+    choose_thing(lab);
+    const Inspector& in = lab.session.inspector;
+    if (!in.thing) return ImGui::TextDisabled("This lesson has no fields to look into.");
+    exports(lab);
+    ImGui::BeginChild("quantities", {0, ImGui::GetContentRegionAvail().y * 0.5f}, ImGuiChildFlags_Border);
+    for (const Field& f : lab.session.lesson().fields)
+        if (f.in_use() && f.on == in.thing->on && in.thing->index < f.size()) quantity(lab, f, in.thing->index);
+    ImGui::EndChild();
+    ImGui::BeginChild("why", {0, 0}, ImGuiChildFlags_Border);
+    why_part(lab);
+    ImGui::EndChild();
+}
+
+void draw_side(LabState& lab) {
+    if (!ImGui::BeginTabBar("side")) return;
+    if (ImGui::BeginTabItem("Plots")) {
+        lab.show_inspector = false;
+        draw_plots(lab);
+        ImGui::EndTabItem();
+    }
+    lab.note_control("tab plots");
+    const bool choose = std::exchange(lab.choose_inspector, false);
+    if (ImGui::BeginTabItem("Inspect", nullptr, choose ? ImGuiTabItemFlags_SetSelected : 0)) {
+        lab.show_inspector = true;
+        lab.note_control("tab inspect");
+        draw_inspector(lab);
+        ImGui::EndTabItem();
+    } else {
+        lab.note_control("tab inspect");
+    }
+    tooltip("All numbers of the picked thing, and why they are what they are (I)", lab.scale);
+    ImGui::EndTabBar();
+}
+
+}  // namespace pliant::viewer

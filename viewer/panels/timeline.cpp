@@ -1,0 +1,180 @@
+// The stored past with its scrubber, where the run is to stop, and what is shown of a stage.
+#include <pliant/lesson/format.h>
+
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pliant::viewer {
+namespace {
+
+constexpr const char* breaks_popup = "where the run stops";
+
+void stage_breaks(LabState& lab) {
+    Session& s = lab.session;
+    Breakpoints& breaks = s.inspector.breaks;
+    ImGui::TextDisabled("Stop before a stage, or after each pass of its loop");
+    if (!ImGui::BeginTable("stages", 3, ImGuiTableFlags_SizingFixedFit)) return;
+    for (const Stage* stage : s.runner().stages()) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(words(stage->name).c_str());
+        ImGui::TableNextColumn();
+        bool before = breaks.stages.contains(stage->name);
+        if (ImGui::Checkbox(fmt::format("before##{}", stage->name).c_str(), &before)) s.toggle_break(stage->name);
+        lab.note_control(fmt::format("break {}", stage->name));
+        ImGui::TableNextColumn();
+        if (!stage->again || !stage->loop_from.empty()) continue;
+        bool passes = breaks.passes.contains(stage->name);
+        if (ImGui::Checkbox(fmt::format("each pass##{}", stage->name).c_str(), &passes))
+            passes ? void(breaks.passes.emplace(stage->name)) : void(breaks.passes.erase(std::string(stage->name)));
+        lab.note_control(fmt::format("break pass {}", stage->name));
+    }
+    ImGui::EndTable();
+}
+
+void add_condition(LabState& lab) {
+    try {
+        lab.session.inspector.breaks.conditions.push_back(parse_condition(lab.condition_text, lab.session.lesson()));
+        lab.condition_text.clear();
+        lab.condition_refused.clear();
+    } catch (const Refused& e) {
+        lab.condition_refused = e.what();
+    }
+}
+
+void condition_breaks(LabState& lab) {
+    auto& conditions = lab.session.inspector.breaks.conditions;
+    ImGui::TextDisabled("Stop when a probe crosses a limit");
+    for (std::size_t k = 0; k < conditions.size(); ++k) {
+        ImGui::PushID(static_cast<int>(k));
+        const bool gone = ImGui::Button("×");
+        tooltip("Take this condition away", lab.scale);
+        ImGui::SameLine();
+        ImGui::TextUnformatted(conditions[k].text().c_str());
+        ImGui::PopID();
+        if (gone) conditions.erase(conditions.begin() + static_cast<std::ptrdiff_t>(k--));
+    }
+    ImGui::SetNextItemWidth(lab.px(230));
+    const std::string example = fmt::format("{} > 1e-3", lab.session.lesson().probes.front().name);
+    std::array<char, 200> text{};
+    lab.condition_text.copy(text.data(), text.size() - 1);
+    const bool entered =
+        ImGui::InputTextWithHint("##condition", example.c_str(), text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    lab.condition_text = text.data();
+    lab.note_control("condition");
+    tooltip("A probe, <, <=, > or >=, and a number in the probe's unit", lab.scale);
+    ImGui::SameLine();
+    if (ImGui::Button("Add") || entered) add_condition(lab);
+    lab.note_control("add condition");
+    if (lab.condition_refused.empty()) return;
+    ImGui::PushTextWrapPos(lab.px(320));
+    ImGui::TextUnformatted(lab.condition_refused.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void breaks_menu(LabState& lab) {
+    Breakpoints& breaks = lab.session.inspector.breaks;
+    const std::size_t count = breaks.stages.size() + breaks.passes.size() + breaks.conditions.size() +
+                              static_cast<std::size_t>(breaks.assumptions) + static_cast<std::size_t>(breaks.laws);
+    if (ImGui::Button(count ? fmt::format("Stops: {}###breaks", count).c_str() : "Stops###breaks") || lab.open_breaks)
+        ImGui::OpenPopup(breaks_popup);
+    lab.open_breaks = false;
+    lab.note_control("breaks");
+    tooltip("Where the run is to stop by itself (F9)", lab.scale);
+    if (!ImGui::BeginPopup(breaks_popup)) return;
+    stage_breaks(lab);
+    ImGui::Separator();
+    condition_breaks(lab);
+    ImGui::Separator();
+    ImGui::Checkbox("when an assumption fails", &breaks.assumptions);
+    lab.note_control("break assumptions");
+    ImGui::Checkbox("when a conserved quantity is lost", &breaks.laws);
+    lab.note_control("break laws");
+    if (ImGui::Button("Clear all")) breaks.clear();
+    lab.note_control("clear breaks");
+    ImGui::EndPopup();
+}
+
+void compare_menu(LabState& lab) {
+    Session& s = lab.session;
+    Inspector& in = s.inspector;
+    const Stage* shown = in.shown_stage(s.runner());
+    ImGui::SetNextItemWidth(lab.px(112));
+    if (ImGui::BeginCombo("##compare", std::string(name_of(in.compare)).c_str())) {
+        for (const Compare c : {Compare::now, Compare::before, Compare::difference, Compare::side_by_side, Compare::swipe})
+            if (ImGui::Selectable(std::string(name_of(c)).c_str(), in.compare == c)) s.compare(c);
+        ImGui::EndCombo();
+    }
+    lab.note_control("compare");
+    tooltip("What the picture and the profile show of a stage: what it left, what it found, or what it changed (V)", lab.scale);
+    if (in.compare == Compare::now) return;
+    ImGui::SameLine(0, lab.px(4));
+    ImGui::SetNextItemWidth(lab.px(128));
+    if (ImGui::BeginCombo("##of stage", shown ? words(shown->name).c_str() : "no stage yet")) {
+        if (ImGui::Selectable("the latest", in.stage.empty())) in.stage.clear(), s.compare(in.compare);
+        for (const Stage* stage : s.runner().stages())
+            if (ImGui::Selectable(words(stage->name).c_str(), in.stage == stage->name))
+                in.stage = stage->name, s.compare(in.compare);
+        ImGui::EndCombo();
+    }
+    lab.note_control("compared stage");
+    tooltip("The stage whose before and after are compared", lab.scale);
+}
+
+void scrubber(LabState& lab, float width) {
+    Session& s = lab.session;
+    const Runner& runner = s.runner();
+    const Index first = runner.history().first_step() == 0 ? 0 : runner.history().first_step() + 1;
+    const Index last = std::max(runner.reach().step, first);
+    Index step = std::clamp(runner.place().step, first, last);
+    ImGui::SetNextItemWidth(width);
+    ImGui::BeginDisabled(first == last);
+    const std::string format = runner.inside_step() ? fmt::format("step %lld + {} passes", runner.place().passes) : "step %lld";
+    if (ImGui::SliderScalar("##past", ImGuiDataType_S64, &step, &first, &last, format.c_str(), ImGuiSliderFlags_AlwaysClamp) &&
+        step != runner.place().step)
+        s.go_to({step, 0});
+    ImGui::EndDisabled();
+    lab.note_control("past");
+    const History& h = runner.history();
+    tooltip(fmt::format("The stored past: steps {} to {}. {} states take {:.1f} MB of the {:.0f} MB that they may", first, last,
+                        h.size(), static_cast<Real>(h.bytes()) / 1048576, static_cast<Real>(h.cap()) / 1048576),
+            lab.scale);
+}
+
+}  // namespace
+
+void draw_timeline(LabState& lab) {
+    const Session& s = lab.session;
+    const History& history = s.runner().history();
+    const std::string memory =
+        fmt::format("{:.0f}/{:.0f} MB", static_cast<Real>(history.bytes()) / 1048576, static_cast<Real>(history.cap()) / 1048576);
+    breaks_menu(lab);
+    ImGui::SameLine();
+    compare_menu(lab);
+    ImGui::SameLine();
+    const std::string stopped = s.inspector.stopped.empty() ? "" : "stopped: " + s.inspector.stopped;
+    ImGui::PushFont(lab.fonts.small);
+    const float memory_width = ImGui::CalcTextSize(memory.c_str()).x + ImGui::GetStyle().ItemSpacing.x,
+                room = ImGui::GetContentRegionAvail().x - memory_width,
+                wanted = stopped.empty() ? 0 : std::min(ImGui::CalcTextSize(stopped.c_str()).x + lab.px(10), room * 0.6f);
+    ImGui::PopFont();
+    scrubber(lab, room - wanted);
+    ImGui::SameLine();
+    ImGui::PushFont(lab.fonts.small);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", memory.c_str());
+    tooltip("Memory of the stored past, and what it may take", lab.scale);
+    if (!stopped.empty()) {
+        ImGui::SameLine();
+        ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
+        fitted_text(stopped, wanted - lab.px(8));
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopFont();
+}
+
+}  // namespace pliant::viewer
