@@ -94,8 +94,9 @@ void Runner::set_events(std::vector<Event> events) {
 }
 
 void Runner::apply_events() {
-    for (const std::vector<Event>* list : {&events_, &recording_.events()})
-        for (const Event& e : std::ranges::equal_range(*list, step_, {}, &Event::step)) apply(e);
+    for (const std::vector<Event>* list : {&std::as_const(events_), &recording_.events()})
+        for (auto e = std::ranges::lower_bound(*list, step_, {}, &Event::step); e != list->end() && e->step == step_; ++e)
+            apply(*e);
 }
 
 void Runner::apply(const Event& e) {

@@ -100,19 +100,19 @@ std::string without_blanks(std::string_view text) {
 }
 
 // The number in "pliant12:", as it is written.
-std::optional<std::string_view> version_of(std::string_view text) {
+std::optional<std::string> version_of(std::string_view text) {
     if (!text.starts_with(name)) return std::nullopt;
     text.remove_prefix(name.size());
     const auto end = text.find_first_not_of("0123456789");
     if (end == 0 || end == std::string_view::npos || text[end] != ':') return std::nullopt;
-    return text.substr(0, end);
+    return std::string(text.substr(0, end));
 }
 
 }  // namespace
 
 bool is_share(std::string_view text) {
-    const auto start = text.find_first_not_of(blanks);
-    return start != std::string_view::npos && version_of(text.substr(start)).has_value();
+    constexpr std::size_t enough = 64;
+    return version_of(without_blanks(text.substr(0, enough))).has_value();
 }
 
 std::string share_text(const SceneFile& scene) {

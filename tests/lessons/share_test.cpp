@@ -96,7 +96,7 @@ TEST_CASE("share string: blanks and line ends do not matter") {
     const std::string text = share_text(small_scene());
     std::string wrapped = " \n";
     for (std::size_t i = 0; i < text.size(); i += 7) wrapped += text.substr(i, 7) + (i % 2 ? "\r\n" : "\n\t ");
-    CHECK(is_share(wrapped.substr(0, 12)));
+    CHECK(is_share(wrapped.substr(0, 24)));
     CHECK(scene_text(read_share(wrapped)) == scene_text(small_scene()));
 }
 

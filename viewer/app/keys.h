@@ -27,18 +27,31 @@ enum class Action {
     walkthrough_next,
     walkthrough_back,
     save,
-    frame
+    frame,
+    open,
+    save_as,
+    copy_share,
+    paste_share,
+    save_scene_picture,
+    save_window_picture,
+    save_plots,
+    save_probes,
+    save_animation,
+    defaults,
+    menu
 };
 
 struct KeyBinding {
     Action action;
     int key;  // ImGuiKey
     bool ctrl;
-    bool repeats;  // while the key is held
-    std::string_view keys, meaning;
+    bool repeats;                    // while the key is held
+    std::string_view keys, meaning;  // no keys: in the menus only
+    bool shift = false;
 };
 
 std::span<const KeyBinding> key_bindings();
+const KeyBinding& binding(Action action);
 
 // Calls `perform` for each action whose key was pressed in this frame, unless a text is being typed.
 void handle_keys(const auto& perform);

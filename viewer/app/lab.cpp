@@ -2,30 +2,22 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
-#include <pliant/lesson/file.h>
 
+#include "panels/file_dialog.h"
 #include "platform/gl.h"
-#include "platform/image.h"
-#include "platform/png_file.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace pliant::viewer {
 
-namespace {
-// "Kinetic energy" as the name of a file.
-std::string file_name(std::string_view title, std::string_view ending) {
-    std::string name;
-    for (const char c : title) name += c == ' ' || c == '/' ? '_' : c;
-    return name + std::string(ending);
-}
-}  // namespace
-
 Lab::Lab(Context& context, std::string_view lesson)
     : context_(context),
       gui_(context),
-      state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {}
+      state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {
+    state_.plots.hooks.save_png = [this](const PlotShot& shot) { plot_to_save_ = shot; };
+    state_.plots.hooks.save_svg = [this](const std::string& title, const std::string& svg) { save_svg(title, svg); };
+}
 
 void Lab::set_theme(Theme theme) {
     state_.theme = theme;
@@ -50,103 +42,75 @@ void Lab::restyle() {
 }
 
 void Lab::perform(Action action) {
+    if (!perform_on_run(action) && !perform_on_view(action)) perform_on_files(action);
+}
+
+// True when the action was one of these.
+bool Lab::perform_on_run(Action action) {
     Session& s = state_.session;
     switch (action) {
         case Action::play:
-            s.toggle_play();
-            break;
+            return s.toggle_play(), true;
         case Action::step:
-            s.step();
-            break;
+            return s.step(), true;
         case Action::step_back:
-            s.step_back();
-            break;
+            return s.step_back(), true;
         case Action::stage:
-            s.step_stage();
-            break;
+            return s.step_stage(), true;
         case Action::stage_back:
-            s.stage_back();
-            break;
+            return s.stage_back(), true;
         case Action::pass:
-            s.step_pass();
-            break;
+            return s.step_pass(), true;
         case Action::reset:
-            s.reset();
-            break;
+            return s.reset(), true;
         case Action::previous_lesson:
-            s.open_next(-1);
-            break;
+            return s.open_next(-1), true;
         case Action::next_lesson:
-            s.open_next(1);
-            break;
+            return s.open_next(1), true;
+        case Action::undo:
+            return s.undo(), true;
+        case Action::defaults:
+            return s.restore_defaults(), true;
+        case Action::walkthrough_next:
+            return s.walkthrough ? s.walkthrough_next() : s.start_walkthrough(), true;
+        case Action::walkthrough_back:
+            return s.walkthrough_back(), true;
+        default:
+            return false;
+    }
+}
+
+bool Lab::perform_on_view(Action action) {
+    Session& s = state_.session;
+    switch (action) {
         case Action::find:
             state_.layout = Layout::lab, state_.focus_search = true;
-            break;
+            return true;
         case Action::hide_panels:
             state_.layout = state_.layout == Layout::lab ? Layout::slide : Layout::lab, s.camera.reset();
-            break;
+            return true;
+        case Action::menu:
+            if (state_.layout == Layout::slide) state_.layout = Layout::lab, s.camera.reset();
+            return state_.focus_menu = true;
         case Action::help:
             state_.help_shown = !state_.help_shown;
-            break;
-        case Action::undo:
-            s.undo();
-            break;
+            return true;
         case Action::extreme:
             s.extreme = !s.extreme;
-            break;
+            return true;
         case Action::arrows:
             s.show_arrows = !s.show_arrows;
-            break;
+            return true;
         case Action::theme:
-            set_theme(state_.theme == Theme::dark ? Theme::projector : Theme::dark);
-            break;
+            return set_theme(state_.theme == Theme::dark ? Theme::projector : Theme::dark), true;
         case Action::larger:
-            set_scale(state_.scale + 0.25f);
-            break;
+            return set_scale(state_.scale + 0.25f), true;
         case Action::smaller:
-            set_scale(state_.scale - 0.25f);
-            break;
-        case Action::walkthrough_next:
-            s.walkthrough ? s.walkthrough_next() : s.start_walkthrough();
-            break;
-        case Action::walkthrough_back:
-            s.walkthrough_back();
-            break;
-        case Action::save:
-            save_scene();
-            break;
+            return set_scale(state_.scale - 0.25f), true;
         case Action::frame:
-            s.camera.reset();
-            break;
-    }
-}
-
-void Lab::write_and_tell(const std::string& file, const std::function<void()>& write) {
-    Session& s = state_.session;
-    try {
-        write();
-        s.say(Session::Message::Kind::info, "Saved as " + file + " in the folder where Pliant was started.");
-    } catch (const Error& e) {
-        s.say(Session::Message::Kind::refused, e.what());
-    }
-}
-
-void Lab::save_scene() {
-    const std::string_view id = state_.session.entry().info.id;
-    const std::string name = file_name(id.substr(id.find('/') + 1), ".scene.json");
-    write_and_tell(name, [&] { write_file(name, scene_text(state_.session.scene_file())); });
-}
-
-void Lab::save_plot(const PlotShot& shot) {
-    const std::string name = file_name(shot.title, ".png");
-    write_and_tell(name, [&] { write_png(crop(read_pixels(context_), shot.left, shot.top, shot.width, shot.height), name); });
-}
-
-void Lab::drop_file(const std::string& path) {
-    try {
-        state_.session.open_scene(read_scene(path));
-    } catch (const Error& e) {
-        state_.session.say(Session::Message::Kind::refused, e.what());
+            return s.camera.reset(), true;
+        default:
+            return false;
     }
 }
 
@@ -169,42 +133,62 @@ void Lab::frame(Real dt) {
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
     release_tab();
-    state_.session.update(dt);
-    handle_keys([this](Action a) { perform(a); });
+    animation_ ? animation_->advance(state_.session) : state_.session.update(dt);
+    if (!state_.files.asking() && !state_.animation.asking) handle_keys([this](Action a) { perform(a); });
+    forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     state_.layout == Layout::lab ? lab_layout(display.x, display.y) : slide_layout(display.x, display.y);
+    state_.plots.memory.save_all_svg = false;
     if (state_.help_shown) draw_help(state_);
+    draw_file_dialog(state_);
+    draw_animation_panel(state_);
+    do_what_is_wanted();
     ImGui::PopFont();
     gui_.end_frame();
+    after_frame();
+}
+
+void Lab::do_what_is_wanted() {
+    for (const Action action : std::exchange(state_.wanted, {})) perform(action);
+    for (const std::string& path : std::exchange(state_.wanted_files, {})) drop_file(path);
+    if (!state_.animation.path.empty()) start_animation();
+}
+
+// What needs the pixels of the frame.
+void Lab::after_frame() {
     if (const auto shot = std::exchange(plot_to_save_, std::nullopt)) save_plot(*shot);
+    if (capture_ && --capture_->frames < 0) capture();
+    if (animation_) record_animation();
 }
 
 void Lab::lab_layout(float width, float height) {
     LabState& s = state_;
+    draw_menu_bar(s);
+    const float top = ImGui::GetFrameHeight();
     const float status = ImGui::GetFrameHeight() + s.px(8), left = std::min(s.px(238), width * 0.28f);
     const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right,
-                body = height - status;
+                body = height - status - top;
     const float list =
         std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
     const float bars =
         ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetStyle().ItemSpacing.y;
     {
-        const FixedPanel panel("Lessons", {0, 0, left, list});
+        const FixedPanel panel("Lessons", {0, top, left, list});
         draw_lesson_list(s);
     }
     {
-        const FixedPanel panel("Parameters", {0, list, left, body - list});
+        const FixedPanel panel("Parameters", {0, top + list, left, body - list});
         draw_parameters(s);
     }
     {
-        const FixedPanel panel("Stages", {left, 0, middle, bars}, ImGuiWindowFlags_NoScrollbar);
+        const FixedPanel panel("Stages", {left, top, middle, bars}, ImGuiWindowFlags_NoScrollbar);
         draw_transport(s);
         draw_stage_bar(s);
     }
     {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-        const FixedPanel panel("Scene", {left, bars, middle, body - bars},
+        const FixedPanel panel("Scene", {left, top + bars, middle, body - bars},
                                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
         draw_scene(s, renderer_);
@@ -212,16 +196,16 @@ void Lab::lab_layout(float width, float height) {
     if (s.session.walkthrough) {
         const float split = body * 0.58f;
         {
-            const FixedPanel panel("Walkthrough", {width - right, 0, right, split});
+            const FixedPanel panel("Walkthrough", {width - right, top, right, split});
             draw_walkthrough(s);
         }
-        const FixedPanel panel("Plots", {width - right, split, right, body - split});
+        const FixedPanel panel("Plots", {width - right, top + split, right, body - split});
         draw_plots(s);
     } else {
-        const FixedPanel panel("Plots", {width - right, 0, right, body});
+        const FixedPanel panel("Plots", {width - right, top, right, body});
         draw_plots(s);
     }
-    const FixedPanel panel("Status", {0, body, width, status}, ImGuiWindowFlags_NoScrollbar);
+    const FixedPanel panel("Status", {0, top + body, width, status}, ImGuiWindowFlags_NoScrollbar);
     draw_status_line(s);
 }
 

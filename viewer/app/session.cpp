@@ -30,6 +30,7 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     runner->set_events(std::move(events));
     runner_ = std::move(runner);
     entry_ = &entry;
+    ++open_count_;
     undo_.clear();
     message_.reset();
     walkthrough.reset();
@@ -192,9 +193,15 @@ void Session::reset() {
 
 // ---------------------------------------------------------------------------------------------------------- parameters
 
-bool Session::set(const Parameter& parameter, Real value) {
-    const bool rebuilds = parameter.info.effect == Effect::rebuild;
-    if (!guarded([&] { runner_->assign(parameter.info.key, value); })) return false;
+bool Session::set(const Values& values) {
+    Runner::Assignments assignments;
+    bool rebuilds = false;
+    for (const auto& [key, value] : values) {
+        const Parameter& p = lesson().parameter(key);
+        rebuilds = rebuilds || p.info.effect == Effect::rebuild;
+        assignments.emplace_back(key, p.text(value));
+    }
+    if (!guarded([&] { runner_->assign(assignments); })) return false;
     dismiss();
     if (!rebuilds) return moved(), true;
     if (lesson().dimension() == 2) camera.reset();  // the domain may have another size
@@ -203,17 +210,28 @@ bool Session::set(const Parameter& parameter, Real value) {
 }
 
 void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
+    const std::string key(parameter.info.key);
     const Real before = runner_->wanted(parameter);
-    if (before == value || !set(parameter, value)) return;
-    const bool joins = same_drag && !undo_.empty() && undo_.back().key == parameter.info.key;
-    if (!joins) undo_.push_back({std::string(parameter.info.key), before});
+    if (before == value || !set({{key, value}})) return;
+    const bool joins = same_drag && !undo_.empty() && undo_.back().size() == 1 && undo_.back()[0].first == key;
+    if (!joins) undo_.push_back({{key, before}});
 }
 
 void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }
 
+void Session::restore_defaults() {
+    Values before, defaults;
+    for (const Parameter* p : lesson().parameters) {
+        if (runner_->wanted(*p) == p->info.initial) continue;
+        before.emplace_back(p->info.key, runner_->wanted(*p));
+        defaults.emplace_back(p->info.key, p->info.initial);
+    }
+    if (!defaults.empty() && set(defaults)) undo_.push_back(std::move(before));
+}
+
 void Session::undo() {
     if (undo_.empty()) return;
-    set(lesson().parameter(undo_.back().key), undo_.back().value);
+    set(undo_.back());
     undo_.pop_back();
 }
 

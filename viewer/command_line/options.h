@@ -27,12 +27,15 @@ struct PictureOptions {
     std::string stage, field, size = "1280x720", theme = "dark", layout = "slide", backend = "any", out;
     int component = -1;
     float ui_scale = 1;
+    Real seconds = 0;  // of an animation; 0: one picture
+    int frames_per_second = 20;
 };
 
 struct WindowOptions {
-    std::string lesson, scene_path, size = "1440x810", theme = "dark", state_path;
-    float ui_scale = 0;  // 0: as the screen asks
-    long frames = 0;     // stop after so many; 0: when closed
+    std::string lesson, scene_path, size = "1440x810", theme, state_path;  // theme "": as it was last
+    float ui_scale = 0;                                                    // 0: as it was last, or as the screen asks
+    long frames = 0;                                                       // stop after so many; 0: when closed
+    bool no_settings = false;
 };
 
 // The scene that lesson, scene file, preset and settings describe together; later ones win. Throws Refused.
@@ -49,6 +52,7 @@ float ui_scale_from(float scale);
 int list_lessons(bool json);
 int describe(const std::string& lesson, bool json, bool markdown);
 int run(const RunOptions& options);
+int share(const RunOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
 int tour(const std::string& folder);
 int walkthrough(const std::string& lesson, bool check);

@@ -17,7 +17,8 @@ void draw_help(LabState& lab) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(meaning.data(), meaning.data() + meaning.size());
         };
-        for (const KeyBinding& b : key_bindings()) row(b.keys, b.meaning);
+        for (const KeyBinding& b : key_bindings())
+            if (!b.keys.empty()) row(b.keys, b.meaning);
         row("left drag", "pull the body; beside it, turn (3D) or move (2D) the picture");
         row("right drag", "move the picture");
         row("wheel", "zoom");
