@@ -34,7 +34,9 @@ void menu(LabState& lab, const char* name, Entries entries) {
 }
 
 void recent_menu(LabState& lab) {
-    if (!ImGui::BeginMenu("Open recent", !lab.recent.empty())) return;
+    const bool open = ImGui::BeginMenu("Open recent", !lab.recent.empty());
+    lab.note_control("menu Open recent");
+    if (!open) return;
     for (const std::string& path : lab.recent) {
         std::error_code ignored;
         const bool there = std::filesystem::exists(path, ignored);
