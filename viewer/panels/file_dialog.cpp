@@ -19,7 +19,9 @@ void put_text(ImGuiInputTextCallbackData& data, const std::string& text) {
 
 // The arrows go through the list while a name is typed.
 int on_history(ImGuiInputTextCallbackData* data) {
-    auto& files = *static_cast<FileChoice*>(data->UserData);
+    auto& lab = *static_cast<LabState*>(data->UserData);
+    FileChoice& files = lab.files;
+    lab.file_scroll = true;
     files.name.assign(data->Buf, static_cast<std::size_t>(data->BufTextLen));
     files.move(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
     put_text(*data, files.name);
@@ -35,11 +37,11 @@ void name_field(LabState& lab, bool focus) {
     const bool entered = ImGui::InputTextWithHint(
         "##name", "name or path", buffer, sizeof buffer,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_AutoSelectAll,
-        on_history, &files);
+        on_history, &lab);
     lab.note_control("file name");
     tooltip("Type a name or a path; ~ is your own folder. Up and Down go through the list, Enter takes it.", lab.scale);
     if (buffer != files.name) files.name = buffer, files.keep();
-    if (entered) files.accept();
+    if (entered) files.accept(), lab.file_focus = true;
 }
 
 void folder_row(LabState& lab) {
@@ -62,7 +64,7 @@ void list_of_files(LabState& lab, float height) {
         const std::string label = e.folder ? e.name + "/" : e.name;
         if (ImGui::Selectable(label.c_str(), named, ImGuiSelectableFlags_AllowDoubleClick)) taken = e.name;
         lab.note_control("file entry " + e.name);
-        if (named && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+        if (named && std::exchange(lab.file_scroll, false) && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
     if (taken.empty()) return;
@@ -101,10 +103,11 @@ void words_of(LabState& lab) {
     std::string text = files.complaint();
     if (files.asks_to_replace()) text = fmt::format("{} is there already. Replace it?", files.name);
     ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, 0);
     ImGui::BeginChild("words", {0, 2 * ImGui::GetTextLineHeightWithSpacing()});
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::EndChild();
-    ImGui::PopStyleColor();
+    ImGui::PopStyleColor(2);
 }
 
 }  // namespace
@@ -132,8 +135,6 @@ void draw_file_dialog(LabState& lab) {
     list_of_files(lab, std::max(lab.px(60), ImGui::GetContentRegionAvail().y - below));
     const bool focus = fresh || std::exchange(lab.file_focus, false);
     name_field(lab, focus);
-    if (files.asking() && (files.asks_to_replace() || !files.complaint().empty()) && ImGui::IsItemDeactivated())
-        lab.file_focus = true;
     words_of(lab);
     answers(lab);
     if (escape) replacing ? files.keep() : files.cancel(), lab.file_focus = true;

@@ -59,6 +59,7 @@ struct LabState {
 
     FileChoice files{};
     int file_question = 0;              // that the dialog shows
+    bool file_scroll = false;           // the list shows the name
     bool file_focus = false;            // the name gets the keys
     std::vector<std::string> recent{};  // scene files, the latest first
     std::string file{};                 // that the scene came from or was saved in
