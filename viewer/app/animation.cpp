@@ -2,6 +2,7 @@
 
 #include <pliant/math/error.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,15 @@ Animation::Animation(Real seconds, int frames_per_second, int width)
 
 void Animation::advance(Session& session) {
     if (gif_.frames() > 0) session.update(frame_seconds_, std::numeric_limits<Real>::infinity());
+}
+
+bool Animation::encode_some(Real budget_ms) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    if (!writing_) writing_ = std::make_unique<GifWriting>(gif_);
+    while (writing_->next())
+        if (std::chrono::duration<Real, std::milli>(Clock::now() - start).count() > budget_ms) return true;
+    return false;
 }
 
 void Animation::add(const Image& picture) { gif_.add(narrowed(picture, width_)); }

@@ -133,7 +133,7 @@ void Lab::frame(Real dt) {
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
     release_tab();
-    animation_ ? animation_->advance(state_.session) : state_.session.update(dt);
+    animation_ && !animation_->complete() ? animation_->advance(state_.session) : state_.session.update(dt);
     if (!state_.files.asking() && !state_.animation.asking) handle_keys([this](Action a) { perform(a); });
     forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);

@@ -215,6 +215,7 @@ void Lab::record_animation() {
     const auto stop = [&] {
         animation_.reset();
         state_.animation.progress.reset();
+        state_.animation.writing = false;
         state_.session.playing = false;
     };
     if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
@@ -224,10 +225,17 @@ void Lab::record_animation() {
     // The dialog that asked for it is still in the first frame.
     if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
     try {
-        animation_->add(scene_pixels());
-        state_.animation.progress = animation_->progress();
-        if (!animation_->complete()) return;
-        write_file(animation_path_, animation_->encoded());
+        if (!animation_->complete()) {
+            animation_->add(scene_pixels());
+            state_.animation.progress = animation_->progress();
+            return;
+        }
+        state_.session.playing = false;
+        state_.animation.writing = true;
+        const bool more = animation_->encode_some();
+        state_.animation.progress = animation_->encoded_share();
+        if (more) return;
+        write_file(animation_path_, animation_->take_encoded());
         tell_written(animation_path_);
     } catch (const Error& e) {
         state_.session.say(Told::refused, e.what());

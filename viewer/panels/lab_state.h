@@ -32,6 +32,7 @@ struct AnimationOrder {
     bool asking = false;             // its panel is open
     std::string path{};              // to be started
     std::optional<Real> progress{};  // 0 to 1, while it is made
+    bool writing = false;            // all frames are recorded
 };
 
 struct LabState {

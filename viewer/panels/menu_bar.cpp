@@ -112,7 +112,8 @@ void focus_menus(LabState& lab) {
 void note(LabState& lab) {
     std::string text;
     if (lab.animation.progress)
-        text = fmt::format("Recording {:.0f} %, Escape stops", 100 * *lab.animation.progress);
+        text = fmt::format("{} {:.0f} %, Escape stops", lab.animation.writing ? "Writing" : "Recording",
+                           100 * *lab.animation.progress);
     else if (!lab.file.empty())
         text = std::filesystem::path(lab.file).filename().string();
     const float x = ImGui::GetWindowWidth() - ImGui::CalcTextSize(text.c_str()).x - lab.px(12);

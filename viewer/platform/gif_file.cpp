@@ -142,16 +142,38 @@ Image GifRecording::frame(std::size_t number) const {
 }
 
 std::string GifRecording::encoded() const {
-    if (frames_.empty()) throw Refused("an animation needs a frame");
-    std::vector<std::size_t> numbers{0, frames_.size() / 2, frames_.size() - 1};
+    GifWriting writing(*this);
+    while (writing.next()) {
+    }
+    return writing.finished();
+}
+
+struct GifWriting::Parts {
+    Parts(int width, int height, const std::vector<Image>& samples) : palette(samples), encoder(width, height, palette) {}
+    FramePalette palette;
+    Encoder encoder;
+};
+
+// The palette is that of the first, the middle and the last frame.
+GifWriting::GifWriting(const GifRecording& recording) : recording_(recording) {
+    const std::size_t count = recording.frames();
+    if (count == 0) throw Refused("an animation needs a frame");
+    std::vector<std::size_t> numbers{0, count / 2, count - 1};
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     std::vector<Image> samples;
-    for (const std::size_t n : numbers) samples.push_back(frame(n));
-    const FramePalette palette(samples);
-    Encoder encoder(width_, height_, palette);
-    for (std::size_t i = 0; i < frames_.size(); ++i) encoder.add(palette.indices(frame(i)), delay_);
-    return encoder.finished();
+    for (const std::size_t n : numbers) samples.push_back(recording.frame(n));
+    parts_ = std::make_unique<Parts>(recording.width_, recording.height_, samples);
 }
+
+GifWriting::~GifWriting() = default;
+
+bool GifWriting::next() {
+    if (done_ == recording_.frames()) return false;
+    parts_->encoder.add(parts_->palette.indices(recording_.frame(done_++)), recording_.delay_);
+    return true;
+}
+
+std::string GifWriting::finished() { return parts_->encoder.finished(); }
 
 Image narrowed(const Image& image, int width) {
     if (width >= image.width || width < 1) return image;
