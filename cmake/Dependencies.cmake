@@ -31,6 +31,7 @@ set(EIGEN_BUILD_DOC OFF)
 pliant_find_or_fetch(Eigen3 Eigen3::Eigen https://gitlab.com/libeigen/eigen.git 3.4.0 3.4)
 pliant_find_or_fetch(fmt fmt::fmt https://github.com/fmtlib/fmt.git 9.1.0)
 pliant_find_or_fetch(nlohmann_json nlohmann_json::nlohmann_json https://github.com/nlohmann/json.git v3.11.2 3.11)
+find_package(ZLIB REQUIRED)
 
 if(PLIANT_BUILD_VIEWER)
   include(GraphicsDependencies)

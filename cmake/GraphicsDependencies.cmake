@@ -1,11 +1,12 @@
 # What the lab and its pictures are built from.
-#   CLI11::CLI11 PNG::PNG
+#   CLI11::CLI11 PNG::PNG GIF::GIF
 #   pliant_glad          the functions of OpenGL 3.3 core, <glad/gl.h>, generated here
 #   pliant_imgui         Dear ImGui 1.90.1 with its GLFW and OpenGL 3 backends, <imgui.h>, <backends/...>
 #   pliant_gl_platforms  what can make a GL context on this machine; defines PLIANT_HAVE_GLFW, PLIANT_HAVE_OSMESA and
 #                        PLIANT_HAVE_EGL as 1 or 0, so that a machine without one of them still builds
 pliant_find_or_fetch(CLI11 CLI11::CLI11 https://github.com/CLIUtils/CLI11.git v2.1.2)
 find_package(PNG REQUIRED)
+find_package(GIF 5.1 REQUIRED)
 
 # ---- Ways to a GL context ----
 add_library(pliant_gl_platforms INTERFACE)

@@ -38,12 +38,13 @@ logged() {
 # ---- Packages of the distribution, as "why: package package ..." ----
 run_packages=(
     "compiler and build tools: g++ cmake ninja-build xz-utils"
-    "numbers, text and the command line: libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev"
+    "numbers, text and the command line: libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev zlib1g-dev"
     "windows and pictures: libglfw3-dev libosmesa6-dev libegl-dev libgl-dev libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri"
-    "picture files, GL functions and letters: libpng-dev python3-glad fonts-dejavu-core"
+    "picture files, GL functions and letters: libpng-dev libgif-dev python3-glad fonts-dejavu-core"
 )
 test_packages=("a screen, a mouse and a second locale for the tests: xvfb xdotool locales")
 bench_packages=("the benchmarks: libbenchmark-dev")
+fuzz_packages=("the fuzzers: clang libclang-rt-dev")
 format_packages=("formatting: clang-format")
 
 # need_packages GROUP...: says what is missing and why, and installs it. When all is there the network is left alone.
@@ -182,6 +183,8 @@ prepare_bench() {
     need_packages "${run_packages[@]}" "${bench_packages[@]}"
     get_pinned imgui "$imgui_version" trixie deb-src
 }
+
+prepare_fuzz() { need_packages "${run_packages[@]}" "${fuzz_packages[@]}"; }
 
 prepare_format() { need_packages "${format_packages[@]}"; }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <pliant/lesson/history.h>
 #include <pliant/lesson/lesson.h>
+#include <pliant/lesson/recording.h>
 #include <pliant/lesson/registry.h>
 #include <pliant/lesson/step_trace.h>
 #include <pliant/math/error.h>
@@ -36,14 +37,6 @@ struct Execution {
 
 enum class Holds { yes, no, not_expected };
 
-// Something that happens at the start of a given step: recorded, it makes a played run repeatable.
-struct Event {
-    Index step = 0;
-    std::vector<std::pair<std::string, std::string>> assign{};  // parameter key, value as text
-    std::optional<Pull> pull{};
-    bool release = false;
-};
-
 class Runner {
 public:
     using Assignments = std::vector<std::pair<std::string, std::string>>;  // key, value as text
@@ -66,8 +59,11 @@ public:
     Real wanted(const Parameter& parameter) const;
     void pull(const std::optional<Pull>& pull);
     const std::optional<Pull>& pulled() const { return pull_; }
+    // The script of a run: it happens in every run until others are set.
     void set_events(std::vector<Event> events);
     const std::vector<Event>& events() const { return events_; }
+    // What was assigned and pulled in this run. A rebuild or a reset begins another one; going back forgets what came later.
+    const Recording& recording() const { return recording_; }
 
     // Initial state from the parameters alone.
     void reset();
@@ -136,6 +132,8 @@ private:
     void write(const Values& values);  // all or, when the lesson refuses them, none
     void write_or_reset(const Values& values);
     void apply_events();
+    void apply(const Event& event);
+    void note_assigned(const Values& values);
     void start_fresh();
     void collect_active();
     void renew_references();
@@ -159,6 +157,7 @@ private:
     std::vector<StageCost> costs_;
     Values pending_;
     std::vector<Event> events_;
+    Recording recording_;
     std::optional<Pull> pull_;
     std::optional<Failure> failure_;
     History history_;

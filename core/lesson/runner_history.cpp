@@ -68,6 +68,7 @@ bool Runner::go_to(Place to) {
         throw;
     }
     replaying_ = false;
+    if (found) recording_.back_to(to.step);
     return found;
 }
 

@@ -38,13 +38,14 @@ void Runner::write_or_reset(const Values& values) {
         values, [](const auto& v) { return v.first->info.effect == Effect::rebuild && v.first->value() != v.second; });
     if (!rebuild && inside_step()) {
         for (const auto& [parameter, value] : values) parameter->check(value);
+        note_assigned(values);
         pending_.insert(pending_.end(), values.begin(), values.end());
         return;
     }
     std::vector<Real> before;
     for (const Parameter* p : lesson_->parameters) before.push_back(p->value());
     write(values);
-    if (!rebuild) return renew_references();
+    if (!rebuild) return note_assigned(values), renew_references();
     try {
         reset();
     } catch (const Error&) {
@@ -52,6 +53,13 @@ void Runner::write_or_reset(const Values& values) {
         reset();
         throw;
     }
+}
+
+// Inside a step they take effect with the next one; before anything has run they are what the run begins with.
+void Runner::note_assigned(const Values& values) {
+    for (const auto& [parameter, value] : values)
+        if (parameter->info.effect == Effect::live)
+            recording_.assign(*parameter, value, inside_step() ? step_ + 1 : step_, place() == Place{});
 }
 
 void Runner::load(const Assignments& assignments) {
@@ -69,9 +77,17 @@ Real Runner::wanted(const Parameter& parameter) const {
     return parameter.value();
 }
 
+namespace {
+bool same(const std::optional<Pull>& a, const std::optional<Pull>& b) {
+    return a.has_value() == b.has_value() && (!a || (a->index == b->index && a->from == b->from && a->to == b->to));
+}
+}  // namespace
+
 void Runner::pull(const std::optional<Pull>& pull) {
+    if (same(pull, pull_)) return;
     pull_ = pull;
     reach_ = place();
+    recording_.pull(pull, inside_step() ? step_ + 1 : step_);
 }
 
 void Runner::set_events(std::vector<Event> events) {
@@ -81,12 +97,15 @@ void Runner::set_events(std::vector<Event> events) {
 }
 
 void Runner::apply_events() {
-    for (const Event& e : events_) {
-        if (e.step != step_) continue;
-        if (!e.assign.empty()) write(parse(e.assign));
-        if (e.pull) pull_ = e.pull;
-        if (e.release) pull_.reset();
-    }
+    for (const std::vector<Event>* list : {&std::as_const(events_), &recording_.events()})
+        for (auto e = std::ranges::lower_bound(*list, step_, {}, &Event::step); e != list->end() && e->step == step_; ++e)
+            apply(*e);
+}
+
+void Runner::apply(const Event& e) {
+    if (!e.assign.empty()) write(parse(e.assign)), renew_references();
+    if (e.pull) pull_ = e.pull;
+    if (e.release) pull_.reset();
 }
 
 void Runner::reset() {
@@ -96,6 +115,7 @@ void Runner::reset() {
     history_.clear();
     std::ranges::fill(costs_, StageCost{});
     step_ms_ = 0;
+    recording_.begin(*lesson_);
     start_fresh();
     reach_ = place();
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant {
@@ -239,7 +240,8 @@ SceneFile parse_scene(std::string_view text, std::string_view path) { return Sce
 
 SceneFile read_scene(const std::string& path) { return parse_scene(read_file(path), path); }
 
-std::string scene_text(const SceneFile& scene) {
+namespace {
+Json json_scene(const SceneFile& scene) {
     const auto lesson = find_lesson(scene.lesson).make();
     Json root{{"pliant", version}, {"lesson", scene.lesson}, {"parameters", json_assignments(*lesson, scene.parameters)}};
     if (scene.camera) {
@@ -249,13 +251,22 @@ std::string scene_text(const SceneFile& scene) {
     if (scene.view)
         root["view"] = {{"field", scene.view->field}, {"component", scene.view->component}, {"stage", scene.view->stage}};
     for (const Event& e : scene.events) root["events"].push_back(json_event(*lesson, e));
-    return root.dump(2) + "\n";
+    return root;
 }
+}  // namespace
+
+std::string scene_text(const SceneFile& scene) { return json_scene(scene).dump(2) + "\n"; }
+
+std::string compact_scene_text(const SceneFile& scene) { return json_scene(scene).dump(); }
 
 SceneFile scene_of(const Runner& runner) {
     SceneFile scene{.lesson = std::string(runner.info().id), .parameters = {}, .events = runner.events()};
+    const Recording& played = runner.recording();
     for (const Parameter* p : runner.lesson().parameters)
-        if (runner.wanted(*p) != p->info.initial) scene.parameters.emplace_back(p->info.key, p->text(runner.wanted(*p)));
+        if (const Real value = played.start(*p); value != p->info.initial)
+            scene.parameters.emplace_back(p->info.key, p->text(value));
+    scene.events.insert(scene.events.end(), played.events().begin(), played.events().end());
+    std::ranges::stable_sort(scene.events, {}, &Event::step);
     return scene;
 }
 

@@ -47,8 +47,11 @@ SceneFile read_scene(const std::string& path);
 
 // The text reads back as the same scene, numbers to the bit.
 std::string scene_text(const SceneFile& scene);
+// The same in one line, without blanks.
+std::string compact_scene_text(const SceneFile& scene);
 
-// The scene of a run: its lesson, the parameters that differ from their initial values, and its events.
+// The scene of a run: its lesson, the parameters that it began with where they differ from their initial values, its script and
+// what was done since. Run as many steps, the scene ends in the same state.
 SceneFile scene_of(const Runner& runner);
 
 // A scene that came with a lesson, by its name; throws Refused with the nearest known name.

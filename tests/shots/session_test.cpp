@@ -344,3 +344,51 @@ TEST_CASE("going on to the next lesson comes round to the first", "[session]") {
     }
     CHECK(session.entry().info.id == lessons().front().info.id);
 }
+
+TEST_CASE("a saved scene plays what was done again, to the same bits") {
+    for (const LessonEntry& entry : lessons()) {
+        INFO(entry.info.id);
+        Session session(entry.info.id);
+        const auto steps = [](Session& s, int count) {
+            for (int i = 0; i < count; ++i) s.step();
+        };
+        steps(session, 4);
+        const auto live = std::ranges::find_if(session.lesson().parameters, [](const Parameter* p) {
+            return p->info.effect == Effect::live && p->info.kind == Kind::number && p->used() && p->value() > 0;
+        });
+        if (live != session.lesson().parameters.end()) session.assign(**live, 0.97 * (*live)->value());
+        steps(session, 3);
+        if (session.lesson().can_pull()) {
+            session.pull(Pull{0, {0, 0, 0}, {0.1, 0.2, 0}});
+            steps(session, 4);
+            session.step_back();
+            session.step_back();
+            session.pull(std::nullopt);
+        }
+        steps(session, 3);
+        Session again(lessons().front().info.id);
+        again.open_scene(parse_scene(scene_text(session.scene_file()), "saved"));
+        CHECK(again.runner().place() == Place{});
+        steps(again, static_cast<int>(session.runner().place().step));
+        CHECK(state_hash(again.lesson()) == state_hash(session.lesson()));
+        session.reset();
+        CHECK(session.scene_file().events.empty());
+    }
+}
+
+TEST_CASE("the default values of all parameters are one step of undo") {
+    Session session("mesh/mass_spring");
+    const Parameter& dt = session.lesson().parameter("time_step");
+    const Parameter& mass = *session.lesson().parameters.front();
+    session.assign(dt, 0.0005);
+    session.restore_defaults();
+    CHECK(dt.value() == dt.info.initial);
+    session.undo();
+    CHECK(dt.value() == 0.0005);
+    CHECK(mass.value() == mass.info.initial);
+    session.undo();
+    CHECK(dt.value() == dt.info.initial);
+    CHECK_FALSE(session.can_undo());
+    session.restore_defaults();
+    CHECK_FALSE(session.can_undo());
+}

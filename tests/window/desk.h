@@ -71,12 +71,15 @@ struct Spot {
 
 class Desk {
 public:
-    // More of the command line: a command, if any, comes first.
-    explicit Desk(const Arguments& more = {}) {
+    // More of the command line: a command, if any, comes first. config: where the lab keeps its settings; a folder of this desk's
+    // own when not given.
+    explicit Desk(const Arguments& more = {}, const std::string& config = "") {
         Arguments arguments = more;
         arguments.insert(arguments.end(), {"--size", "1280x800", "--state", state_path_});
         lab_ = std::make_unique<Child>(PLIANT_PROGRAM, arguments, scratch_.path("lab.out"), scratch_.path("lab.err"),
-                                       Environment{{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", std::nullopt}},
+                                       Environment{{"DISPLAY", screen_.display()},
+                                                   {"WAYLAND_DISPLAY", std::nullopt},
+                                                   {"XDG_CONFIG_HOME", config.empty() ? scratch_.path("config") : config}},
                                        std::vector<int>{}, scratch_.folder());
         const auto deadline = std::chrono::steady_clock::now() + 30s;
         while (!fs::exists(state_path_) && lab_->running() && std::chrono::steady_clock::now() < deadline)

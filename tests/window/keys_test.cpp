@@ -156,7 +156,8 @@ TEST_CASE("a scene or a state file that cannot be used is refused", "[window]") 
     need_screen_and_mouse();
     const Scratch scratch;
     const Screen screen(scratch);
-    const Environment here{{"DISPLAY", screen.display()}, {"WAYLAND_DISPLAY", std::nullopt}};
+    const Environment here{
+        {"DISPLAY", screen.display()}, {"WAYLAND_DISPLAY", std::nullopt}, {"XDG_CONFIG_HOME", scratch.path("config")}};
     const std::string scene = scratch.file("scene.json", R"({"pliant": 1, "lesson": "elasticity/moduli", "lense": 1})");
     for (const Arguments& arguments :
          {Arguments{"--scene", scene}, Arguments{"--frames", "3", "--state", scratch.path("missing/state.json")}}) {

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 namespace pliant::viewer {
@@ -46,7 +47,21 @@ constexpr std::array bindings{
     KeyBinding{Action::larger, ImGuiKey_Equal, true, false, "Ctrl +", "larger type and lines"},
     KeyBinding{Action::smaller, ImGuiKey_Minus, true, false, "Ctrl -", "smaller type and lines"},
     KeyBinding{Action::undo, ImGuiKey_Z, true, true, "Ctrl Z", "undo a change of a parameter"},
-    KeyBinding{Action::save, ImGuiKey_S, true, false, "Ctrl S", "save the scene as a file"},
+    KeyBinding{Action::open, ImGuiKey_O, true, false, "Ctrl O", "open a scene file"},
+    KeyBinding{Action::save, ImGuiKey_S, true, false, "Ctrl S", "save the scene in its file"},
+    KeyBinding{Action::save_as, ImGuiKey_S, true, false, "Ctrl Shift S", "save the scene under another name", Where::everywhere,
+               true},
+    KeyBinding{Action::copy_share, ImGuiKey_C, true, false, "Ctrl Shift C", "copy the scene as one line of text",
+               Where::everywhere, true},
+    KeyBinding{Action::paste_share, ImGuiKey_V, true, false, "Ctrl Shift V", "open the scene of a copied line", Where::everywhere,
+               true},
+    KeyBinding{Action::save_scene_picture, ImGuiKey_None, false, false, "", "save the picture of the scene as PNG"},
+    KeyBinding{Action::save_window_picture, ImGuiKey_None, false, false, "", "save the picture of the whole window as PNG"},
+    KeyBinding{Action::save_plots, ImGuiKey_None, false, false, "", "save each plot in sight as SVG, where Pliant was started"},
+    KeyBinding{Action::save_probes, ImGuiKey_None, false, false, "", "save what was measured, step by step, as CSV with units"},
+    KeyBinding{Action::save_animation, ImGuiKey_None, false, false, "", "play on and save the picture of the scene as a GIF"},
+    KeyBinding{Action::defaults, ImGuiKey_None, false, false, "", "set every parameter to its default value"},
+    KeyBinding{Action::menu, ImGuiKey_F10, false, false, "F10", "the menus; arrow keys go through them"},
     KeyBinding{Action::help, ImGuiKey_F1, false, false, "F1", "this table"},
 };
 
@@ -67,12 +82,23 @@ bool KeyContext::suits(Where where) const {
     }
     return false;
 }
+const KeyBinding& binding(Action action) { return *std::ranges::find(bindings, action, &KeyBinding::action); }
+
+namespace {
+// In a slow frame a key may be up again when the one that it went with is looked at.
+bool held(bool down, ImGuiKey left, ImGuiKey right) { return down || ImGui::IsKeyReleased(left) || ImGui::IsKeyReleased(right); }
+
+// + needs Shift on many keyboards, so Shift counts only where it tells two actions apart.
+bool shift_tells(const KeyBinding& b) {
+    return std::ranges::any_of(bindings, [&](const KeyBinding& o) { return o.shift && o.key == b.key && o.ctrl == b.ctrl; });
+}
+}  // namespace
 
 bool pressed(const KeyBinding& b) {
     const ImGuiIO& io = ImGui::GetIO();
-    // In a slow frame Ctrl may be up again when the key that it went with is looked at.
-    const bool ctrl = io.KeyCtrl || ImGui::IsKeyReleased(ImGuiKey_LeftCtrl) || ImGui::IsKeyReleased(ImGuiKey_RightCtrl);
-    if (io.WantTextInput || ctrl != b.ctrl) return false;
+    if (b.key == ImGuiKey_None || io.WantTextInput) return false;
+    if (held(io.KeyCtrl, ImGuiKey_LeftCtrl, ImGuiKey_RightCtrl) != b.ctrl) return false;
+    if (shift_tells(b) && held(io.KeyShift, ImGuiKey_LeftShift, ImGuiKey_RightShift) != b.shift) return false;
     // Space acts on the control that has the visible focus, if one has.
     if (b.key == ImGuiKey_Space && io.NavVisible) return false;
     // A control that was taken hold of by keys has the arrows, and Escape lets go of it.

@@ -39,7 +39,18 @@ enum class Action {
     unlock,
     notes,
     save,
-    frame
+    frame,
+    open,
+    save_as,
+    copy_share,
+    paste_share,
+    save_scene_picture,
+    save_window_picture,
+    save_plots,
+    save_probes,
+    save_animation,
+    defaults,
+    menu
 };
 
 // Where a key has its meaning. The deck is the layout for a lecture, while a walkthrough plays in it.
@@ -49,9 +60,10 @@ struct KeyBinding {
     Action action;
     int key;  // ImGuiKey
     bool ctrl;
-    bool repeats;  // while the key is held
-    std::string_view keys, meaning;
+    bool repeats;                    // while the key is held
+    std::string_view keys, meaning;  // no keys: in the menus only
     Where where = Where::everywhere;
+    bool shift = false;
 };
 
 // What the person is in, for the keys that depend on it.
@@ -61,6 +73,7 @@ struct KeyContext {
 };
 
 std::span<const KeyBinding> key_bindings();
+const KeyBinding& binding(Action action);
 
 bool pressed(const KeyBinding& binding);
 

@@ -2,30 +2,22 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
-#include <pliant/lesson/file.h>
 
+#include "panels/file_dialog.h"
 #include "platform/gl.h"
-#include "platform/image.h"
-#include "platform/png_file.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace pliant::viewer {
 
-namespace {
-// "Kinetic energy" as the name of a file.
-std::string file_name(std::string_view title, std::string_view ending) {
-    std::string name;
-    for (const char c : title) name += c == ' ' || c == '/' ? '_' : c;
-    return name + std::string(ending);
-}
-}  // namespace
-
 Lab::Lab(Context& context, std::string_view lesson)
     : context_(context),
       gui_(context),
-      state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {}
+      state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {
+    state_.plots.hooks.save_png = [this](const PlotShot& shot) { plot_to_save_ = shot; };
+    state_.plots.hooks.save_svg = [this](const std::string& title, const std::string& svg) { save_svg(title, svg); };
+}
 
 void Lab::set_theme(Theme theme) {
     state_.theme = theme;
@@ -50,110 +42,69 @@ void Lab::restyle() {
 }
 
 void Lab::perform(Action action) {
+    if (!perform_on_run(action) && !perform_on_walkthrough(action) && !perform_on_view(action)) perform_on_files(action);
+}
+
+// True when the action was one of these.
+bool Lab::perform_on_run(Action action) {
     Session& s = state_.session;
     switch (action) {
         case Action::play:
-            s.toggle_play();
-            break;
+            return s.toggle_play(), true;
         case Action::step:
-            s.step();
-            break;
+            return s.step(), true;
         case Action::step_back:
-            s.step_back();
-            break;
+            return s.step_back(), true;
         case Action::stage:
-            s.step_stage();
-            break;
+            return s.step_stage(), true;
         case Action::stage_back:
-            s.stage_back();
-            break;
+            return s.stage_back(), true;
         case Action::pass:
-            s.step_pass();
-            break;
+            return s.step_pass(), true;
         case Action::pass_back:
-            s.pass_back();
-            break;
-        case Action::stops:
-            state_.open_breaks = true;
-            break;
-        case Action::compare:
-            s.compare(static_cast<Compare>((static_cast<int>(s.inspector.compare) + 1) % 5));
-            break;
-        case Action::inspect:
-            state_.choose_inspector = state_.focus_thing = true;
-            break;
+            return s.pass_back(), true;
         case Action::why_back:
             if (s.inspector.asked.size() > 1) s.inspector.ask_back(s.runner());
-            break;
+            return true;
         case Action::reset:
-            s.reset();
-            break;
+            return s.reset(), true;
         case Action::previous_lesson:
-            s.open_next(-1);
-            break;
+            return s.open_next(-1), true;
         case Action::next_lesson:
-            s.open_next(1);
-            break;
-        case Action::find:
-            set_layout(Layout::lab), state_.focus_search = true;
-            break;
-        case Action::hide_panels:
-            set_layout(state_.layout == Layout::lab ? Layout::slide : Layout::lab);
-            break;
-        case Action::help:
-            state_.help_shown = !state_.help_shown;
-            break;
+            return s.open_next(1), true;
         case Action::undo:
-            s.undo();
-            break;
-        case Action::extreme:
-            s.extreme = !s.extreme;
-            break;
-        case Action::arrows:
-            s.show_arrows = !s.show_arrows;
-            break;
-        case Action::theme:
-            set_theme(state_.theme == Theme::dark ? Theme::projector : Theme::dark);
-            break;
-        case Action::larger:
-            set_scale(state_.scale + 0.25f);
-            break;
-        case Action::smaller:
-            set_scale(state_.scale - 0.25f);
-            break;
+            return s.undo(), true;
+        case Action::defaults:
+            return s.restore_defaults(), true;
+        default:
+            return false;
+    }
+}
+
+bool Lab::perform_on_walkthrough(Action action) {
+    Session& s = state_.session;
+    switch (action) {
         case Action::walkthrough_next:
-            s.walkthrough ? s.walkthrough_next() : s.start_walkthrough();
-            break;
+            return s.walkthrough ? s.walkthrough_next() : s.start_walkthrough(), true;
         case Action::walkthrough_back:
-            s.walkthrough_back();
-            break;
+            return s.walkthrough_back(), true;
         case Action::deck:
-            in_deck() ? set_layout(Layout::lab) : open_deck();
-            break;
+            return in_deck() ? set_layout(Layout::lab) : open_deck(), true;
         case Action::leave_deck:
-            set_layout(Layout::lab);
-            break;
+            return set_layout(Layout::lab), true;
         case Action::reset_slide:
-            s.reset_slide();
-            break;
+            return s.reset_slide(), true;
         case Action::first_slide:
-            s.go_to_slide(0);
-            break;
+            return s.go_to_slide(0), true;
         case Action::last_slide:
-            s.go_to_slide(s.walkthrough->walkthrough().slides.size() - 1);
-            break;
+            return s.go_to_slide(s.walkthrough->walkthrough().slides.size() - 1), true;
         case Action::unlock:
-            s.toggle_lock();
-            break;
+            return s.toggle_lock(), true;
         case Action::notes:
             state_.notes_shown = !state_.notes_shown;
-            break;
-        case Action::save:
-            save_scene();
-            break;
-        case Action::frame:
-            s.camera.reset();
-            break;
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -166,32 +117,40 @@ void Lab::open_deck() {
     if (state_.session.walkthrough) set_layout(Layout::deck);
 }
 
-void Lab::write_and_tell(const std::string& file, const std::function<void()>& write) {
+bool Lab::perform_on_view(Action action) {
     Session& s = state_.session;
-    try {
-        write();
-        s.say(Session::Message::Kind::info, "Saved as " + file + " in the folder where Pliant was started.");
-    } catch (const Error& e) {
-        s.say(Session::Message::Kind::refused, e.what());
-    }
-}
-
-void Lab::save_scene() {
-    const std::string_view id = state_.session.entry().info.id;
-    const std::string name = file_name(id.substr(id.find('/') + 1), ".scene.json");
-    write_and_tell(name, [&] { write_file(name, scene_text(state_.session.scene_file())); });
-}
-
-void Lab::save_plot(const PlotShot& shot) {
-    const std::string name = file_name(shot.title, ".png");
-    write_and_tell(name, [&] { write_png(crop(read_pixels(context_), shot.left, shot.top, shot.width, shot.height), name); });
-}
-
-void Lab::drop_file(const std::string& path) {
-    try {
-        state_.session.open_scene(read_scene(path));
-    } catch (const Error& e) {
-        state_.session.say(Session::Message::Kind::refused, e.what());
+    switch (action) {
+        case Action::find:
+            return set_layout(Layout::lab), state_.focus_search = true;
+        case Action::hide_panels:
+            return set_layout(state_.layout == Layout::lab ? Layout::slide : Layout::lab), true;
+        case Action::menu:
+            return set_layout(Layout::lab), state_.focus_menu = true;
+        case Action::stops:
+            return set_layout(Layout::lab), state_.open_breaks = true;
+        case Action::compare:
+            return s.compare(static_cast<Compare>((static_cast<int>(s.inspector.compare) + 1) % 5)), true;
+        case Action::inspect:
+            return set_layout(Layout::lab), state_.choose_inspector = state_.focus_thing = true;
+        case Action::help:
+            state_.help_shown = !state_.help_shown;
+            return true;
+        case Action::extreme:
+            s.extreme = !s.extreme;
+            return true;
+        case Action::arrows:
+            s.show_arrows = !s.show_arrows;
+            return true;
+        case Action::theme:
+            return set_theme(state_.theme == Theme::dark ? Theme::projector : Theme::dark), true;
+        case Action::larger:
+            return set_scale(state_.scale + 0.25f), true;
+        case Action::smaller:
+            return set_scale(state_.scale - 0.25f), true;
+        case Action::frame:
+            return s.camera.reset(), true;
+        default:
+            return false;
     }
 }
 
@@ -221,15 +180,34 @@ void Lab::frame(Real dt) {
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
     if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
     release_keys(in_deck());
-    state_.session.update(dt);
-    handle_keys({.walkthrough = state_.session.walkthrough.has_value(), .deck = in_deck()}, [this](Action a) { perform(a); });
+    animation_ && !animation_->complete() ? animation_->advance(state_.session) : state_.session.update(dt);
+    if (!state_.files.asking() && !state_.animation.asking)
+        handle_keys({.walkthrough = state_.session.walkthrough.has_value(), .deck = in_deck()}, [this](Action a) { perform(a); });
+    forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     draw_layout(display.x, display.y);
+    state_.plots.memory.save_all_svg = false;
     if (state_.help_shown) draw_help(state_);
+    draw_file_dialog(state_);
+    draw_animation_panel(state_);
+    do_what_is_wanted();
     ImGui::PopFont();
     gui_.end_frame();
+    after_frame();
+}
+
+void Lab::do_what_is_wanted() {
+    for (const Action action : std::exchange(state_.wanted, {})) perform(action);
+    for (const std::string& path : std::exchange(state_.wanted_files, {})) drop_file(path);
+    if (!state_.animation.path.empty()) start_animation();
+}
+
+// What needs the pixels of the frame.
+void Lab::after_frame() {
     if (const auto shot = std::exchange(plot_to_save_, std::nullopt)) save_plot(*shot);
+    if (capture_ && --capture_->frames < 0) capture();
+    if (animation_) record_animation();
 }
 
 }  // namespace pliant::viewer

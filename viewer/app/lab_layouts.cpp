@@ -18,30 +18,32 @@ void Lab::draw_layout(float width, float height) {
 
 void Lab::lab_layout(float width, float height) {
     LabState& s = state_;
+    draw_menu_bar(s);
+    const float top = ImGui::GetFrameHeight();
     const float status = ImGui::GetFrameHeight() + s.px(8), left = std::min(s.px(238), width * 0.28f);
     const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right,
-                body = height - status;
+                body = height - status - top;
     const float list =
         std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
     const float bars = 2 * ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y +
                        2 * ImGui::GetStyle().ItemSpacing.y;
     {
-        const FixedPanel panel("Lessons", {0, 0, left, list});
+        const FixedPanel panel("Lessons", {0, top, left, list});
         draw_lesson_list(s);
     }
     {
-        const FixedPanel panel("Parameters", {0, list, left, body - list});
+        const FixedPanel panel("Parameters", {0, top + list, left, body - list});
         draw_parameters(s);
     }
     {
-        const FixedPanel panel("Stages", {left, 0, middle, bars}, ImGuiWindowFlags_NoScrollbar);
+        const FixedPanel panel("Stages", {left, top, middle, bars}, ImGuiWindowFlags_NoScrollbar);
         draw_transport(s);
         draw_stage_bar(s);
         draw_timeline(s);
     }
     {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-        const FixedPanel panel("Scene", {left, bars, middle, body - bars},
+        const FixedPanel panel("Scene", {left, top + bars, middle, body - bars},
                                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
         draw_scene(s, renderer_);
@@ -49,16 +51,16 @@ void Lab::lab_layout(float width, float height) {
     if (s.session.walkthrough) {
         const float split = body * 0.58f;
         {
-            const FixedPanel panel("Walkthrough", {width - right, 0, right, split});
+            const FixedPanel panel("Walkthrough", {width - right, top, right, split});
             draw_walkthrough(s);
         }
-        const FixedPanel panel("Plots", {width - right, split, right, body - split});
+        const FixedPanel panel("Plots", {width - right, top + split, right, body - split});
         draw_side(s);
     } else {
-        const FixedPanel panel("Plots", {width - right, 0, right, body});
+        const FixedPanel panel("Plots", {width - right, top, right, body});
         draw_side(s);
     }
-    const FixedPanel panel("Status", {0, body, width, status}, ImGuiWindowFlags_NoScrollbar);
+    const FixedPanel panel("Status", {0, top + body, width, status}, ImGuiWindowFlags_NoScrollbar);
     draw_status_line(s);
 }
 

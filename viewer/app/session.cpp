@@ -9,19 +9,6 @@
 
 namespace pliant::viewer {
 
-// ----------------------------------------------------------------------------------------------------------- colours
-
-void ColourRange::update(const std::vector<Real>& values) {
-    if (values.empty() || (!automatic && !fresh_)) return;
-    const ColourScale wanted = scale_for(values);
-    const Real size = std::max(std::abs(scale.min), std::abs(scale.max)),
-               wanted_size = std::max(std::abs(wanted.min), std::abs(wanted.max));
-    // Follows when the numbers reach beyond the range or fill less than a third of it, so that colours do not flicker.
-    const bool outside = wanted.min < scale.min || wanted.max > scale.max || wanted.map != scale.map;
-    const bool lost = wanted_size < size / 3 || (wanted.max - wanted.min) < (scale.max - scale.min) / 3;
-    if (std::exchange(fresh_, false) || outside || lost) scale = wanted;
-}
-
 // ----------------------------------------------------------------------------------------------------- lessons, scenes
 
 Session::Session(std::string_view lesson_name) { open(find_lesson(lesson_name)); }
@@ -33,6 +20,7 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     if (entry_ != &entry) inspector.forget_lesson();
     runner_ = std::move(runner);
     entry_ = &entry;
+    ++open_count_;
     undo_.clear();
     message_.reset();
     walkthrough.reset();
@@ -257,9 +245,15 @@ void Session::reset() {
 
 // ---------------------------------------------------------------------------------------------------------- parameters
 
-bool Session::set(const Parameter& parameter, Real value) {
-    const bool rebuilds = parameter.info.effect == Effect::rebuild;
-    if (!guarded([&] { runner_->assign(parameter.info.key, value); })) return false;
+bool Session::set(const Values& values) {
+    Runner::Assignments assignments;
+    bool rebuilds = false;
+    for (const auto& [key, value] : values) {
+        const Parameter& p = lesson().parameter(key);
+        rebuilds = rebuilds || p.info.effect == Effect::rebuild;
+        assignments.emplace_back(key, p.text(value));
+    }
+    if (!guarded([&] { runner_->assign(assignments); })) return false;
     dismiss();
     if (!rebuilds) return moved(), true;
     if (lesson().dimension() == 2) camera.reset();  // the domain may have another size
@@ -268,21 +262,32 @@ bool Session::set(const Parameter& parameter, Real value) {
 }
 
 void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
+    const std::string key(parameter.info.key);
     const Real before = runner_->wanted(parameter);
     if (before == value) return;
     if (locked(parameter))
         return say(Message::Kind::refused,
                    fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
-    if (!set(parameter, value)) return;
-    const bool joins = same_drag && !undo_.empty() && undo_.back().key == parameter.info.key;
-    if (!joins) undo_.push_back({std::string(parameter.info.key), before});
+    if (!set({{key, value}})) return;
+    const bool joins = same_drag && !undo_.empty() && undo_.back().size() == 1 && undo_.back()[0].first == key;
+    if (!joins) undo_.push_back({{key, before}});
 }
 
 void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }
 
+void Session::restore_defaults() {
+    Values before, defaults;
+    for (const Parameter* p : lesson().parameters) {
+        if (runner_->wanted(*p) == p->info.initial) continue;
+        before.emplace_back(p->info.key, runner_->wanted(*p));
+        defaults.emplace_back(p->info.key, p->info.initial);
+    }
+    if (!defaults.empty() && set(defaults)) undo_.push_back(std::move(before));
+}
+
 void Session::undo() {
     if (undo_.empty()) return;
-    set(lesson().parameter(undo_.back().key), undo_.back().value);
+    set(undo_.back());
     undo_.pop_back();
 }
 

@@ -49,6 +49,9 @@ public:
     // Counts the runs that began here: a lesson opened, a reset. What was measured before belongs to another run.
     int run_count() const { return run_count_; }
 
+    // Counts the lessons and scenes opened.
+    int open_count() const { return open_count_; }
+
     // --- time ---
     bool playing = false;
     Real speed = 1;  // simulated seconds asked for per second
@@ -77,6 +80,7 @@ public:
     // within a drag are one undo step.
     void assign(const Parameter& parameter, Real value, bool same_drag = false);
     void restore_default(const Parameter& parameter);
+    void restore_defaults();  // of every parameter, as one step of undo
     void undo();
     bool can_undo() const { return !undo_.empty(); }
 
@@ -126,12 +130,9 @@ public:
     void dismiss() { message_.reset(); }
 
 private:
-    struct Undo {
-        std::string key;
-        Real value;
-    };
-    bool guarded(const std::function<void()>& action);  // an error becomes a message and a pause
-    bool set(const Parameter& parameter, Real value);
+    using Values = std::vector<std::pair<std::string, Real>>;  // by key
+    bool guarded(const std::function<void()>& action);         // an error becomes a message and a pause
+    bool set(const Values& values);
     void begin_run();  // nothing of the run before is shown any longer
     void moved();      // records, and keeps the view up to date
     void record_of_walkthrough();
@@ -146,9 +147,9 @@ private:
     const LessonEntry* entry_ = nullptr;
     std::unique_ptr<Runner> runner_;
     Recorder recorder_;
-    std::vector<Undo> undo_;
+    std::vector<Values> undo_;
     std::optional<Message> message_;
-    int run_count_ = 0;
+    int run_count_ = 0, open_count_ = 0;
     std::optional<Pull> hand_;
     bool hand_used_ = false;
     Real owed_ = 0;  // simulated seconds asked for and not yet run

@@ -52,11 +52,17 @@ std::string state_json(const LabState& lab) {
     j["unlocked"] = lab.session.unlocked;
     j["notes"] = lab.notes_shown;
     j["inspector"] = inspector_json(lab);
+    j["theme"] = lab.theme == Theme::dark ? "dark" : "projector";
+    j["dialog"] = lab.files.asking() ? lab.files.title() : "";
+    j["complaint"] = lab.files.complaint();
+    j["file"] = lab.file;
+    j["recent"] = lab.recent;
+    j["recording"] = lab.animation.progress.has_value();
     j["scale"] = lab.scale;
     j["help"] = lab.help_shown;
     j["frame"] = ImGui::GetFrameCount();
     for (const auto& [name, c] : lab.controls) j["controls"][name] = {c.x, c.y, c.width, c.height};
-    return j.dump(1) + "\n";
+    return j.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void StateReport::write(const LabState& lab) {

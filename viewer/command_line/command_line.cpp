@@ -18,18 +18,24 @@ constexpr const char* footer =
     "\nWithout a command the lab opens in a window.\n"
     "Exit codes: 0 done, 1 a check failed, 2 bad input refused, 3 the run diverged, 4 this machine lacks something.";
 
-void add_run_options(CLI::App& command, RunOptions& o) {
+void add_scene_options(CLI::App& command, RunOptions& o) {
     command.add_option("lesson", o.lesson, "such as mesh/mass_spring; `pliant list` shows them");
     command.add_option("--set", o.settings, "a parameter, KEY=VALUE; may be given often")->allow_extra_args(false);
-    command.add_option("--scene", o.scene_path, "a scene file");
+    command.add_option("--scene", o.scene_path, "a scene file, or a share string (pliant1:...)");
     command.add_option("--preset", o.preset, "a scene that comes with the lesson");
+}
+
+void add_run_options(CLI::App& command, RunOptions& o) {
+    add_scene_options(command, o);
     command.add_option("--steps", o.steps, "run so many steps");
     command.add_option("--time", o.time, "run so many simulated seconds, to the nearest whole step");
     command.add_flag("--rest", o.rest, "run until nothing changes any more");
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& o) {
-    command.add_option("--out", o.out, "the PNG file to write")->required();
+    command.add_option("--out", o.out, "the PNG file to write, or with --seconds the GIF file")->required();
+    command.add_option("--seconds", o.seconds, "play on and write so many seconds as an animated GIF, 1 to 30");
+    command.add_option("--fps", o.frames_per_second, "its frames per second, 1 to 50")->capture_default_str();
     command.add_option("--stage", o.stage, "go on to the end of this stage, inside the next step");
     command.add_option("--field", o.field, "the field that colours the picture");
     command.add_option("--component", o.component, "its component, from 0; -1 for the whole");
@@ -45,8 +51,10 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
 
 void add_window_options(CLI::App& command, WindowOptions& o) {
     command.add_option("--size", o.size, "of the window")->capture_default_str();
-    command.add_option("--theme", o.theme, "dark or projector")->capture_default_str();
-    command.add_option("--ui-scale", o.ui_scale, "of type and lines, 1 to 3; as the screen asks when not given");
+    command.add_option("--theme", o.theme, "dark or projector; as it was last when not given");
+    command.add_option("--ui-scale", o.ui_scale,
+                       "of type and lines, 1 to 3; as it was last, or as the screen asks, when not given");
+    command.add_flag("--no-settings", o.no_settings, "neither read nor keep what was set in earlier windows");
     command.add_option("--frames", o.frames, "close after so many frames");
     command.add_option("--state", o.state_path, "keep the state of the lab in this JSON file, for tests and screen readers");
 }
@@ -75,7 +83,7 @@ int dispatch(int argc, const char* const* argv) {
     bool json = false, markdown = false, check = false;
 
     app.add_option("--lesson", window_options.lesson, "the lesson to open");
-    app.add_option("--scene", window_options.scene_path, "the scene file to open");
+    app.add_option("--scene", window_options.scene_path, "the scene file to open, or a share string (pliant1:...)");
     add_window_options(app, window_options);
 
     CLI::App* list = app.add_subcommand("list", "the lessons");
@@ -103,6 +111,9 @@ int dispatch(int argc, const char* const* argv) {
     why_command->add_option("--depth", why_options.depth, "how many levels of inputs to ask in turn")->capture_default_str();
     why_command->add_flag("--json", run_options.json, "print one JSON object");
     why_command->callback([&] { action = [&] { return why(run_options, why_options); }; });
+    CLI::App* share_command = app.add_subcommand("share", "print a scene as one line of text, for a chat");
+    add_scene_options(*share_command, run_options);
+    share_command->callback([&] { action = [&] { return share(run_options); }; });
 
     CLI::App* shot_command = app.add_subcommand("shot", "run a lesson and write its picture");
     add_run_options(*shot_command, run_options);

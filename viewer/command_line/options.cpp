@@ -1,5 +1,7 @@
 #include "command_line/options.h"
 
+#include <pliant/lesson/share.h>
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -30,10 +32,10 @@ SceneFile scene_from(const RunOptions& o) {
     if (!o.preset.empty()) scene = preset(find_lesson(o.lesson), o.preset);
     if (!o.scene_path.empty()) {
         const std::string wanted = scene.lesson;
-        scene = read_scene(o.scene_path);
+        scene = open_scene_text(o.scene_path);
         if (!wanted.empty() && scene.lesson != wanted)
-            throw Refused(fmt::format("{} is a scene of {}, not of {}: name that lesson or leave the name out", o.scene_path,
-                                      scene.lesson, wanted));
+            throw Refused(fmt::format("{} is a scene of {}, not of {}: name that lesson or leave the name out",
+                                      is_share(o.scene_path) ? "the share string" : o.scene_path, scene.lesson, wanted));
     }
     for (auto& setting : assignments_from(o.settings)) scene.parameters.push_back(std::move(setting));
     return scene;

@@ -29,12 +29,15 @@ struct PictureOptions {
     std::optional<Index> slide;  // of the walkthrough, from 1
     bool revealed = false;
     float ui_scale = 1;
+    Real seconds = 0;  // of an animation; 0: one picture
+    int frames_per_second = 20;
 };
 
 struct WindowOptions {
-    std::string lesson, scene_path, size = "1440x810", theme = "dark", state_path;
-    float ui_scale = 0;  // 0: as the screen asks
-    long frames = 0;     // stop after so many; 0: when closed
+    std::string lesson, scene_path, size = "1440x810", theme, state_path;  // theme "": as it was last
+    float ui_scale = 0;                                                    // 0: as it was last, or as the screen asks
+    long frames = 0;                                                       // stop after so many; 0: when closed
+    bool no_settings = false;
     bool deck = false;   // opens the walkthrough of the lesson, paused
     bool notes = false;  // writes the notes of each slide to standard output
 };
@@ -59,6 +62,7 @@ struct WhyOptions {
     int component = -1, depth = 1;
 };
 int why(const RunOptions& run, const WhyOptions& options);
+int share(const RunOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
 int tour(const std::string& folder);
 // notes: prints those of the lecturer as well.

@@ -12,6 +12,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -32,6 +34,20 @@ Image capture(Lab& lab, Context& context) {
     Image image = read_pixels(context);
     context.present();
     return image;
+}
+
+int animate(Lab& lab, Context& context, Animation& animation, const std::string& path) {
+    animation.add(capture(lab, context));
+    lab.session().playing = true;
+    while (!animation.complete()) {
+        animation.advance(lab.session());
+        // Nothing moves while the frame is drawn.
+        const bool playing = std::exchange(lab.session().playing, false);
+        animation.add(capture(lab, context));
+        lab.session().playing = playing;
+    }
+    write_file(path, animation.encoded());
+    return 0;
 }
 
 void choose_view(Session& session, const PictureOptions& o) {
@@ -67,8 +83,13 @@ void show_slide(Session& s, const PictureOptions& o) {
     if (s.message()) throw Refused(s.message()->text);
 }
 
-void check_writable_png(const std::string& path) {
+bool is_gif(const std::string& path) { return path.ends_with(".gif"); }
+
+void check_writable_picture(const PictureOptions& o) {
+    const std::string& path = o.out;
     if (path.empty()) throw Refused("--out is missing: name the picture to write, such as --out picture.png");
+    if (is_gif(path) != (o.seconds != 0))
+        throw Refused("an animation needs both: --out with a name that ends in .gif, and --seconds, from 1 to 30");
     const auto folder = std::filesystem::path(path).parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder))
         throw Refused(fmt::format("{} cannot be written: there is no folder {}", path, folder.string()));
@@ -137,7 +158,9 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     if (layout != Layout::deck && (picture.slide || picture.revealed))
         throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck as well");
     const float scale = ui_scale_from(picture.ui_scale);
-    check_writable_png(picture.out);
+    check_writable_picture(picture);
+    std::optional<Animation> animation;
+    if (picture.seconds != 0) animation.emplace(picture.seconds, picture.frames_per_second, size.width);
     const auto context = headless(picture.backend, size);
     Lab lab(*context, scene.lesson);
     lab.set_theme(theme);
@@ -146,11 +169,13 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     lab.state().hints_shown = false;
     Session& s = lab.session();
     s.open_scene(scene);
+    const bool from_start = animation && !options.steps && !options.time && !options.rest;
     if (layout == Layout::deck)
         show_slide(s, picture);
     else
-        s.run(until_from(options, s.entry(), s.runner().is_static()));
+        s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
     choose_view(s, picture);
+    if (animation) return animate(lab, *context, *animation, picture.out);
     write_png(capture(lab, *context), picture.out);
     return 0;
 }

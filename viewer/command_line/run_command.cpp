@@ -1,7 +1,8 @@
-// `pliant list`, `describe`, `run` and `walkthrough`: everything that needs no picture.
+// `pliant list`, `describe`, `run`, `share` and `walkthrough`: everything that needs no picture.
 #include <pliant/lesson/file.h>
 #include <pliant/lesson/recorder.h>
 #include <pliant/lesson/report.h>
+#include <pliant/lesson/share.h>
 #include <pliant/lesson/walkthrough.h>
 
 #include "command_line/options.h"
@@ -69,6 +70,13 @@ int run(const RunOptions& options) {
     if (divergence) throw *divergence;
     if (until.what == Until::What::time && !runner.is_static() && std::abs(runner.time() - until.time) > 1e-9 * until.time)
         fmt::print(stderr, "pliant: the time was rounded to whole steps: {} s\n", runner.time());
+    return 0;
+}
+
+int share(const RunOptions& options) {
+    const SceneFile scene = scene_from(options);
+    const Runner checked(find_lesson(scene.lesson), scene.parameters, 0);
+    print(share_text(scene) + "\n");
     return 0;
 }
 

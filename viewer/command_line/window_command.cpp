@@ -1,7 +1,8 @@
 // The lab in a window.
-#include <pliant/lesson/file.h>
+#include <pliant/lesson/share.h>
 
 #include "app/lab.h"
+#include "app/settings.h"
 #include "app/state_report.h"
 #include "command_line/options.h"
 
@@ -15,11 +16,25 @@ namespace {
 
 void open_first(Lab& lab, const WindowOptions& o) {
     Session& s = lab.session();
-    if (!o.scene_path.empty()) s.open_scene(read_scene(o.scene_path));
+    if (is_share(o.scene_path))
+        s.open_scene(read_share(o.scene_path));
+    else if (!o.scene_path.empty())
+        lab.open_file(o.scene_path);
     s.playing = !o.deck;
     if (!o.deck) return;
     walkthrough_of(s.entry());  // refused, rather than a message, when there is none
     lab.open_deck();
+}
+
+// As the lab was last; a flag of the command line wins.
+void restore(Lab& lab, const SettingsFile& file, const WindowOptions& o, float scale_of_screen) {
+    const Settings& s = file.stored();
+    lab.set_theme(o.theme.empty() ? s.theme.value_or(Theme::dark) : theme_from(o.theme));
+    lab.set_scale(o.ui_scale != 0 ? o.ui_scale : s.scale.value_or(scale_of_screen));
+    lab.session().speed = s.speed.value_or(lab.session().speed);
+    lab.state().layout = s.layout.value_or(Layout::lab);
+    lab.state().hints_shown = s.hints_shown.value_or(true);
+    lab.state().recent = s.recent;
 }
 
 // Writes the lecturer's notes to standard output, for a terminal on another screen, whenever the slide changes.
@@ -42,14 +57,16 @@ private:
 
 int window(const WindowOptions& o) {
     const Size size = size_from(o.size);
-    const Theme theme = theme_from(o.theme);
+    if (!o.theme.empty()) theme_from(o.theme);
     const std::string lesson = o.lesson.empty() ? "mesh/mass_spring" : std::string(find_lesson(o.lesson).info.id);
     if (o.ui_scale != 0) ui_scale_from(o.ui_scale);
     const auto context = open_context(Backend::window, size);
     Lab lab(*context, lesson);
-    lab.set_theme(theme);
-    lab.set_scale(o.ui_scale != 0 ? o.ui_scale : context->ui_scale());
+    SettingsFile settings(o.no_settings ? std::filesystem::path() : settings_path());
+    restore(lab, settings, o, context->ui_scale());
+    settings.begin(lab.state());
     open_first(lab, o);
+    if (!settings.trouble().empty()) lab.session().say(Session::Message::Kind::refused, settings.trouble());
     StateReport report(o.state_path);
     NotesPrinter notes;
 
@@ -58,12 +75,15 @@ int window(const WindowOptions& o) {
     for (long frame = 0; !context->close_requested() && (o.frames == 0 || frame < o.frames); ++frame) {
         context->poll_events();
         const auto now = Clock::now();
-        lab.frame(std::chrono::duration<Real>(now - last).count());
+        const Real seconds = std::chrono::duration<Real>(now - last).count();
+        lab.frame(seconds);
+        settings.keep(lab.state(), seconds);
         last = now;
         context->present();
         if (o.notes) notes.look_at(lab.session().walkthrough);
         report.write(lab.state());
     }
+    settings.finish(lab.state());
     return 0;
 }
 

@@ -1,7 +1,9 @@
 // What the panels of the lab share from frame to frame.
 #pragma once
+#include "app/keys.h"
 #include "app/session.h"
 #include "app/theme.h"
+#include "panels/file_choice.h"
 #include "panels/plot_panel.h"
 #include "render/picking.h"
 #include "render/scene_renderer.h"
@@ -23,6 +25,17 @@ std::string_view name_of(Layout layout);
 
 struct Rectangle {
     float x = 0, y = 0, width = 0, height = 0;  // px
+};
+
+inline constexpr std::size_t most_recent = 8;
+
+// An animation that is asked for, or being made.
+struct AnimationOrder {
+    int seconds = 5, width = 640;    // of the file; px
+    bool asking = false;             // its panel is open
+    std::string path{};              // to be started
+    std::optional<Real> progress{};  // 0 to 1, while it is made
+    bool writing = false;            // all frames are recorded
 };
 
 struct LabState {
@@ -49,6 +62,19 @@ struct LabState {
     bool show_inspector = false, choose_inspector = false, focus_thing = false, open_breaks = false;
     std::string condition_text{};
     std::string condition_refused{};  // why the text above is none
+
+    // What the lab itself has to do, asked for by a panel: done at the end of the frame.
+    std::vector<Action> wanted{};
+    std::vector<std::string> wanted_files{};  // scene files to open
+
+    FileChoice files{};
+    int file_question = 0;              // that the dialog shows
+    bool file_scroll = false;           // the list shows the name
+    bool file_focus = false;            // the name gets the keys
+    std::vector<std::string> recent{};  // scene files, the latest first
+    std::string file{};                 // that the scene came from or was saved in
+    bool focus_menu = false;            // the menus get the keys
+    AnimationOrder animation{};
 
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls;
@@ -81,6 +107,8 @@ std::string words(std::string_view key);
 
 inline constexpr float stage_height = 60;  // px at scale 1
 
+void draw_menu_bar(LabState& lab);
+void draw_animation_panel(LabState& lab);
 void draw_lesson_list(LabState& lab);
 void draw_parameters(LabState& lab);
 // One control. Large ones are for the deck.

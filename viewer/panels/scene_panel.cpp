@@ -176,7 +176,7 @@ void banner(LabState& lab, const View& view) {
 }
 
 void hints(LabState& lab, const View& view) {
-    if (!lab.hints_shown || lab.layout != Layout::lab) return;
+    if (!lab.hints_shown || lab.layout != Layout::lab || lab.animation.progress) return;
     const bool can_pull = lab.session.lesson().can_pull().has_value();
     const std::string text = fmt::format(
         "{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",

@@ -25,6 +25,9 @@ void plot_menu(const Hand& hand, const Canvas& measure, bool open);
 // The text for the clipboard.
 std::string plot_csv(const PlotModel& model, const PlotMemory& memory);
 
+// The plot as a picture for slides and papers.
+std::string plot_svg(const Hand& hand, const Canvas& measure);
+
 // Sets what an axis shows from now on; the values belong to the part from a to b of it, 0 to 1.
 void zoom_to(AxisMemory& axis, Range shown, AxisScale scale, Real a, Real b);
 

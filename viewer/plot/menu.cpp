@@ -59,14 +59,6 @@ void series_switches(const Hand& h) {
     }
 }
 
-std::string as_svg(const Hand& h, const Canvas& measure) {
-    SvgCanvas canvas(h.layout.whole, measure);
-    DrawBuffers buffers;
-    draw_plot(
-        {canvas, h.model, h.record.memory, h.view, h.layout, h.style, buffers, h.layout.x_map(h.view), h.layout.y_map(h.view)});
-    return canvas.document();
-}
-
 std::vector<Real> middles(Range extent, AxisScale declared, Index count) {
     std::vector<Real> result;
     for (Index i = 0; i < count; ++i)
@@ -90,6 +82,14 @@ std::string plot_csv(const PlotModel& model, const PlotMemory& memory) {
     return to_csv(x.label, x.unit, y.unit, columns);
 }
 
+std::string plot_svg(const Hand& h, const Canvas& measure) {
+    SvgCanvas canvas(h.layout.whole, measure);
+    DrawBuffers buffers;
+    draw_plot(
+        {canvas, h.model, h.record.memory, h.view, h.layout, h.style, buffers, h.layout.x_map(h.view), h.layout.y_map(h.view)});
+    return canvas.document();
+}
+
 void plot_menu(const Hand& h, const Canvas& measure, bool open) {
     if (open) ImGui::OpenPopup("menu");
     if (!ImGui::BeginPopup("menu")) return;
@@ -111,7 +111,7 @@ void plot_menu(const Hand& h, const Canvas& measure, bool open) {
     }
     if (ImGui::MenuItem("Copy as CSV")) ImGui::SetClipboardText(plot_csv(h.model, memory).c_str());
     if (h.hooks.save_png && ImGui::MenuItem("Save as PNG")) h.record.wants_png = true;
-    if (h.hooks.save_svg && ImGui::MenuItem("Save as SVG")) h.hooks.save_svg(h.model.title, as_svg(h, measure));
+    if (h.hooks.save_svg && ImGui::MenuItem("Save as SVG")) h.hooks.save_svg(h.model.title, plot_svg(h, measure));
     ImGui::EndPopup();
 }
 

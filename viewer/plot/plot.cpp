@@ -126,6 +126,7 @@ void Plot::end() {
         draw_switches(canvas, layout, style_, ImGui::IsItemFocused() && io.NavVisible);
         if (ImGui::IsItemHovered() || ImGui::IsItemActive()) draw_pointer(hand, canvas);
     }
+    if (state_.save_all_svg && hooks_.save_svg) hooks_.save_svg(model_.title, plot_svg(hand, canvas));
     plot_menu(hand, canvas, right_click || on_switch || pressed_by_key_);
     ImGui::PopID();
 }

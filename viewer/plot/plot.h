@@ -58,6 +58,8 @@ public:
     PlotRecord& of(unsigned id) { return records_[id]; }
     // Automatic ranges are made anew from the data to come: call when a lesson is reset. What the person has set stays.
     void refit();
+    // Each plot in sight in this frame is given to PlotHooks::save_svg.
+    bool save_all_svg = false;
     // Forgets everything.
     void clear() { records_.clear(); }
 

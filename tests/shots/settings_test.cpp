@@ -1,0 +1,89 @@
+// What the lab remembers between two starts.
+#include "app/settings.h"
+
+#include "../process/process.h"
+
+#include <pliant/math/error.h>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace pliant;
+using namespace pliant::viewer;
+using namespace pliant::test;
+
+namespace {
+
+LabState fresh_lab() {
+    return {.session = Session("mesh/mass_spring"),
+            .fonts = {},
+            .search = {},
+            .plots = {},
+            .hovered = {},
+            .pulling = {},
+            .controls = {}};
+}
+
+}  // namespace
+
+TEST_CASE("settings: everything is read back as it was written", "[settings]") {
+    const Settings s{Theme::projector, 1.5f, 0.25, Layout::slide, false, {"/a/b.json", "/c \"d\".json"}};
+    CHECK(parse_settings(settings_text(s), "s") == s);
+    CHECK(parse_settings(settings_text({}), "s") == Settings{});
+}
+
+TEST_CASE("settings: what does not belong is passed over, what is no object is refused", "[settings]") {
+    const Settings s = parse_settings(
+        R"({"theme": 3, "scale": 99, "speed": -1, "layout": "round", "hints_shown": "no", "recent": [1], "later": {}})", "s");
+    CHECK(s == Settings{});
+    for (const char* text : {"", "[]", "3", "{", "\xff"}) CHECK_THROWS_AS(parse_settings(text, "s"), Refused);
+    const Settings many = parse_settings(R"({"recent": ["1","2","3","4","5","6","7","8","9","10"]})", "s");
+    CHECK(many.recent.size() == most_recent);
+}
+
+TEST_CASE("settings: changes are kept, flags are not", "[settings]") {
+    const Scratch scratch;
+    const fs::path path = scratch.folder() / "deep" / "settings.json";
+    LabState lab = fresh_lab();
+    {
+        SettingsFile file(path);
+        lab.theme = Theme::projector;  // as a flag sets it
+        file.begin(lab);
+        file.keep(lab, 10);
+        CHECK_FALSE(fs::exists(path));  // nothing has changed
+        lab.session.speed = 0.5;
+        file.keep(lab, 10);
+        CHECK(fs::exists(path));
+        lab.hints_shown = false;
+        file.keep(lab, 0.1);
+        CHECK_FALSE(SettingsFile(path).stored().hints_shown);  // not in every frame
+        file.finish(lab);
+    }
+    const SettingsFile again(path);
+    CHECK(again.trouble().empty());
+    CHECK(again.stored().speed == 0.5);
+    CHECK(again.stored().hints_shown == false);
+    CHECK_FALSE(again.stored().theme);
+    CHECK_FALSE(again.stored().scale);
+}
+
+TEST_CASE("settings: a broken file is set aside and told", "[settings]") {
+    const Scratch scratch;
+    const std::string path = scratch.file("settings.json", "{\"theme\": ");
+    const SettingsFile file(path);
+    CHECK(file.stored() == Settings{});
+    CHECK(file.trouble().find("settings.json.bad") != std::string::npos);
+    CHECK(scratch.names() == std::vector<std::string>{"settings.json.bad"});
+    CHECK(contents_of(path + ".bad") == "{\"theme\": ");
+}
+
+TEST_CASE("settings: a place that cannot be written to is no trouble", "[settings]") {
+    const Scratch scratch;
+    SettingsFile file(scratch.file("file", "") + "/settings.json");
+    LabState lab = fresh_lab();
+    file.begin(lab);
+    lab.scale = 2;
+    CHECK_NOTHROW(file.finish(lab));
+    SettingsFile none{fs::path()};
+    none.begin(lab);
+    lab.scale = 1;
+    CHECK_NOTHROW(none.finish(lab));
+}

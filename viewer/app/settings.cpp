@@ -1,0 +1,130 @@
+#include "app/settings.h"
+
+#include <pliant/lesson/file.h>
+#include <pliant/math/error.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+namespace pliant::viewer {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr Real least_seconds = 2;  // between two writes
+
+// The value of a key when it is of this type.
+template <class T>
+std::optional<T> read(const Json& json, const char* key) {
+    if (!json.contains(key)) return std::nullopt;
+    try {
+        return json[key].get<T>();
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+}
+
+template <class T>
+void put(Json& json, const char* key, const std::optional<T>& value) {
+    if (value) json[key] = *value;
+}
+
+}  // namespace
+
+Settings parse_settings(std::string_view text, std::string_view path) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object()) throw Refused(fmt::format("{} holds no settings: it is not a JSON object", path));
+    Settings s;
+    if (const auto theme = read<std::string>(json, "theme"))
+        if (*theme == "dark" || *theme == "projector") s.theme = *theme == "dark" ? Theme::dark : Theme::projector;
+    if (const auto layout = read<std::string>(json, "layout"))
+        if (*layout == "lab" || *layout == "slide") s.layout = *layout == "lab" ? Layout::lab : Layout::slide;
+    if (const auto scale = read<float>(json, "scale"); scale && *scale >= 1 && *scale <= 3) s.scale = scale;
+    if (const auto speed = read<Real>(json, "speed"); speed && *speed > 0 && *speed <= 1000) s.speed = speed;
+    s.hints_shown = read<bool>(json, "hints_shown");
+    s.recent = read<std::vector<std::string>>(json, "recent").value_or(std::vector<std::string>{});
+    if (s.recent.size() > most_recent) s.recent.resize(most_recent);
+    return s;
+}
+
+std::string settings_text(const Settings& s) {
+    Json json = Json::object();
+    if (s.theme) json["theme"] = *s.theme == Theme::dark ? "dark" : "projector";
+    if (s.layout) json["layout"] = *s.layout == Layout::lab ? "lab" : "slide";
+    put(json, "scale", s.scale);
+    put(json, "speed", s.speed);
+    put(json, "hints_shown", s.hints_shown);
+    json["recent"] = s.recent;
+    // A path need not be UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Settings settings_of(const LabState& lab) {
+    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.hints_shown, lab.recent};
+}
+
+fs::path settings_path() {
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    // The XDG Base Directory Specification ignores a relative path.
+    if (config && fs::path(config).is_absolute()) return fs::path(config) / "pliant" / "settings.json";
+    const char* home = std::getenv("HOME");
+    if (home && *home) return fs::path(home) / ".config" / "pliant" / "settings.json";
+    return {};
+}
+
+SettingsFile::SettingsFile(fs::path path) : path_(std::move(path)) {
+    std::error_code ignored;
+    if (path_.empty() || !fs::exists(path_, ignored)) return;
+    try {
+        stored_ = parse_settings(read_file(path_.string()), path_.string());
+    } catch (const Error& e) {
+        fs::path aside = path_;
+        aside += ".bad";
+        fs::rename(path_, aside, ignored);
+        trouble_ = fmt::format("{}. It is kept as {}; the lab starts with its first settings.", e.what(), aside.string());
+    }
+}
+
+void SettingsFile::note(const LabState& lab) {
+    const Settings now = settings_of(lab);
+    const auto take = [&](auto member) {
+        if (now.*member == seen_.*member) return;
+        stored_.*member = now.*member;
+        changed_ = true;
+    };
+    take(&Settings::theme), take(&Settings::scale), take(&Settings::speed), take(&Settings::layout);
+    take(&Settings::hints_shown), take(&Settings::recent);
+    seen_ = now;
+}
+
+void SettingsFile::write() {
+    if (path_.empty() || !std::exchange(changed_, false)) return;
+    try {
+        std::error_code ignored;
+        fs::create_directories(path_.parent_path(), ignored);
+        write_file(path_.string(), settings_text(stored_));
+    } catch (const Error&) {
+        // A home that cannot be written to is no reason to disturb: nothing is remembered.
+        path_.clear();
+    }
+}
+
+void SettingsFile::keep(const LabState& lab, Real seconds) {
+    note(lab);
+    waited_ += seconds;
+    if (!changed_ || waited_ < least_seconds) return;
+    waited_ = 0;
+    write();
+}
+
+void SettingsFile::finish(const LabState& lab) {
+    note(lab);
+    write();
+}
+
+}  // namespace pliant::viewer
