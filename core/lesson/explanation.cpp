@@ -48,9 +48,16 @@ Input Input::part(std::string symbol, std::string unit, Explanation why) {
 
 // --------------------------------------------------------------------------------------------------------------- sums
 
-std::string products_text(std::span<const Real> factors_in_pairs) {
+namespace {
+// Of a long sum the first terms stand for all.
+std::size_t terms_to_show(std::size_t terms) {
     constexpr std::size_t most = 8;
-    const std::size_t terms = factors_in_pairs.size() / 2, shown = terms > most ? most - 2 : terms;
+    return terms > most ? most - 2 : terms;
+}
+}  // namespace
+
+std::string products_text(std::span<const Real> factors_in_pairs) {
+    const std::size_t terms = factors_in_pairs.size() / 2, shown = terms_to_show(terms);
     std::string text;
     for (std::size_t k = 0; k < shown; ++k) {
         const Real w = factors_in_pairs[2 * k], q = factors_in_pairs[2 * k + 1];
@@ -60,6 +67,30 @@ std::string products_text(std::span<const Real> factors_in_pairs) {
     }
     if (shown < terms) text += fmt::format(" + … ({} terms)", terms);
     return text.empty() ? "0" : text;
+}
+
+std::string sum_text(std::span<const Real> terms) {
+    const std::size_t shown = terms_to_show(terms.size());
+    std::string text;
+    for (std::size_t k = 0; k < shown; ++k) {
+        const bool minus = terms[k] < 0;
+        const std::string sign = k == 0 ? (minus ? "−" : "") : (minus ? " − " : " + ");
+        text += sign + format_quantity(std::abs(terms[k]), "", 6);
+    }
+    if (shown < terms.size()) text += fmt::format(" + … ({} terms)", terms.size());
+    return text.empty() ? "0" : text;
+}
+
+Explanation sum_of(std::string formula, std::vector<Input> terms) {
+    return {.formula = std::move(formula),
+            .inputs = std::move(terms),
+            .evaluate =
+                [](std::span<const Real> x) {
+                    Real total = 0;
+                    for (const Real term : x) total += term;
+                    return total;
+                },
+            .substitute = [](std::span<const Real> x) { return sum_text(x); }};
 }
 
 Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms) {

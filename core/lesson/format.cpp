@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace pliant {
 namespace {
@@ -73,6 +74,14 @@ std::string format_quantity(Real value, std::string_view unit, int digits) {
 }
 
 std::string format_exact(Real value) { return fmt::format("{}", value); }
+
+Real rounded_down(Real value, int digits) {
+    if (!(value > 0) || !std::isfinite(value)) return value;
+    const int last = static_cast<int>(std::floor(std::log10(value))) - digits + 1;
+    // A number that has no more digits than these is kept, however its division rounds.
+    const Real whole = std::floor(value / std::pow(10.0, last) * (1 + 1e-14));
+    return std::stod(fmt::format("{:.0f}e{}", whole, last));
+}
 
 std::string unit_or_dimensionless(std::string_view unit) { return unit.empty() ? "dimensionless" : fmt::format("in {}", unit); }
 

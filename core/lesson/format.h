@@ -15,6 +15,9 @@ std::string format_quantity(Real value, std::string_view unit, int digits = 4);
 // The shortest decimal text that reads back as exactly this number.
 std::string format_exact(Real value);
 
+// The largest number of so many significant digits that is at most this one (> 0): 0.00478 gives 0.0047.
+Real rounded_down(Real value, int digits);
+
 // "in s", "in Pa" or, without a unit, "dimensionless": for tables and messages.
 std::string unit_or_dimensionless(std::string_view unit);
 

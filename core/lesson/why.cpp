@@ -137,7 +137,7 @@ bool Asking::explain_one(Request& r) {
     Answer& a = *r.answer;
     const bool defined = r.field ? static_cast<bool>(r.field->explain) : static_cast<bool>(r.probe->explain);
     if (r.writers.empty() && !defined) {
-        a.kind = Answer::Kind::state;
+        a.kind = r.field ? Answer::Kind::state : Answer::Kind::given;
         return true;
     }
     if (r.writers.empty() && a.when.passes == 0)
@@ -210,6 +210,22 @@ Answer Asking::input(const Input& in, const Request& r) {
     return a;
 }
 
+// How much cancels: each input moved by a part in a million of its size, and a part of what cancels in it. Of the very many
+// inputs of a long sum a sample stands for all.
+Real conditioning_of(const Explanation& e, const Answer& a, std::vector<Real>& values) {
+    constexpr Real nudge = 1e-6;
+    constexpr std::size_t most = 512;
+    const std::size_t stride = values.size() / most + 1;
+    Real sum = 0;
+    for (std::size_t k = 0; k < values.size(); k += stride) {
+        const Real kept = values[k], size = std::max(std::abs(kept), a.inputs[k].conditioning);
+        values[k] = kept + nudge * size;
+        sum += static_cast<Real>(stride) * std::abs(e.evaluate(values) - a.evaluated) / nudge;
+        values[k] = kept;
+    }
+    return sum;
+}
+
 // The numbers of a formula that was declared.
 void Asking::fill(Answer& a, const Explanation& e, const Request& r) {
     std::vector<Real> values;
@@ -225,14 +241,7 @@ void Asking::fill(Answer& a, const Explanation& e, const Request& r) {
     a.formula = e.formula;
     a.substituted = substituted(e, values);
     a.evaluated = e.evaluate(values);
-    // How much cancels: each input moved by a part in a million.
-    constexpr Real nudge = 1e-6;
-    for (Real& x : values) {
-        const Real kept = x;
-        x = kept * (1 + nudge);
-        a.conditioning += std::abs(e.evaluate(values) - a.evaluated) / nudge;
-        x = kept;
-    }
+    a.conditioning = conditioning_of(e, a, values);
 }
 
 void ask_below(Asking& asking, Answer& a, std::vector<Request>& next) {

@@ -36,7 +36,7 @@ struct Answer {
     std::vector<Answer> inputs{};
     When when{};            // of the value: where to ask again
     Real evaluated = 0;     // the formula, evaluated again from the inputs; value where there is none
-    Real conditioning = 0;  // Σ |input · ∂formula/∂input|: the size of what cancels in the formula
+    Real conditioning = 0;  // Σ |input · ∂formula/∂input|, of a part its own: the size of what cancels in the formula
     bool can_ask = false;   // has inputs that are not listed here for want of depth
 };
 
