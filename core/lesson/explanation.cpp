@@ -179,6 +179,8 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
                     if (c != 0xb2 && c != 0xb3) text += text.ends_with(' ') ? "· " : " · ";
                 }
                 after_number = false;
+            } else if (c == '(' && text.ends_with(' ') && last_visible(text) == ')') {
+                text += "· ";
             }
             text += right.substr(at, length);
             before = c;

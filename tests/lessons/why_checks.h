@@ -21,10 +21,9 @@ inline std::set<Index> sample_rows(const Field& field, Index seed) {
 }
 
 inline void check_answer(const Answer& a, const std::string& where) {
-    using Kind = Answer::Kind;
     INFO(where << ": " << a.field << "[" << a.index << "] component " << a.component << "\n" << why_text(a));
     REQUIRE(std::isfinite(a.value));
-    if (a.kind == Kind::computed || a.kind == Kind::part || a.kind == Kind::combined) {
+    if (a.kind == Answer::Kind::computed || a.kind == Answer::Kind::part || a.kind == Answer::Kind::combined) {
         CHECK(!a.formula.empty());
         CHECK(!a.substituted.empty());
         CHECK(std::abs(a.evaluated - a.value) <= 1e-9 * std::abs(a.value) + 1e-12 * a.conditioning);

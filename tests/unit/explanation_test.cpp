@@ -31,6 +31,7 @@ TEST_CASE("symbols that stand side by side are multiplied") {
     CHECK(put_in("s = 2 μ ε", {{"μ", 3}, {"ε", 4}}) == "s = 2 · 3 · 4");
     CHECK(put_in("E = ½ m", {{"m", 3}}) == "E = ½ · 3");
     CHECK(put_in("f = k (x − l)", {{"k", 2}, {"x", 5}, {"l", 1}}) == "f = 2 · (5 − 1)");
+    CHECK(put_in("f = (x − l) (x − k)", {{"k", 2}, {"x", 5}, {"l", 1}}) == "f = (5 − 1) · (5 − 2)");
     CHECK(put_in("f = (x − l) k", {{"k", 2}, {"x", 5}, {"l", 1}}) == "f = (5 − 1) · 2");
 }
 

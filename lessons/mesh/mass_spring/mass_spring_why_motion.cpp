@@ -49,7 +49,8 @@ Explanation MassSpringLesson::why_explicit_velocity(Index node, int component) c
     std::string forces = "f";
     if (damped()) inputs.push_back(Input::now("fᵈ", "damping_force", node, component)), forces += " + fᵈ";
     if (loaded()) inputs.push_back(Input::now("fᵉ", "external_force", node, component)), forces += " + fᵉ";
-    return {.formula = fmt::format(inputs.size() > 4 ? "v′ = v + Δt ({}) / m" : "v′ = v + Δt {} / m", forces),
+    if (damped() || loaded()) forces = fmt::format("({})", forces);
+    return {.formula = fmt::format("v′ = v + Δt {} / m", forces),
             .inputs = std::move(inputs),
             .evaluate = [](std::span<const Real> x) {
                 Real force = 0;
