@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace pliant {
 
@@ -48,37 +50,48 @@ Input Input::part(std::string symbol, std::string unit, Explanation why) {
 
 // --------------------------------------------------------------------------------------------------------------- sums
 
-namespace {
-// Of a long sum the first terms stand for all.
-std::size_t terms_to_show(std::size_t terms) {
-    constexpr std::size_t most = 8;
-    return terms > most ? most - 2 : terms;
+std::string as_factor(Real value, bool raised) {
+    const std::string text = format_quantity(value, "", 6);
+    return value < 0 || (raised && text.find("10") != std::string::npos && !std::isdigit(static_cast<unsigned char>(text.back())))
+               ? fmt::format("({})", text)
+               : text;
 }
+
+namespace {
+
+// Terms with their signs; of a long sum the first ones stand for all.
+template <class Sign, class Text>
+std::string signed_terms(std::size_t count, Sign is_negative, Text text_of) {
+    constexpr std::size_t most = 8;
+    const std::size_t shown = count > most ? most - 2 : count;
+    std::string text;
+    for (std::size_t k = 0; k < shown; ++k) {
+        const bool minus = is_negative(k);
+        text += k == 0 ? (minus ? "−" : "") : (minus ? " − " : " + ");
+        text += text_of(k);
+    }
+    if (shown < count) text += fmt::format(" + … ({} terms)", count);
+    return text.empty() ? "0" : text;
+}
+
 }  // namespace
 
 std::string products_text(std::span<const Real> factors_in_pairs) {
-    const std::size_t terms = factors_in_pairs.size() / 2, shown = terms_to_show(terms);
-    std::string text;
-    for (std::size_t k = 0; k < shown; ++k) {
-        const Real w = factors_in_pairs[2 * k], q = factors_in_pairs[2 * k + 1];
-        const std::string sign = k == 0 ? (w < 0 ? "−" : "") : (w < 0 ? " − " : " + ");
-        const std::string quantity = format_quantity(q, "", 6);
-        text += fmt::format("{}{} · {}", sign, format_quantity(std::abs(w), "", 6), q < 0 ? "(" + quantity + ")" : quantity);
-    }
-    if (shown < terms) text += fmt::format(" + … ({} terms)", terms);
-    return text.empty() ? "0" : text;
+    std::vector<std::pair<Real, Real>> terms;
+    for (std::size_t k = 0; k + 1 < factors_in_pairs.size(); k += 2)
+        if (factors_in_pairs[k] != 0 && factors_in_pairs[k + 1] != 0)
+            terms.emplace_back(factors_in_pairs[k], factors_in_pairs[k + 1]);
+    return signed_terms(
+        terms.size(), [&](std::size_t k) { return terms[k].first < 0; },
+        [&](std::size_t k) { return fmt::format("{} · {}", as_factor(std::abs(terms[k].first)), as_factor(terms[k].second)); });
 }
 
 std::string sum_text(std::span<const Real> terms) {
-    const std::size_t shown = terms_to_show(terms.size());
-    std::string text;
-    for (std::size_t k = 0; k < shown; ++k) {
-        const bool minus = terms[k] < 0;
-        const std::string sign = k == 0 ? (minus ? "−" : "") : (minus ? " − " : " + ");
-        text += sign + format_quantity(std::abs(terms[k]), "", 6);
-    }
-    if (shown < terms.size()) text += fmt::format(" + … ({} terms)", terms.size());
-    return text.empty() ? "0" : text;
+    std::vector<Real> written;
+    std::ranges::copy_if(terms, std::back_inserter(written), [](Real x) { return x != 0; });
+    return signed_terms(
+        written.size(), [&](std::size_t k) { return written[k] < 0; },
+        [&](std::size_t k) { return as_factor(std::abs(written[k])); });
 }
 
 Explanation sum_of(std::string formula, std::vector<Input> terms) {
@@ -190,13 +203,12 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
         const char32_t last = last_visible(text);
         const bool product = after_number || multiplies(last) || last == ')';
         if (product) text += text.ends_with(' ') ? "· " : " · ";
-        const std::string number = format_quantity(values[static_cast<std::size_t>(k)], "", 6);
+        const Real value = values[static_cast<std::size_t>(k)];
         const std::size_t end = at + inputs[static_cast<std::size_t>(k)].symbol.size();
         const char32_t next = end < right.size() ? code_point(right, end).first : U'\0';
-        const bool alone = last == 0 || (last == '(' && next == ')');
+        const bool alone = last == 0 || (last == '(' && (next == ')' || next == ','));
         const bool raised = next == 0xb2 || next == 0xb3;
-        const bool enclose = (number.starts_with("-") || number.starts_with("−")) && (!alone || raised);
-        text += enclose ? fmt::format("({})", number) : number;
+        text += alone && !raised ? format_quantity(value, "", 6) : as_factor(value, raised);
         before = ' ';
         after_number = true;
         at = end;

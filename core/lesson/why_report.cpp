@@ -73,7 +73,7 @@ std::string name_of(const Answer& a) {
         case Answer::Kind::parameter:
             return fmt::format("{} {}", a.field, a.symbol);
         default: {
-            const std::string place = a.unit.empty() && a.field.empty() ? "" : fmt::format("{}[{}]", a.field, a.index);
+            const std::string place = a.of_probe ? a.field : fmt::format("{}[{}]", a.field, a.index);
             return a.symbol.empty() || a.symbol == place ? place : fmt::format("{} {}", place, a.symbol);
         }
     }
@@ -85,7 +85,8 @@ void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
     const std::string origin = where_from(a);
     text += fmt::format("{:{}}{} = {}{}\n", "", indent, name_of(a), format_quantity(a.value, a.unit, 7),
                         origin.empty() ? "" : fmt::format("   ({})", origin));
-    if (!a.formula.empty()) text += fmt::format("{:{}}{}\n{:{}}{}\n", "", indent + 4, a.formula, "", indent + 4, a.substituted);
+    if (!a.formula.empty()) text += fmt::format("{:{}}{}\n", "", indent + 4, a.formula);
+    if (a.substituted != a.formula) text += fmt::format("{:{}}{}\n", "", indent + 4, a.substituted);
     if (!with_inputs) return;
     const auto parts = static_cast<std::size_t>(std::ranges::count(a.inputs, Answer::Kind::part, &Answer::kind));
     const std::size_t shown = a.inputs.size() > most ? most - 2 : a.inputs.size();

@@ -54,7 +54,7 @@ inline void check_stage(Runner& runner, const Stage& stage, const std::string& w
 // The probes that say how they came about.
 inline void check_probes(Runner& runner, const std::string& where) {
     for (const Probe& probe : runner.lesson().probes)
-        if (probe.explain && probe.value()) check_answer(why(runner, probe.name, 0, -1, 1), where);
+        if (probe.explain && probe.value()) check_answer(why(runner, "probe:" + std::string(probe.name), 0, -1, 1), where);
 }
 
 inline void check_every_stage(Runner& runner, const std::string& where) {

@@ -39,12 +39,14 @@ TEST_CASE("negative numbers are put into parentheses where an operator stands be
     CHECK(put_in("a = b", {{"b", -2}}) == "a = -2");
     CHECK(put_in("a = b − c", {{"b", -2}, {"c", -3}}) == "a = -2 − (-3)");
     CHECK(put_in("a = b c", {{"b", 2}, {"c", -3}}) == "a = 2 · (-3)");
+    CHECK(put_in("a = max(b, 0)", {{"b", -2}}) == "a = max(-2, 0)");
     CHECK(put_in("a = max(− v, 0)", {{"v", -3}}) == "a = max(− (-3), 0)");
 }
 
 TEST_CASE("squares keep their exponent, of a negative number outside its parentheses") {
     CHECK(put_in("q = v²", {{"v", 3}}) == "q = 3²");
     CHECK(put_in("q = v²", {{"v", -3}}) == "q = (-3)²");
+    CHECK(put_in("q = v²", {{"v", 2e-7}}) == "q = (2×10⁻⁷)²");
     CHECK(put_in("q = √(v_x² + v_y²)", {{"v_x", -3}, {"v_y", 4}}) == "q = √((-3)² + 4²)");
     CHECK(put_in("q = m v²", {{"m", 2}, {"v", 3}}) == "q = 2 · 3²");
 }
@@ -70,6 +72,8 @@ TEST_CASE("sums write a few of their terms") {
     CHECK(sum_text(std::vector<Real>{}) == "0");
     CHECK(sum_text(std::vector<Real>{-1, 2, -3}) == "−1 + 2 − 3");
     CHECK(sum_text(std::vector<Real>(10, 1)) == "1 + 1 + 1 + 1 + 1 + 1 + … (10 terms)");
+    CHECK(sum_text(std::vector<Real>{0, 1, 0}) == "1");
+    CHECK(products_text(std::vector<Real>{2, 0, 3, 1}) == "3 · 1");
     CHECK(products_text(std::vector<Real>{2, 3, -4, -5}) == "2 · 3 − 4 · (-5)");
     const Explanation e = sum_of("E = Σ e", {Input::constant("e", 1, "", ""), Input::constant("e", 2, "", "")});
     CHECK(e.evaluate(std::vector<Real>{1, 2}) == 3);

@@ -1,7 +1,6 @@
 // Why the instruments read what they read.
 #include "moduli.h"
 
-#include <pliant/lesson/format.h>
 #include <pliant/math/line_fit.h>
 
 #include <fmt/format.h>
@@ -13,8 +12,6 @@ namespace pliant::moduli {
 namespace {
 
 constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
-std::string number(Real value) { return format_quantity(value, "", 6); }
 
 Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 3, static_cast<Index>(x.size() / 3)}; }
 
@@ -127,8 +124,8 @@ Explanation ModuliLesson::why_modulus() const {
         const auto count = static_cast<Index>(strain.size());
         const Eigen::Map<const VecX> s(strain.data(), count), t(stress.data(), count);
         const VecX from_mean = s.array() - s.mean();
-        return fmt::format("{}{} / {}", pushed ? "− " : "", number(from_mean.dot((t.array() - t.mean()).matrix())),
-                           number(from_mean.squaredNorm()));
+        return fmt::format("{}{} / {}", pushed ? "− " : "", as_factor(from_mean.dot((t.array() - t.mean()).matrix())),
+                           as_factor(from_mean.squaredNorm()));
     };
     return e;
 }
@@ -156,7 +153,7 @@ Explanation ModuliLesson::why_strain_energy() const {
     };
     e.substitute = [sums](std::span<const Real> x) {
         const auto [traces, squares] = sums(x);
-        return fmt::format("½ · {} · {} + {} · {}", number(x[0]), number(traces), number(x[1]), number(squares));
+        return fmt::format("½ · {} · {} + {} · {}", as_factor(x[0]), as_factor(traces), as_factor(x[1]), as_factor(squares));
     };
     return e;
 }

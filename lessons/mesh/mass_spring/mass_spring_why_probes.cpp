@@ -23,11 +23,6 @@ void append_all(std::vector<Input>& inputs, std::string_view symbol, std::string
 
 Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 3, static_cast<Index>(x.size() / 3)}; }
 
-std::string number(Real value) {
-    const std::string text = format_quantity(value, "", 6);
-    return value < 0 ? fmt::format("({})", text) : text;
-}
-
 // The length of a vector of which every component is a part.
 Explanation length_of(std::string_view symbol, std::string_view unit, const std::function<Explanation(int)>& component) {
     Explanation e{.formula = fmt::format("{0} = √({0}_x² + {0}_y² + {0}_z²)", symbol),
@@ -82,7 +77,9 @@ Explanation MassSpringLesson::why_kinetic_energy() const {
     append_all(e.inputs, "v", "velocity", position_.cols());
     const auto squares = [](std::span<const Real> x) { return points(x.subspan(1)).squaredNorm(); };
     e.evaluate = [squares](std::span<const Real> x) { return 0.5 * x[0] * squares(x); };
-    e.substitute = [squares](std::span<const Real> x) { return fmt::format("½ · {} · {}", number(x[0]), number(squares(x))); };
+    e.substitute = [squares](std::span<const Real> x) {
+        return fmt::format("½ · {} · {}", as_factor(x[0]), as_factor(squares(x)));
+    };
     return e;
 }
 
@@ -108,8 +105,8 @@ Explanation MassSpringLesson::why_elastic_energy() const {
         return 0.5 * (x[0] * squares(x, structural) + x[1] * squares(x, shear) + x[2] * squares(x, bending));
     };
     e.substitute = [squares](std::span<const Real> x) {
-        return fmt::format("½ · {} · {} + ½ · {} · {} + ½ · {} · {}", number(x[0]), number(squares(x, structural)), number(x[1]),
-                           number(squares(x, shear)), number(x[2]), number(squares(x, bending)));
+        return fmt::format("½ · {} · {} + ½ · {} · {} + ½ · {} · {}", as_factor(x[0]), as_factor(squares(x, structural)),
+                           as_factor(x[1]), as_factor(squares(x, shear)), as_factor(x[2]), as_factor(squares(x, bending)));
     };
     return e;
 }
@@ -133,7 +130,7 @@ Explanation MassSpringLesson::why_momentum() const {
             for (const Real v : x.subspan(1)) sum += v;
             return x[0] * sum;
         };
-        e.substitute = [](std::span<const Real> x) { return fmt::format("{} · ({})", number(x[0]), sum_text(x.subspan(1))); };
+        e.substitute = [](std::span<const Real> x) { return fmt::format("{} · ({})", as_factor(x[0]), sum_text(x.subspan(1))); };
         return e;
     });
 }
@@ -152,7 +149,9 @@ Explanation MassSpringLesson::why_angular_momentum() const {
             return angular_momentum<3>(VecX::Ones(nodes), points(x.subspan(1, count)), points(x.subspan(1 + count)))[c];
         };
         e.evaluate = [turning](std::span<const Real> x) { return x[0] * turning(x); };
-        e.substitute = [turning](std::span<const Real> x) { return fmt::format("{} · {}", number(x[0]), number(turning(x))); };
+        e.substitute = [turning](std::span<const Real> x) {
+            return fmt::format("{} · {}", as_factor(x[0]), as_factor(turning(x)));
+        };
         return e;
     });
 }
