@@ -191,7 +191,9 @@ void ModuliLesson::solve_pass() {
     iterations_[0] += static_cast<Real>(solver_->iterations() - before);
     residual_[0] = solver_->residual();
     specimen_->problem().displacement(solver_->x(), displacement_);
-    solver_->residual_vector(residual_vector_);
+    // Anew, since the solver's own is only updated from pass to pass.
+    residual_vector_ = right_side_;
+    residual_vector_.noalias() -= specimen_->problem().system().matrix() * solver_->x();
     specimen_->problem().spread(residual_vector_, residual_force_);
 }
 

@@ -72,7 +72,8 @@ private:
     Explanation why_reaction(Index node, int component) const;
     Explanation why_strain_or_stress(const Question& q) const;
     Explanation why_strain(Index element, int row, int column) const;
-    Explanation why_stress(Index element, int row, int column) const;
+    Explanation why_stress(Index element, int row, int column, bool from_displacement = false) const;
+    Input element_force(Index element, int corner, int component) const;
     // --- (moduli_why_probes.cpp) ---
     void explain_probes();
     Explanation why_force() const;

@@ -97,16 +97,38 @@ Explanation ModuliLesson::why_residual(Index node, int component) const {
     return e;
 }
 
+// Summed over the elements of the node, each of which takes its stress times the slope of the node's shape function.
 Explanation ModuliLesson::why_reaction(Index node, int component) const {
-    const StaticProblem<3>& problem = specimen_->problem();
-    if (!problem.constraints().prescribed(node, component)) return nothing("r = 0: no support here");
-    Explanation e{.formula = "r_a = Σ K_ab u_b − f_a", .inputs = {Input::now("f_a", "load", node, component)}, .evaluate = {}};
-    append_row(e.inputs, problem, 3 * node + component, -1);
-    e.evaluate = [](std::span<const Real> x) { return products(x.subspan(1)) - x[0]; };
-    e.substitute = [](std::span<const Real> x) {
-        return fmt::format("{} − ({})", products_text(x.subspan(1)), sum_text(x.first(1)));
+    if (!specimen_->problem().constraints().prescribed(node, component)) return nothing("r = 0: no support here");
+    Explanation e{.formula = "r = Σ V σ·∇N − f", .inputs = {Input::now("f", "load", node, component)}, .evaluate = {}};
+    const auto& simplices = specimen_->mesh().simplices();
+    for (Index k = 0; k < simplices.cols(); ++k)
+        for (int corner = 0; corner < 4; ++corner)
+            if (simplices(corner, k) == node) e.inputs.push_back(element_force(k, corner, component));
+    const auto sum = [](std::span<const Real> x) {
+        Real total = 0;
+        for (const Real force : x.subspan(1)) total += force;
+        return total;
     };
+    e.evaluate = [sum](std::span<const Real> x) { return sum(x) - x[0]; };
+    e.substitute = [](std::span<const Real> x) { return fmt::format("{} − {}", sum_text(x.subspan(1)), as_factor(x[0])); };
     return e;
+}
+
+Input ModuliLesson::element_force(Index element, int corner, int component) const {
+    const SimplexMesh<3>& mesh = specimen_->mesh();
+    const std::string symbol = fmt::format("F_{}", element);
+    const char row = axis[static_cast<std::size_t>(component)];
+    Explanation e{.formula = fmt::format("{0} = V (σ_{1}x ∂N/∂x + σ_{1}y ∂N/∂y + σ_{1}z ∂N/∂z)", symbol, row),
+                  .inputs = {Input::constant("V", mesh.volumes()[element], "m³", "volume of the element")},
+                  .evaluate = [](std::span<const Real> x) { return x[0] * products(x.subspan(1)); }};
+    for (int c = 0; c < 3; ++c) {
+        const char column = axis[static_cast<std::size_t>(c)];
+        e.inputs.push_back(Input::part(fmt::format("σ_{}{}", row, column), "Pa", why_stress(element, component, c, true)));
+        e.inputs.push_back(Input::constant(fmt::format("∂N/∂{}", column), mesh.gradients(element)(c, corner), "1/m",
+                                           "slope of the node's shape function"));
+    }
+    return Input::part(symbol, "N", std::move(e));
 }
 
 // ------------------------------------------------------------------------------------------------- strain and stress
@@ -154,15 +176,20 @@ Input ModuliLesson::lame_mu() const {
                         .evaluate = [](std::span<const Real> x) { return x[0] / (2 * (1 + x[1])); }});
 }
 
-Explanation ModuliLesson::why_stress(Index element, int row, int column) const {
+// from_displacement: where the strain is not evaluated yet.
+Explanation ModuliLesson::why_stress(Index element, int row, int column, bool from_displacement) const {
+    const auto strain = [&](int i, int j) {
+        const std::string symbol = fmt::format("ε_{}{}", axis[static_cast<std::size_t>(i)], axis[static_cast<std::size_t>(j)]);
+        return from_displacement ? Input::part(symbol, "", why_strain(element, i, j))
+                                 : Input::now(symbol, "strain", element, 3 * i + j);
+    };
     const std::string name{axis[static_cast<std::size_t>(row)], axis[static_cast<std::size_t>(column)]};
     if (row != column)
         return {.formula = fmt::format("σ_{0} = 2 μ ε_{0}", name),
-                .inputs = {lame_mu(), Input::now("ε_" + name, "strain", element, 3 * row + column)},
+                .inputs = {lame_mu(), strain(row, column)},
                 .evaluate = [](std::span<const Real> x) { return 2 * x[0] * x[1]; }};
     return {.formula = fmt::format("σ_{0} = λ (ε_xx + ε_yy + ε_zz) + 2 μ ε_{0}", name),
-            .inputs = {lame_lambda(), lame_mu(), Input::now("ε_xx", "strain", element, 0),
-                       Input::now("ε_yy", "strain", element, 4), Input::now("ε_zz", "strain", element, 8)},
+            .inputs = {lame_lambda(), lame_mu(), strain(0, 0), strain(1, 1), strain(2, 2)},
             .evaluate = [row](std::span<const Real> x) {
                 return x[0] * (x[2] + x[3] + x[4]) + 2 * x[1] * x[2 + static_cast<std::size_t>(row)];
             }};
