@@ -141,10 +141,10 @@ bool is_letter(char32_t c) {
     return latin || greek || (c >= 0xc0 && c <= 0x24f);
 }
 bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
-// What may continue a symbol: subscripts, primes, tildes.
+// What may continue a symbol: letters below and above the line, primes, tildes.
 bool continues(char32_t c) {
-    const bool subscript = (c >= 0x2080 && c <= 0x209c) || (c >= 0x1d62 && c <= 0x1d6a) || c == 0x2c7c;
-    return is_letter(c) || is_digit(c) || c == '_' || c == '\'' || c == 0x2032 || (c >= 0x300 && c <= 0x36f) || subscript;
+    const bool small = (c >= 0x2080 && c <= 0x209c) || (c >= 0x1d2c && c <= 0x1d6a) || c == 0x2c7c;
+    return is_letter(c) || is_digit(c) || c == '_' || c == '\'' || c == 0x2032 || (c >= 0x300 && c <= 0x36f) || small;
 }
 // Does a number beside this multiply it?
 bool multiplies(char32_t c) {
