@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace pliant {
 
@@ -48,18 +50,60 @@ Input Input::part(std::string symbol, std::string unit, Explanation why) {
 
 // --------------------------------------------------------------------------------------------------------------- sums
 
-std::string products_text(std::span<const Real> factors_in_pairs) {
+std::string as_factor(Real value, bool raised) {
+    const std::string text = format_quantity(value, "", 6);
+    return value < 0 || (raised && text.find("10") != std::string::npos && !std::isdigit(static_cast<unsigned char>(text.back())))
+               ? fmt::format("({})", text)
+               : text;
+}
+
+namespace {
+
+// Terms with their signs; of a long sum the first ones stand for all.
+template <class Sign, class Text>
+std::string signed_terms(std::size_t count, Sign is_negative, Text text_of) {
     constexpr std::size_t most = 8;
-    const std::size_t terms = factors_in_pairs.size() / 2, shown = terms > most ? most - 2 : terms;
+    const std::size_t shown = count > most ? most - 2 : count;
     std::string text;
     for (std::size_t k = 0; k < shown; ++k) {
-        const Real w = factors_in_pairs[2 * k], q = factors_in_pairs[2 * k + 1];
-        const std::string sign = k == 0 ? (w < 0 ? "−" : "") : (w < 0 ? " − " : " + ");
-        const std::string quantity = format_quantity(q, "", 6);
-        text += fmt::format("{}{} · {}", sign, format_quantity(std::abs(w), "", 6), q < 0 ? "(" + quantity + ")" : quantity);
+        const bool minus = is_negative(k);
+        text += k == 0 ? (minus ? "−" : "") : (minus ? " − " : " + ");
+        text += text_of(k);
     }
-    if (shown < terms) text += fmt::format(" + … ({} terms)", terms);
+    if (shown < count) text += fmt::format(" + … ({} terms)", count);
     return text.empty() ? "0" : text;
+}
+
+}  // namespace
+
+std::string products_text(std::span<const Real> factors_in_pairs) {
+    std::vector<std::pair<Real, Real>> terms;
+    for (std::size_t k = 0; k + 1 < factors_in_pairs.size(); k += 2)
+        if (factors_in_pairs[k] != 0 && factors_in_pairs[k + 1] != 0)
+            terms.emplace_back(factors_in_pairs[k], factors_in_pairs[k + 1]);
+    return signed_terms(
+        terms.size(), [&](std::size_t k) { return terms[k].first < 0; },
+        [&](std::size_t k) { return fmt::format("{} · {}", as_factor(std::abs(terms[k].first)), as_factor(terms[k].second)); });
+}
+
+std::string sum_text(std::span<const Real> terms) {
+    std::vector<Real> written;
+    std::ranges::copy_if(terms, std::back_inserter(written), [](Real x) { return x != 0; });
+    return signed_terms(
+        written.size(), [&](std::size_t k) { return written[k] < 0; },
+        [&](std::size_t k) { return as_factor(std::abs(written[k])); });
+}
+
+Explanation sum_of(std::string formula, std::vector<Input> terms) {
+    return {.formula = std::move(formula),
+            .inputs = std::move(terms),
+            .evaluate =
+                [](std::span<const Real> x) {
+                    Real total = 0;
+                    for (const Real term : x) total += term;
+                    return total;
+                },
+            .substitute = [](std::span<const Real> x) { return sum_text(x); }};
 }
 
 Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms) {
@@ -97,10 +141,10 @@ bool is_letter(char32_t c) {
     return latin || greek || (c >= 0xc0 && c <= 0x24f);
 }
 bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
-// What may continue a symbol: subscripts, primes, tildes.
+// What may continue a symbol: letters below and above the line, primes, tildes.
 bool continues(char32_t c) {
-    const bool subscript = (c >= 0x2080 && c <= 0x209c) || (c >= 0x1d62 && c <= 0x1d6a) || c == 0x2c7c;
-    return is_letter(c) || is_digit(c) || c == '_' || c == '\'' || c == 0x2032 || (c >= 0x300 && c <= 0x36f) || subscript;
+    const bool small = (c >= 0x2080 && c <= 0x209c) || (c >= 0x1d2c && c <= 0x1d6a) || c == 0x2c7c;
+    return is_letter(c) || is_digit(c) || c == '_' || c == '\'' || c == 0x2032 || (c >= 0x300 && c <= 0x36f) || small;
 }
 // Does a number beside this multiply it?
 bool multiplies(char32_t c) {
@@ -148,6 +192,8 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
                     if (c != 0xb2 && c != 0xb3) text += text.ends_with(' ') ? "· " : " · ";
                 }
                 after_number = false;
+            } else if (c == '(' && text.ends_with(' ') && last_visible(text) == ')') {
+                text += "· ";
             }
             text += right.substr(at, length);
             before = c;
@@ -157,13 +203,12 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
         const char32_t last = last_visible(text);
         const bool product = after_number || multiplies(last) || last == ')';
         if (product) text += text.ends_with(' ') ? "· " : " · ";
-        const std::string number = format_quantity(values[static_cast<std::size_t>(k)], "", 6);
+        const Real value = values[static_cast<std::size_t>(k)];
         const std::size_t end = at + inputs[static_cast<std::size_t>(k)].symbol.size();
         const char32_t next = end < right.size() ? code_point(right, end).first : U'\0';
         const bool alone = last == 0 || last == '(';
         const bool raised = next == 0xb2 || next == 0xb3;
-        const bool enclose = (number.starts_with("-") || number.starts_with("−")) && (!alone || raised);
-        text += enclose ? fmt::format("({})", number) : number;
+        text += alone && !raised ? format_quantity(value, "", 6) : as_factor(value, raised);
         before = ' ';
         after_number = true;
         at = end;

@@ -65,11 +65,19 @@ struct Explanation {
 // Terms of weight 0 are left out.
 Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms);
 
+// Σ q, "a + b − c + …" where numbers are put in: of quantities that are added as they are. No term gives 0.
+Explanation sum_of(std::string formula, std::vector<Input> terms);
+
 // The numbers of a formula written out: the right side of the formula with each symbol replaced. Negative numbers are put into
 // parentheses where an operator stands before them.
 std::string substituted(const Explanation& explanation, std::span<const Real> values);
 
-// "3 × 0.5 + 2 × 0.25 + … (12 terms)": for formulas that sum many terms.
+// A number as it stands in a product: "0.5", "(-3)"; and before an exponent: "(10⁻³)".
+std::string as_factor(Real value, bool raised = false);
+
+// "3 · 0.5 + 2 · 0.25 + … (12 terms)": for formulas that sum many terms. Terms that are 0 are not written.
 std::string products_text(std::span<const Real> factors_in_pairs);
+// "3 + 0.25 − 2 + … (12 terms)"
+std::string sum_text(std::span<const Real> terms);
 
 }  // namespace pliant

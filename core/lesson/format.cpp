@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace pliant {
 namespace {
@@ -72,15 +73,13 @@ std::string format_quantity(Real value, std::string_view unit, int digits) {
     return unit.empty() ? plain(value, digits) : fmt::format("{} {}", plain(value, digits), unit);
 }
 
-Real round_down(Real value, int digits) {
+Real rounded_down(Real value, int digits) {
     if (value == 0 || !std::isfinite(value)) return value;
-    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;
-    // Read back from decimal text, so that the number is as short as it looks.
-    const Real unit = std::pow(10.0, exponent);
-    return std::stod(fmt::format("{:.0f}e{}", std::floor(value / unit * (1 + (value < 0 ? -1e-12 : 1e-12))), exponent));
+    const int last = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;
+    // A number that has no more digits than these is kept, however its division rounds.
+    const Real whole = std::floor(value / std::pow(10.0, last) * (1 + std::copysign(1e-14, value)));
+    return std::stod(fmt::format("{:.0f}e{}", whole, last));
 }
-
-std::string format_exact(Real value) { return fmt::format("{}", value); }
 
 std::string unit_or_dimensionless(std::string_view unit) { return unit.empty() ? "dimensionless" : fmt::format("in {}", unit); }
 

@@ -12,11 +12,11 @@ namespace pliant {
 // reads "undefined".
 std::string format_quantity(Real value, std::string_view unit, int digits = 4);
 
-// The nearest number towards minus infinity that has so many significant digits: "at most 0.0123" becomes 0.012.
-Real round_down(Real value, int digits = 2);
-
 // The shortest decimal text that reads back as exactly this number.
 std::string format_exact(Real value);
+
+// The largest number of so many significant digits that is at most this one: 0.00478 gives 0.0047.
+Real rounded_down(Real value, int digits = 2);
 
 // "in s", "in Pa" or, without a unit, "dimensionless": for tables and messages.
 std::string unit_or_dimensionless(std::string_view unit);

@@ -19,6 +19,12 @@ When now_of(const Runner& runner) {
 
 namespace {
 
+constexpr std::string_view probe_prefix = "probe:";
+
+const Probe& probe_of(const Lesson& lesson, std::string_view name) {
+    return lesson.probe(name.starts_with(probe_prefix) ? name.substr(probe_prefix.size()) : name);
+}
+
 // A number whose origin is wanted, and where the answer goes.
 struct Request {
     Answer* answer;
@@ -60,7 +66,7 @@ private:
 
 Request Asking::request(Answer& answer) const {
     const Field* field = lesson_.find_field(answer.field);
-    return {&answer, field, field ? nullptr : &lesson_.probe(answer.field)};
+    return {&answer, field, field ? nullptr : &probe_of(lesson_, answer.field)};
 }
 
 void Asking::stand_at(When when) {
@@ -121,7 +127,7 @@ bool Asking::has_writer(Answer& answer) {
 Real Asking::value_now(const Answer& a) const {
     const Field* field = lesson_.find_field(a.field);
     if (field) return row_value(*field, a.index, a.component);
-    return runner_.value(lesson_.probe(a.field)).value_or(0);
+    return runner_.value(probe_of(lesson_, a.field)).value_or(0);
 }
 
 void Asking::answer(std::vector<Request>& level) {
@@ -137,7 +143,7 @@ bool Asking::explain_one(Request& r) {
     Answer& a = *r.answer;
     const bool defined = r.field ? static_cast<bool>(r.field->explain) : static_cast<bool>(r.probe->explain);
     if (r.writers.empty() && !defined) {
-        a.kind = Answer::Kind::state;
+        a.kind = r.field ? Answer::Kind::state : Answer::Kind::given;
         return true;
     }
     if (r.writers.empty() && a.when.passes == 0)
@@ -168,7 +174,7 @@ bool Asking::explain_one(Request& r) {
 
 Real Asking::look_up(const Input& in, const Request& r) const {
     const Field* field = lesson_.find_field(in.name);
-    if (!field) return runner_.value(lesson_.probe(in.name)).value_or(0);
+    if (!field) return runner_.value(probe_of(lesson_, in.name)).value_or(0);
     if (in.from == Input::From::now) return row_value(*field, in.index, in.component);
     const Index begin = r.writers.empty() ? 0 : r.writers.front().begin;
     std::span<const Real> numbers =
@@ -199,9 +205,9 @@ Answer Asking::input(const Input& in, const Request& r) {
             a.kind = Answer::Kind::given;
             a.value = look_up(in, r);
             const Field* field = lesson_.find_field(in.name);
-            a.unit = field ? field->unit : lesson_.probe(in.name).unit;
+            a.unit = field ? field->unit : probe_of(lesson_, in.name).unit;
             if (field && field->rank == Rank::scalar) a.component = -1;
-            if (!field) a.component = -1;
+            if (!field) a.component = -1, a.of_probe = true;
             if (in.from == From::before) a.when.passes = r.writers.empty() ? 0 : r.writers.front().begin;
             if (in.from == From::earlier) a.when.passes = at_.passes - 1;
             const bool defined = field ? static_cast<bool>(field->explain) : static_cast<bool>(lesson_.probe(in.name).explain);
@@ -210,6 +216,22 @@ Answer Asking::input(const Input& in, const Request& r) {
         }
     }
     return a;
+}
+
+// How much cancels: each input moved by a part in a million of its size, and a part of what cancels in it. Of the very many
+// inputs of a long sum a sample stands for all.
+Real conditioning_of(const Explanation& e, const Answer& a, std::vector<Real>& values) {
+    constexpr Real nudge = 1e-6;
+    constexpr std::size_t most = 512;
+    const std::size_t stride = values.size() / most + 1;
+    Real sum = 0;
+    for (std::size_t k = 0; k < values.size(); k += stride) {
+        const Real kept = values[k], size = std::max(std::abs(kept), a.inputs[k].conditioning);
+        values[k] = kept + nudge * size;
+        sum += static_cast<Real>(stride) * std::abs(e.evaluate(values) - a.evaluated) / nudge;
+        values[k] = kept;
+    }
+    return sum;
 }
 
 // The numbers of a formula that was declared.
@@ -227,14 +249,7 @@ void Asking::fill(Answer& a, const Explanation& e, const Request& r) {
     a.formula = e.formula;
     a.substituted = substituted(e, values);
     a.evaluated = e.evaluate(values);
-    // How much cancels: each input moved by a part in a million.
-    constexpr Real nudge = 1e-6;
-    for (Real& x : values) {
-        const Real kept = x;
-        x = kept * (1 + nudge);
-        a.conditioning += std::abs(e.evaluate(values) - a.evaluated) / nudge;
-        x = kept;
-    }
+    a.conditioning = conditioning_of(e, a, values);
 }
 
 void ask_below(Asking& asking, Answer& a, std::vector<Request>& next) {
@@ -267,9 +282,7 @@ void combine(Answer& a, const Field& field) {
     a.formula = fmt::format("|{}| = √(Σ {}_c²)", symbol, symbol);
     a.substituted = fmt::format("|{}| = √(", symbol);
     for (std::size_t c = 0; c < values.size(); ++c)
-        a.substituted += fmt::format(
-            "{}{}²", c ? " + " : "",
-            values[c] < 0 ? fmt::format("({})", format_quantity(values[c], "", 6)) : format_quantity(values[c], "", 6));
+        a.substituted += fmt::format("{}{}²", c ? " + " : "", as_factor(values[c], true));
     a.substituted += ")";
     a.evaluated = std::sqrt(sum);
     a.conditioning = a.evaluated;
@@ -280,7 +293,7 @@ void check_question(const Lesson& lesson, std::string_view name, Index index, in
     if (!field) {
         const Probe* probe = nullptr;
         try {
-            probe = &lesson.probe(name);
+            probe = &probe_of(lesson, name);
         } catch (const Refused&) {
             lesson.field(name);  // says which fields there are
         }
@@ -305,9 +318,10 @@ Answer why(Runner& runner, std::string_view field, Index index, int component, i
     const Lesson& lesson = runner.lesson();
     check_question(lesson, field, index, component);
     const Field* f = lesson.find_field(field);
-    Answer root{.field = std::string(f ? f->name : lesson.probe(field).name), .index = index, .component = component};
-    root.symbol = f ? f->symbol : lesson.probe(field).symbol;
-    root.unit = f ? f->unit : lesson.probe(field).unit;
+    Answer root{.field = std::string(field), .index = index, .component = component, .of_probe = !f};
+    root.symbol = f ? f->symbol : probe_of(lesson, field).symbol;
+    if (f && component >= 0) root.symbol += "_" + component_names(*f)[static_cast<std::size_t>(component)];
+    root.unit = f ? f->unit : probe_of(lesson, field).unit;
     root.when = when.value_or(now_of(runner));
 
     Asking asking(runner);

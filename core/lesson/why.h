@@ -31,15 +31,17 @@ struct Answer {
     std::string symbol{}, field{};  // field: or the probe, the key of the parameter, the meaning of a constant
     Index index = 0;
     int component = -1;
+    bool of_probe = false;
     Real value = 0;
     std::string unit{}, stage{}, source{}, formula{}, substituted{};
     std::vector<Answer> inputs{};
     When when{};            // of the value: where to ask again
     Real evaluated = 0;     // the formula, evaluated again from the inputs; value where there is none
-    Real conditioning = 0;  // Σ |input · ∂formula/∂input|: the size of what cancels in the formula
+    Real conditioning = 0;  // Σ |input · ∂formula/∂input|, of a part its own: the size of what cancels in the formula
     bool can_ask = false;   // has inputs that are not listed here for want of depth
 };
 
+// field: the name of a field or of a probe; "probe:NAME" where a probe bears the name of a field.
 // The component -1 asks for the length of a vector or the norm of a tensor. depth: levels of inputs, at least 1. The run is where
 // it was afterwards, to the bit. Throws Refused for a field, probe, index or component that does not exist, and for a time that
 // is no longer stored.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant {
@@ -64,17 +65,34 @@ std::string where_from(const Answer& a) {
     }
 }
 
-void text_of(const Answer& a, int indent, std::string& text) {
-    const std::string name = a.kind == Answer::Kind::constant || a.kind == Answer::Kind::part ? a.symbol
-                             : a.kind == Answer::Kind::parameter                              ? a.field
-                                                                 : fmt::format("{}[{}]", a.field, a.index);
-    text +=
-        fmt::format("{:{}}{}{} = {}", "", indent, name, a.symbol.empty() || a.symbol == name ? "" : fmt::format(" {}", a.symbol),
-                    format_quantity(a.value, a.unit, 7));
+std::string name_of(const Answer& a) {
+    switch (a.kind) {
+        case Answer::Kind::constant:
+        case Answer::Kind::part:
+            return a.symbol;
+        case Answer::Kind::parameter:
+            return fmt::format("{} {}", a.field, a.symbol);
+        default: {
+            const std::string place = a.of_probe ? a.field : fmt::format("{}[{}]", a.field, a.index);
+            return a.symbol.empty() || a.symbol == place ? place : fmt::format("{} {}", place, a.symbol);
+        }
+    }
+}
+
+// Long sums list their first terms. A part that is one of many terms tells its formula alone.
+void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
+    constexpr std::size_t most = 12, most_parts = 3;
     const std::string origin = where_from(a);
-    text += origin.empty() ? "\n" : fmt::format("   ({})\n", origin);
-    if (!a.formula.empty()) text += fmt::format("{:{}}{}\n{:{}}{}\n", "", indent + 4, a.formula, "", indent + 4, a.substituted);
-    for (const Answer& input : a.inputs) text_of(input, indent + 2, text);
+    text += fmt::format("{:{}}{} = {}{}\n", "", indent, name_of(a), format_quantity(a.value, a.unit, 7),
+                        origin.empty() ? "" : fmt::format("   ({})", origin));
+    if (!a.formula.empty()) text += fmt::format("{:{}}{}\n", "", indent + 4, a.formula);
+    if (a.substituted != a.formula) text += fmt::format("{:{}}{}\n", "", indent + 4, a.substituted);
+    if (!with_inputs) return;
+    const auto parts = static_cast<std::size_t>(std::ranges::count(a.inputs, Answer::Kind::part, &Answer::kind));
+    const std::size_t shown = a.inputs.size() > most ? most - 2 : a.inputs.size();
+    for (std::size_t k = 0; k < shown; ++k)
+        text_of(a.inputs[k], indent + 2, k == 0 || parts <= most_parts || a.inputs[k].kind != Answer::Kind::part, text);
+    if (shown < a.inputs.size()) text += fmt::format("{:{}}… and {} more\n", "", indent + 2, a.inputs.size() - shown);
 }
 
 }  // namespace
@@ -83,7 +101,7 @@ std::string why_json(const Answer& answer, int depth) { return json_of(answer, d
 
 std::string why_text(const Answer& answer) {
     std::string text;
-    text_of(answer, 0, text);
+    text_of(answer, 0, true, text);
     return text;
 }
 

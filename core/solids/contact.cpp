@@ -17,13 +17,21 @@ void require_valid(const Ground& ground) {
 }
 
 template <int Dim>
+Touch touch_of(const Ground& ground, const DiagonalMass& mass, PointsIn<Dim> x, std::span<const Real> arrested, Index node) {
+    if (mass.fixed(Dim * node + up)) return Touch::none;
+    if (x(up, node) < ground.height) return Touch::below;
+    return !arrested.empty() && arrested[static_cast<std::size_t>(node)] > 0 ? Touch::arrested : Touch::none;
+}
+
+template <int Dim>
 Index resolve_ground_contact(const Ground& ground, const DiagonalMass& mass, Real moved_for, PointsOut<Dim> x, PointsOut<Dim> v,
                              std::span<const Real> arrested) {
     Index touching = 0;
     for (Index n = 0; n < x.cols(); ++n) {
+        const Touch touch = touch_of<Dim>(ground, mass, x, arrested, n);
+        if (touch == Touch::none) continue;
         const Real already = arrested.empty() ? 0 : arrested[static_cast<std::size_t>(n)];
-        const bool below = x(up, n) < ground.height;
-        if (mass.fixed(Dim * n + up) || !(below || already > 0)) continue;
+        const bool below = touch == Touch::below;
         ++touching;
         if (below) x(up, n) = ground.height;
         const Real impact = already + (below ? std::max(-v(up, n), Real(0)) : 0);
@@ -55,6 +63,7 @@ void arrested_speeds(const ImplicitSolver& solver, const DiagonalMass& mass, Rea
 }
 
 #define PLIANT_INSTANTIATE(Dim)                                                                                          \
+    template Touch touch_of<Dim>(const Ground&, const DiagonalMass&, PointsIn<Dim>, std::span<const Real>, Index);       \
     template Index resolve_ground_contact<Dim>(const Ground&, const DiagonalMass&, Real, PointsOut<Dim>, PointsOut<Dim>, \
                                                std::span<const Real>);                                                   \
     template void set_ground_bounds<Dim>(const Ground&, PointsIn<Dim>, VecX&);                                           \

@@ -17,6 +17,12 @@ struct Ground {
 // Throws Refused, naming the number.
 void require_valid(const Ground& ground);
 
+// How a node meets the ground: not at all; held above it while integrating, with a speed taken from it; or below it.
+enum class Touch : char { none, arrested, below };
+// arrested: as below. Fixed nodes touch nothing.
+template <int Dim>
+Touch touch_of(const Ground& ground, const DiagonalMass& mass, PointsIn<Dim> x, std::span<const Real> arrested, Index node);
+
 // Puts every node below the ground back onto it. A node that moves down rebounds with `restitution` of its speed, and friction
 // takes at most `friction` times the normal change of velocity from the speed along the ground, and never reverses it
 // [Bridson2002]. Where friction changes a velocity, the distance that it had moved the node during `moved_for` seconds

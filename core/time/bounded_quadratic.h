@@ -21,6 +21,7 @@ public:
     void set_matrix(const SparseMatrix& matrix);
     // Adds to the diagonal.
     void add_diagonal(Real factor, const VecX& values);
+    const SparseMatrix& matrix() const { return matrix_; }  // H
     Real diagonal(Index d) const { return matrix_.valuePtr()[diagonal_[static_cast<std::size_t>(d)]]; }
 
     // lower: <= 0, or empty when there are no bounds. The first held set is what the gradient presses onto a bound. Returns false

@@ -43,7 +43,8 @@ void ImplicitSolver::begin(ConstDofs x) {
     keep_bounds(x_);
     keep_bounds(trial_);
     length_ = system_.length_scale(x_);
-    if (potential(trial_) <= potential(x_)) x_.swap(trial_);
+    began_at_prediction_ = potential(trial_) <= potential(x_);
+    if (began_at_prediction_) x_.swap(trial_);
     v_ = form_.velocity_rate * (x_ - form_.velocity_origin);
     if (!std::isfinite(potential(x_))) fail("the step starts with an energy that is not finite");
 }
@@ -61,12 +62,23 @@ void ImplicitSolver::keep_bounds(VecX& x) const {
         if (!mass_.fixed(d) && x[d] < form_.lower_bound[d]) x[d] = form_.lower_bound[d];
 }
 
+void ImplicitSolver::gradient_at_iterate(VecX& g) const {
+    g.resize(x_.size());
+    system_.force(x_, v_, g);
+    g = form_.acceleration_rate * mass_.mass().cwiseProduct(x_ - form_.acceleration_origin) - g;
+    for (Index d = 0; d < g.size(); ++d)
+        if (mass_.fixed(d)) g[d] = 0;
+}
+
+void ImplicitSolver::imbalance(VecX& r) const {
+    gradient_at_iterate(r);
+    r -= reaction_;
+}
+
 void ImplicitSolver::evaluate_residual() {
-    system_.force(x_, v_, residual_);
-    residual_ = form_.acceleration_rate * mass_.mass().cwiseProduct(x_ - form_.acceleration_origin) - residual_;
+    gradient_at_iterate(residual_);
     residual_norm_ = 0;
     for (Index d = 0; d < residual_.size(); ++d) {
-        if (mass_.fixed(d)) residual_[d] = 0;
         const bool pressed = form_.lower_bound.size() > 0 && x_[d] <= form_.lower_bound[d] && residual_[d] > 0;
         reaction_[d] = pressed ? residual_[d] : 0;
         if (!pressed) residual_norm_ = std::max(residual_norm_, std::abs(residual_[d]));
@@ -103,6 +115,7 @@ bool ImplicitSolver::step_is_small() const {
 }
 
 void ImplicitSolver::take_guarded_step() {
+    fraction_ = 1;
     if (unproved_ == 0) {
         reference_.x = x_;
         reference_.direction = direction_;
@@ -131,8 +144,8 @@ bool ImplicitSolver::lower_than_reference(const VecX& x, Real reached) {
 }
 
 void ImplicitSolver::search_from_reference() {
-    for (Real fraction = 0.5; fraction > epsilon; fraction /= 2) {
-        trial_ = reference_.x + fraction * reference_.direction;
+    for (fraction_ = 0.5; fraction_ > epsilon; fraction_ /= 2) {
+        trial_ = reference_.x + fraction_ * reference_.direction;
         keep_bounds(trial_);
         if (lower_than_reference(trial_, potential(trial_))) return;
     }
@@ -148,6 +161,7 @@ void ImplicitSolver::iterate() {
     }
     find_direction();
     if (step_is_small()) {
+        fraction_ = 1;
         last_step_ = largest(direction_);
         converged_ = last_step_ <= options_.relative_step * length_ || at_rounding_level();
         x_ += direction_;

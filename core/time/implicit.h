@@ -74,9 +74,25 @@ public:
     const VecX& position() const { return x_; }    // the current iterate, m
     const VecX& velocity() const { return v_; }    // its velocity, m/s
 
+    // --- what the last iteration did ---
+    // With the gradient g and the matrix H of its model at the iterate before it, the direction d fulfils H d = reaction - g
+    // where no degree of freedom is fixed. The iterate after it is from() + fraction() d, cut off at the lower bounds.
+    const VecX& gradient() const { return residual_; }                 // M a - f(x, v), N; 0 where fixed
+    const SparseMatrix& curvature() const { return model_.matrix(); }  // N/m
+    const VecX& direction() const { return direction_; }               // m
+    bool searched() const { return fraction_ < 1; }             // did it go back to an earlier iterate, to search from there?
+    Real fraction() const { return fraction_; }                 // of the direction, 1 without a search
+    const VecX& search_origin() const { return reference_.x; }  // m, of the search
+    const VecX& search_direction() const { return reference_.direction; }
+    // Did the step begin at the form's prediction, rather than at the positions of the start?
+    bool began_at_prediction() const { return began_at_prediction_; }
+    // What the current iterate leaves unbalanced, N: M a - f(x, v) less the reactions; 0 where fixed.
+    void imbalance(VecX& r) const;
+
 private:
     Real potential(const VecX& x);
     void evaluate_residual();
+    void gradient_at_iterate(VecX& g) const;
     void keep_bounds(VecX& x) const;
     void find_direction();
     bool step_is_small() const;
@@ -100,7 +116,8 @@ private:
     BoundedQuadratic model_;
     Reference reference_;
     int unproved_ = 0;  // full steps since the reference
-    bool converged_ = false;
+    bool converged_ = false, began_at_prediction_ = false;
+    Real fraction_ = 1;
     int iterations_ = 0;
     Real length_ = 0, residual_norm_ = 0, last_step_ = 0;
 };

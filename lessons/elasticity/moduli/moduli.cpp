@@ -102,6 +102,7 @@ ModuliLesson::ModuliLesson()
     declare_fields();
     declare_stages();
     declare_probes();
+    explain_probes();
     declare_lines();
     declare_checks();
 }
@@ -138,7 +139,8 @@ void ModuliLesson::declare_stages() {
                .source = "traction spread over the nodes by their shape functions [Hughes2000 §2.9]",
                .run = [this] { apply_load(); },
                .reads = {},
-               .writes = {"load"}},
+               .writes = {"load"},
+               .explain = [this](const Question& q) { return why_load(q.index, q.component); }},
               {.name = "solve",
                .formula = "K u = f:  u ← u + α p,  α = r·z / p·Kp",
                .source = "conjugate gradients, preconditioned with incomplete Cholesky [Shewchuk1994 §B3]",
@@ -147,13 +149,15 @@ void ModuliLesson::declare_stages() {
                .writes = {"displacement", "residual", "reaction"},
                .again = [this] { return advancing_ && solver_->running(); },
                .begin = [this] { begin_solve(); },
-               .end = [this] { end_solve(); }},
+               .end = [this] { end_solve(); },
+               .explain = [this](const Question& q) { return why_solved(q); }},
               {.name = "strain_and_stress",
                .formula = "ε = ½ (∇u + ∇uᵀ),  σ = λ tr(ε) I + 2 μ ε",
                .source = "lecture: strain and stress, Hooke's law",
                .run = [this] { strain_and_stress(); },
                .reads = {"displacement"},
-               .writes = {"strain", "stress"}},
+               .writes = {"strain", "stress"},
+               .explain = [this](const Question& q) { return why_strain_or_stress(q); }},
               {.name = "fit_modulus",
                .formula = "modulus = slope of stress over strain:  Y = (F/A)/(ΔL/L),  G = (F/A)/(ΔL/L),  B = −ΔP/(ΔV/V)",
                .source = "lecture: Young's, shear and bulk modulus (which prints B without the sign)",
@@ -187,7 +191,9 @@ void ModuliLesson::solve_pass() {
     iterations_[0] += static_cast<Real>(solver_->iterations() - before);
     residual_[0] = solver_->residual();
     specimen_->problem().displacement(solver_->x(), displacement_);
-    solver_->residual_vector(residual_vector_);
+    // Anew, since the solver's own is only updated from pass to pass.
+    residual_vector_ = right_side_;
+    residual_vector_.noalias() -= specimen_->problem().system().matrix() * solver_->x();
     specimen_->problem().spread(residual_vector_, residual_force_);
 }
 

@@ -9,6 +9,9 @@
 
 namespace pliant::moduli {
 
+// Beyond this the quadratic term of the strain, which Cauchy's leaves out, is no longer small.
+inline constexpr Real small_strain = 0.05;
+
 // A static lesson: one step is the whole test, from no load to the full one.
 class ModuliLesson final : public Lesson {
 public:
@@ -21,6 +24,9 @@ public:
     bool at_rest() const override { return level() == load_levels; }
     void draw(Scene& scene) const override;
     std::string blow_up_hint() const override;
+    std::optional<Fix> fix(const Failure& failure) const override;
+    std::vector<std::pair<std::string, std::string>> finer() const override;
+    std::string_view error_probe() const override { return "measured_modulus"; }
     ColourBy first_colours() const override { return {"displacement", 0}; }
     std::vector<std::string_view> first_plots() const override { return {"measured_stress", "displacement"}; }
     std::vector<std::string_view> key_numbers() const override { return {"stress", "strain", "measured_modulus"}; }
@@ -54,6 +60,34 @@ private:
     Real applied() const { return load * level_[0] / static_cast<Real>(load_levels); }
     std::optional<Real> measured_modulus() const;
     Real force_imbalance() const;
+
+    // --- why a number is what it is (moduli_why.cpp) ---
+    Input applied_stress() const;
+    Input lame_lambda() const;
+    Input lame_mu() const;
+    Explanation why_load(Index node, int component) const;
+    std::optional<Explanation> why_solved(const Question& q) const;
+    Explanation why_displacement(Index node, int component) const;
+    Explanation why_residual(Index node, int component) const;
+    Explanation why_reaction(Index node, int component) const;
+    Explanation why_strain_or_stress(const Question& q) const;
+    Explanation why_strain(Index element, int row, int column) const;
+    Explanation why_stress(Index element, int row, int column, bool from_displacement = false) const;
+    Input element_force(Index element, int corner, int component) const;
+    // --- (moduli_why_probes.cpp) ---
+    void explain_probes();
+    Explanation why_force() const;
+    Explanation why_area() const;
+    Explanation why_specimen_strain() const;
+    Explanation why_modulus() const;
+    Explanation why_volume_change(std::string_view symbol) const;
+    Explanation why_lengthening(std::string_view symbol, std::string_view axis, int component, const Parameter& over) const;
+    Explanation why_strain_energy() const;
+
+    // --- what would mend a run (moduli_fixes.cpp) ---
+    std::optional<Fix> smaller_load() const;
+    std::optional<Fix> compressible() const;
+    std::optional<Fix> more_iterations() const;
 
     // --- the picture (moduli_picture.cpp) ---
     Real drawn_magnification() const;

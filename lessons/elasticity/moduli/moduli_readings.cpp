@@ -7,8 +7,6 @@
 namespace pliant::moduli {
 namespace {
 
-// Beyond this the quadratic term of the strain, which Cauchy's leaves out, is no longer small.
-constexpr Real small_strain = 0.05;
 // Relative residual at which a modulus has more digits than any instrument gives.
 constexpr Real enough_digits = 1e-9;
 // Linear tetrahedra lock above it wherever the strain is not uniform.
@@ -191,20 +189,23 @@ void ModuliLesson::declare_checks() {
          .limit = [] { return small_strain; },
          .formula = "|ε| ≤ 0.05",
          .broken = "linear strain leaves out ½ ∇uᵀ∇u: lengths and volumes are wrong by more than about 2.5 %, and no real "
-                   "material stays linear"},
+                   "material stays linear",
+         .fix = [this] { return smaller_load(); }},
         {.name = "compressible enough",
          .unit = "",
          .value = [this] { return Real(poisson_ratio); },
          .limit = [] { return locking_ratio; },
          .formula = "ν ≤ 0.49",
          .broken = "linear tetrahedra lock near ν = ½: these uniform tests stay exact, but bending would be far too stiff, and B "
-                   "grows without bound"},
+                   "grows without bound",
+         .fix = [this] { return compressible(); }},
         {.name = "solver converged",
          .unit = "",
          .value = [this] { return residual_[0]; },
          .limit = [this] { return std::max<Real>(tolerance, enough_digits); },
          .formula = "|f − K u| ≤ max(τ, 10⁻⁹) |f|",
-         .broken = "stopped by max_iterations or by rounding: the measured modulus has about as many digits as the residual"}};
+         .broken = "stopped by max_iterations or by rounding: the measured modulus has about as many digits as the residual",
+         .fix = [this] { return more_iterations(); }}};
     conserved = {{.probe = "force_imbalance", .law = Law::zero, .tolerance = [this] {
                       return 1e-6 * std::abs(applied()) * specimen_->unit_load().norm();
                   }}};

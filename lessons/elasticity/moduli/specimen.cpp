@@ -63,14 +63,26 @@ Specimen::Specimen(Test test, const IsotropicModuli& material, const SpecimenSiz
 
 Real Specimen::support_force(const Points<3>& reaction) const {
     Real along_x = 0;
-    for (const Index n : mesh_.nodes(test_ == Test::shear ? "y_min" : "x_min")) along_x += reaction(0, n);
+    for (const Index n : mesh_.nodes(support_face())) along_x += reaction(0, n);
     return test_ == Test::pressure ? along_x : -along_x;
 }
 
 Real Specimen::area() const {
     Real area = 0;
-    for (const Index f : mesh_.facets(test_ == Test::shear ? "y_min" : "x_min")) area += mesh_.facet_areas().col(f).norm();
+    for (const Index f : mesh_.facets(support_face())) area += mesh_.facet_areas().col(f).norm();
     return area;
+}
+
+std::map<Index, Real> Specimen::mean_weights(const char* face) const {
+    std::map<Index, Real> weights;
+    Real area = 0;
+    for (const Index f : mesh_.facets(face)) {
+        const Real facet = mesh_.facet_areas().col(f).norm();
+        for (int a = 0; a < 3; ++a) weights[mesh_.facets()(a, f)] += facet / 3;
+        area += facet;
+    }
+    for (auto& [node, weight] : weights) weight /= area;
+    return weights;
 }
 
 // Mean over the area of a face, of a displacement that is linear in each facet.

@@ -4,6 +4,8 @@
 #include <pliant/mesh/block_mesh.h>
 #include <pliant/solids/linear_fem_static.h>
 
+#include <map>
+
 namespace pliant::moduli {
 
 enum class Test { tension, shear, pressure };
@@ -25,6 +27,11 @@ public:
     const StaticProblem<3>& problem() const { return problem_; }
     // Forces on the nodes [N] for a stress of 1 Pa: pull, shear or pressure.
     const Points<3>& unit_load() const { return unit_load_; }
+
+    // The face that the supports hold, along which or on which the force is measured.
+    const char* support_face() const { return test_ == Test::shear ? "y_min" : "x_min"; }
+    // The mean over the area of a face as a sum over its nodes: weights that add up to 1.
+    std::map<Index, Real> mean_weights(const char* face) const;
 
     // --- read off the solution ---
     // Force on the face that the support holds: along the pull, along the shear, or against the pressure [N].

@@ -252,7 +252,7 @@ std::string NavierStokes::blow_up_hint() const {
 
 std::optional<Fix> NavierStokes::fix(const Failure& failure) const {
     if (failure.field == "pressure") return Fix{"tolerance = 1e-4", {{"tolerance", "1e-4"}}};
-    const Real step = round_down(2 * dx() / std::max(max_speed(velocity_), dx() / dt));
+    const Real step = rounded_down(2 * dx() / std::max(max_speed(velocity_), dx() / dt));
     return Fix{fmt::format("Δt = {}", format_quantity(step, "s")), {{"time_step", format_exact(step)}}};
 }
 

@@ -242,12 +242,12 @@ std::optional<Real> NavierStokes::table_difference() const {
 // -------------------------------------------------------------------------------------------- assumptions and laws
 
 std::optional<Fix> NavierStokes::shorter_step(Real cells) const {
-    const Real step = round_down(cells * dx() / max_speed(velocity_));
+    const Real step = rounded_down(cells * dx() / max_speed(velocity_));
     return Fix{fmt::format("Δt = {}", format_quantity(step, "s")), {{"time_step", format_exact(step)}}};
 }
 
 std::optional<Fix> NavierStokes::thicker_fluid(Real wanted) const {
-    const Real nu = -round_down(-wanted);
+    const Real nu = -rounded_down(-wanted);
     return Fix{fmt::format("ν = {}", format_quantity(nu, "m²/s")), {{"viscosity", format_exact(nu)}}};
 }
 

@@ -12,9 +12,6 @@
 namespace pliant::mass_spring {
 namespace {
 
-// Factors of larger bodies do not fit into a lecture, nor much larger ones into memory.
-constexpr Index most_implicit_nodes = 3000;
-
 ParameterInfo cells_along(std::string_view key, std::string_view symbol, Real initial) {
     return {.key = key,
             .symbol = symbol,
@@ -168,6 +165,7 @@ MassSpringLesson::MassSpringLesson()
     declare_fields();
     declare_stages();
     declare_probes();
+    explain_probes();
     declare_checks();
 }
 

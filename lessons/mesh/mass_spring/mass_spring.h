@@ -18,6 +18,9 @@ enum class Support { top, side };
 // Strains below this are rounding.
 inline constexpr Real strain_rounding = 1e-12;
 
+// Factors of larger bodies do not fit into a lecture, nor much larger ones into memory.
+inline constexpr Index most_implicit_nodes = 3000;
+
 class MassSpringLesson final : public Lesson {
 public:
     MassSpringLesson();
@@ -31,6 +34,9 @@ public:
     std::optional<On> can_pull() const override { return On::node; }
     void pull(const std::optional<Pull>& hand) override;
     std::string blow_up_hint() const override;
+    std::optional<Fix> fix(const Failure& failure) const override;
+    std::vector<std::pair<std::string, std::string>> finer() const override;
+    std::string_view error_probe() const override { return telling_probe(); }
     ColourBy first_colours() const override { return {"tension", -1}; }
     std::vector<std::string_view> first_plots() const override { return {"energy", telling_probe(), "stretch"}; }
     std::vector<std::string_view> key_numbers() const override { return first_plots(); }
@@ -99,6 +105,46 @@ private:
     Real growth_per_step() const;
     std::string too_large_a_step() const;
 
+    // --- why a number is what it is (mass_spring_why.cpp) ---
+    using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);  // Input::now, ...
+    Input stiffness_of_spring(Index spring) const;
+    Input node_mass() const;
+    Explanation why_spring_stage(const Question& q) const;
+    Explanation why_spring_force(Index node, int component) const;
+    Explanation why_spring_on_node(Index spring, Index node, int component) const;
+    Explanation why_tension(Index spring) const;
+    Explanation why_strain(Index spring) const;
+    Explanation why_damping_force(Index node, int component, Reading direction_at) const;
+    Explanation why_damper_on_node(Index spring, Index node, int component, Reading direction_at) const;
+    Explanation why_external_force(Index node, int component) const;
+    // --- (mass_spring_why_motion.cpp) ---
+    Explanation why_integrated(const Question& q) const;
+    Explanation why_explicit_velocity(Index node, int component) const;
+    Explanation why_balanced_velocity(Index node, int component) const;
+    Explanation why_newton_position(Index node, int component) const;
+    Input newton_start(Index node, int component) const;
+    Input newton_direction(Index dof) const;
+    std::optional<Explanation> why_contact(const Question& q) const;
+    Explanation why_rebound(Index node) const;
+    Explanation why_rubbed_velocity(Index node, int component) const;
+    Input impact_speed(Index node) const;
+    // --- (mass_spring_why_probes.cpp) ---
+    void explain_probes();
+    Explanation why_energy() const;
+    Explanation why_kinetic_energy() const;
+    Explanation why_elastic_energy() const;
+    Explanation why_gravitational_energy() const;
+    Explanation why_momentum() const;
+    Explanation why_angular_momentum() const;
+    Explanation why_height() const;
+    Explanation why_stretch() const;
+    Explanation why_sag() const;
+
+    // --- what would mend a run (mass_spring_fixes.cpp) ---
+    std::optional<Fix> shear_springs() const;
+    std::optional<Fix> stable_fix() const;
+    std::optional<Fix> slower_travel() const;
+
     // --- the picture (mass_spring_picture.cpp) ---
     void draw_surface(Scene& picture, float opacity) const;
     void draw_cell_edges(Scene& picture) const;
@@ -124,6 +170,7 @@ private:
     Points<3> spring_force_, damping_force_, external_force_, total_force_;
     VecX tension_, strain_;
     std::vector<Real> arrested_;  // by the ground within an implicit step, m/s
+    std::vector<Touch> touches_;  // of the latest contact stage, one per node
     Index touching_ = 0;
     Real energy_wobble_ = 0;  // largest Δt/2 |v·f| since the start, J
 

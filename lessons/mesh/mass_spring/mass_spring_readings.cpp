@@ -104,7 +104,8 @@ void MassSpringLesson::declare_checks() {
          .formula =
              "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω, so none without damping;  ω of the fastest mode",
          .broken = "the fastest mode grows in every step until the block tears itself apart",
-         .used = [this] { return !implicit(); }},
+         .used = [this] { return !implicit(); },
+         .fix = [this] { return stable_fix(); }},
         {.name = "cell_inversion",
          .value = [this] { return 1 - block_->smallest_cell(position_); },
          .limit = [] { return 0.9; },
@@ -115,12 +116,14 @@ void MassSpringLesson::declare_checks() {
          .value = [this] { return dt * std::sqrt(velocity_.colwise().squaredNorm().maxCoeff()); },
          .limit = [this] { return size / Real(Index(cells_x)); },
          .formula = "|v| Δt ≤ l",
-         .broken = "a node passes a whole cell in one step: impacts are met too late"},
+         .broken = "a node passes a whole cell in one step: impacts are met too late",
+         .fix = [this] { return slower_travel(); }},
         {.name = "shear_mechanism",
          .value = [this] { return k_shear > 0 ? 0.0 : 1.0; },
          .limit = [] { return 0.5; },
          .formula = "k_d > 0",
-         .broken = "edges alone do not resist shear: the block folds like a cardboard box without a lid"},
+         .broken = "edges alone do not resist shear: the block folds like a cardboard box without a lid",
+         .fix = [this] { return shear_springs(); }},
     };
 }
 

@@ -51,21 +51,24 @@ void MassSpringLesson::declare_stages() {
          .source = "lecture: mass–spring system; [Nealen2006 §3]",
          .run = [this] { spring_stage(); },
          .reads = {"position"},
-         .writes = {"spring_force", "tension", "strain"}},
+         .writes = {"spring_force", "tension", "strain"},
+         .explain = [this](const Question& q) { return why_spring_stage(q); }},
         {.name = "damping_forces",
          .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / xᵢⱼ·xᵢⱼ) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
          .source = "lecture: mass–spring system; [Nealen2006 §3]",
          .run = [this] { damping_stage(); },
          .reads = {"position", "velocity"},
          .writes = {"damping_force"},
-         .active = [this] { return damped(); }},
+         .active = [this] { return damped(); },
+         .explain = [this](const Question& q) { return why_damping_force(q.index, q.component, Input::now); }},
         {.name = "external_forces",
          .formula = "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)",
          .source = "gravity, and a spring to the pointer",
          .run = [this] { external_stage(); },
          .reads = {"position"},
          .writes = {"external_force"},
-         .active = [this] { return loaded(); }},
+         .active = [this] { return loaded(); },
+         .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
         {.name = "integrate",
          .formula = "explicit: x' = x + Δt v, v' = v + Δt f/m;  semi-implicit: v' = v + Δt f/m, x' = x + Δt v';  "
                     "implicit: m (v' − v) = Δt f(x', v'), x' = x + Δt v', by Newton's method",
@@ -75,14 +78,16 @@ void MassSpringLesson::declare_stages() {
          .writes = {"position", "velocity"},
          .again = [this] { return implicit() && solver_->again(); },
          .begin = [this] { begin_integration(); },
-         .end = [this] { end_integration(); }},
+         .end = [this] { end_integration(); },
+         .explain = [this](const Question& q) { return why_integrated(q); }},
         {.name = "contact",
          .formula = "y ≥ 0;  v_y ← −e v_y;  |Δv_t| ≤ μ |Δv_y|",
          .source = "[Bridson2002]",
          .run = [this] { contact_stage(); },
          .reads = {"position", "velocity"},
          .writes = {"position", "velocity"},
-         .active = [this] { return grounded(); }},
+         .active = [this] { return grounded(); },
+         .explain = [this](const Question& q) { return why_contact(q); }},
     };
 }
 
@@ -181,8 +186,11 @@ void MassSpringLesson::contact_stage() {
     arrested_.clear();
     if (implicit()) arrested_speeds<3>(*solver_, block_->inertia(), dt, arrested_);
     const Real moved_for = semi_implicit() ? Real(dt) : 0;
-    touching_ =
-        resolve_ground_contact<3>({0, restitution, friction}, block_->inertia(), moved_for, position_, velocity_, arrested_);
+    const Ground floor{0, restitution, friction};
+    touches_.resize(static_cast<std::size_t>(position_.cols()));
+    for (Index n = 0; n < position_.cols(); ++n)
+        touches_[static_cast<std::size_t>(n)] = touch_of<3>(floor, block_->inertia(), position_, arrested_, n);
+    touching_ = resolve_ground_contact<3>(floor, block_->inertia(), moved_for, position_, velocity_, arrested_);
 }
 
 }  // namespace pliant::mass_spring
