@@ -73,6 +73,8 @@ std::string format_quantity(Real value, std::string_view unit, int digits) {
     return unit.empty() ? plain(value, digits) : fmt::format("{} {}", plain(value, digits), unit);
 }
 
+std::string format_exact(Real value) { return fmt::format("{}", value); }
+
 Real rounded_down(Real value, int digits) {
     if (value == 0 || !std::isfinite(value)) return value;
     const int last = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;
