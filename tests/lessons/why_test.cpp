@@ -54,7 +54,7 @@ TEST_CASE("questions lead down to parameters and the state before") {
             for (const Answer& input : a.inputs) self(self, input);
         };
         for (const Field& f : runner.lesson().fields)
-            if (f.in_use() && f.size() > 0) collect(collect, why(runner, f.name, f.size() / 2, -1, 3));
+            if (f.in_use() && f.size() > 0) collect(collect, why(runner, f.name, largest_row(f), -1, 3));
         INFO(entry.info.id);
         CHECK(found.contains(Answer::Kind::parameter));
         CHECK(found.contains(Answer::Kind::state));

@@ -2,6 +2,7 @@
 #include <pliant/lesson/file.h>
 #include <pliant/lesson/format.h>
 
+#include "panels/flowing_text.h"
 #include "panels/lab_state.h"
 
 #include <fmt/format.h>
@@ -81,25 +82,27 @@ void block_of_numbers(LabState& lab, const Field& f, Index index) {
         ImGui::GetColorU32(ImGuiCol_TextDisabled), std::string(f.unit).c_str());
 }
 
+// The name and, on the same line where there is room, the number: of a vector its length.
 void quantity(LabState& lab, const Field& f, Index index) {
     ImGui::PushID(f.name.data(), f.name.data() + f.name.size());
-    const std::string name = f.symbol.empty() ? words(f.name) : fmt::format("{} {}", words(f.name), f.symbol);
+    const std::string symbol(f.symbol.empty() ? "" : f.symbol);
+    const bool scalar = f.rank == Rank::scalar;
+    const std::string name = symbol.empty() || !scalar ? words(f.name) : fmt::format("{} {}", words(f.name), symbol);
+    const std::string equals = scalar ? "=" : fmt::format("|{}| =", symbol);
+    const std::string value = format_quantity(row_value(f, index, -1), f.unit, digits);
     ImGui::TextUnformatted(name.c_str());
     if (!f.help.empty()) tooltip(std::string(f.help), lab.scale);
-    if (f.rank == Rank::scalar) {
+    const float pin_width = ImGui::CalcTextSize("unpin").x + lab.px(24);
+    const float whole = ImGui::CalcTextSize(fmt::format("{}  {}  {}", name, equals, value).c_str()).x + pin_width;
+    if (whole <= ImGui::GetContentRegionMax().x)
         ImGui::SameLine();
-        ImGui::TextDisabled("=");
-        ImGui::SameLine();
-        number(lab, f, index, -1, 0, f.unit);
-        pin_button(lab, f, index);
-    } else {
-        ImGui::SameLine();
-        ImGui::TextDisabled("| | =");
-        ImGui::SameLine();
-        number(lab, f, index, -1, 0, f.unit);
-        pin_button(lab, f, index);
-        block_of_numbers(lab, f, index);
-    }
+    else
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + lab.px(18));
+    ImGui::TextDisabled("%s", equals.c_str());
+    ImGui::SameLine();
+    number(lab, f, index, -1, 0, f.unit);
+    pin_button(lab, f, index);
+    if (!scalar) block_of_numbers(lab, f, index);
     ImGui::PopID();
 }
 
@@ -172,9 +175,7 @@ std::string origin_of(const Answer& a) {
 }
 
 void wrapped(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
 }
 
 void formula_block(LabState& lab, const Answer& a) {
@@ -240,7 +241,7 @@ void why_part(LabState& lab) {
     }
     if (!in.answer) return;
     const Answer a = *in.answer;
-    wrapped(fmt::format("Why is {} {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits + 1)));
+    wrapped(fmt::format("Why is {} = {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits + 1)));
     const bool end_of_step = a.kind == Answer::Kind::state;
     if (!a.stage.empty()) {
         ImGui::TextDisabled("step %lld, stage %s", static_cast<long long>(a.when.step + 1), words(a.stage).c_str());
@@ -261,7 +262,9 @@ void draw_inspector(LabState& lab) {
     const Inspector& in = lab.session.inspector;
     if (!in.thing) return ImGui::TextDisabled("This lesson has no fields to look into.");
     exports(lab);
-    ImGui::BeginChild("quantities", {0, ImGui::GetContentRegionAvail().y * 0.5f}, ImGuiChildFlags_Border);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    ImGui::SetNextWindowSizeConstraints({room.x, lab.px(40)}, {room.x, room.y * 0.5f});
+    ImGui::BeginChild("quantities", {room.x, 0}, ImGuiChildFlags_Border | ImGuiChildFlags_AutoResizeY);
     for (const Field& f : lab.session.lesson().fields)
         if (f.in_use() && f.on == in.thing->on && in.thing->index < f.size()) quantity(lab, f, in.thing->index);
     ImGui::EndChild();
@@ -279,15 +282,14 @@ void draw_side(LabState& lab) {
     }
     lab.note_control("tab plots");
     const bool choose = std::exchange(lab.choose_inspector, false);
-    if (ImGui::BeginTabItem("Inspect", nullptr, choose ? ImGuiTabItemFlags_SetSelected : 0)) {
+    const bool open = ImGui::BeginTabItem("Inspect", nullptr, choose ? ImGuiTabItemFlags_SetSelected : 0);
+    lab.note_control("tab inspect");
+    tooltip("All numbers of the picked thing, and why they are what they are (I)", lab.scale);
+    if (open) {
         lab.show_inspector = true;
-        lab.note_control("tab inspect");
         draw_inspector(lab);
         ImGui::EndTabItem();
-    } else {
-        lab.note_control("tab inspect");
     }
-    tooltip("All numbers of the picked thing, and why they are what they are (I)", lab.scale);
     ImGui::EndTabBar();
 }
 

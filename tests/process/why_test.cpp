@@ -1,0 +1,75 @@
+// `pliant why`: the same answer for programs and for people.
+#include "pliant.h"
+
+#include <cmath>
+
+using namespace pliant::test;
+
+namespace {
+
+void check_shape(const Json& answer, int depth) {
+    for (const char* key : {"field", "index", "value", "unit", "stage", "formula", "substituted", "inputs"})
+        CHECK(answer.contains(key));
+    if (depth == 0) CHECK(answer["inputs"].empty());
+    for (const Json& input : answer["inputs"]) check_shape(input, depth - 1);
+}
+
+const Json& input_of(const Json& answer, const std::string& symbol) {
+    for (const Json& input : answer["inputs"])
+        if (input["symbol"] == symbol) return input;
+    FAIL("no input " << symbol);
+    return answer;
+}
+
+}  // namespace
+
+TEST_CASE("why tells the stage, the formula and the inputs of a number", "[process]") {
+    const Json a = json_of({"why", "navier_stokes", "--steps", "5", "--field", "pressure", "--index", "4000", "--depth", "2"});
+    check_shape(a, 2);
+    CHECK(a["field"] == "pressure");
+    CHECK(a["index"] == 4000);
+    CHECK(a["unit"] == "m²/s²");
+    CHECK(a["stage"] == "projection");
+    // The row of the pressure equation, evaluated here.
+    const auto value = [&](const char* symbol) { return input_of(a, symbol)["value"].get<double>(); };
+    const double dx = value("Δx"), p = (value("p_left") + value("p_right") + value("p_below") + value("p_above") -
+                                        dx * dx * (value("d̃") - value("d")) / value("Δt")) /
+                                       4;
+    CHECK(std::abs(p - a["value"].get<double>()) <= 1e-9 * std::abs(p));
+    CHECK(input_of(a, "Δt")["kind"] == "parameter");
+    CHECK(input_of(a, "d̃")["formula"].get<std::string>().find("u_right − u_left") != std::string::npos);
+}
+
+TEST_CASE("why goes inside a step, asks probes, and takes components", "[process]") {
+    const Json a = json_of({"why", "navier_stokes", "--steps", "3", "--stage", "advection", "--field", "velocity", "--index",
+                            "300", "--component", "1"});
+    CHECK(a["stage"] == "advection");
+    CHECK(a["component"] == 1);
+    CHECK(json_of({"why", "navier_stokes", "--steps", "3", "--field", "max_divergence"})["inputs"].size() == 1);
+    CHECK(json_of({"why", "mass_spring", "--steps", "3", "--field", "velocity", "--index", "7"})["inputs"].size() == 3);
+    CHECK(json_of({"why", "moduli", "--field", "measured_modulus"})["value"].get<double>() > 0);
+}
+
+TEST_CASE("why in words shows the formula with its numbers", "[process]") {
+    const std::string text = output_of({"why", "mass_spring", "--steps", "10", "--field", "tension", "--index", "3"});
+    CHECK(contains(text, "tension[3]"));
+    CHECK(contains(text, "N"));
+    CHECK(contains(text, "k_structural"));
+}
+
+TEST_CASE("why refuses what does not exist", "[process]") {
+    for (const Arguments& arguments : std::vector<Arguments>{{"why", "navier_stokes", "--field", "presure"},
+                                                             {"why", "navier_stokes", "--field", "pressure", "--index", "-1"},
+                                                             {"why", "navier_stokes", "--field", "pressure", "--index", "99999"},
+                                                             {"why", "navier_stokes", "--field", "pressure", "--component", "3"},
+                                                             {"why", "navier_stokes", "--field", "pressure", "--depth", "99"},
+                                                             {"why", "navier_stokes", "--field", "cfl", "--index", "3"},
+                                                             {"why", "navier_stokes"},
+                                                             {"why", "no_such_lesson", "--field", "x"}}) {
+        const Outcome outcome = call(arguments);
+        INFO(arguments.back());
+        CHECK(outcome.exit_code == 2);
+        CHECK(!outcome.err.empty());
+        CHECK(outcome.out.empty());
+    }
+}
