@@ -117,6 +117,9 @@ public:
     // Set by the viewer before draw(): what the person wants to see.
     ColourBy colour_by;
     bool show_arrows = true, show_labels = true;
+    // Shown in place of the numbers of the field that is chosen, one per row: a difference of two runs, or of after and before.
+    // Ignored where the field has another number of rows.
+    std::optional<std::vector<Real>> override_values;
 
     // The part of space that the picture frames at first. Kept the same from step to step, so that nothing jumps.
     Position lower{0, 0, 0}, upper{1, 1, 1};

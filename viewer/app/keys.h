@@ -34,7 +34,13 @@ enum class Action {
     unlock,
     notes,
     save,
-    frame
+    frame,
+    pin,
+    beside,
+    address_a,
+    address_b,
+    difference,
+    cost
 };
 
 // Where a key has its meaning. The deck is the layout for a lecture, while a walkthrough plays in it.

@@ -139,6 +139,22 @@ void Lab::perform(Action action) {
         case Action::frame:
             s.camera.reset();
             break;
+        case Action::pin:
+            s.toggle_pin();
+            break;
+        case Action::beside:
+            s.toggle_companion();
+            break;
+        case Action::address_a:
+        case Action::address_b:
+            s.address(action == Action::address_b);
+            break;
+        case Action::difference:
+            s.show_difference(!s.shows_difference());
+            break;
+        case Action::cost:
+            state_.cost_shown = !state_.cost_shown;
+            break;
     }
 }
 

@@ -32,6 +32,8 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     runner->set_events(std::move(events));
     runner_ = std::move(runner);
     entry_ = &entry;
+    pinned_.reset();
+    close_companion();
     undo_.clear();
     message_.reset();
     walkthrough.reset();
@@ -87,13 +89,16 @@ bool Session::guarded(const std::function<void()>& action) {
 void Session::begin_run() {
     ++run_count_;
     recorder_.clear();
+    costs_.clear();
+    if (companion_) companion_->restart();
     range.forget();
     owed_ = 0;
     moved();
 }
 
 void Session::moved() {
-    if (!runner_->inside_step()) guarded([&] { recorder_.record(*runner_); });
+    if (!runner_->inside_step()) guarded([&] { recorder_.record(*runner_); }), costs_.record(*runner_);
+    if (companion_) companion_->follow(*runner_);
     view_changed();
 }
 
@@ -102,6 +107,14 @@ void Session::view_changed() {
     if (!field || !field->in_use()) return;
     std::vector<Real> values;
     row_values(*field, colours.component, values);
+    if (shows_difference()) {
+        values = difference();
+    } else if (const Field* beside = companion_ ? companion_->lesson().find_field(colours.field) : nullptr;
+               beside && beside->in_use()) {
+        std::vector<Real> of_b;
+        row_values(*beside, colours.component, of_b);
+        values.insert(values.end(), of_b.begin(), of_b.end());
+    }
     range.update(values);
 }
 
@@ -205,21 +218,24 @@ bool Session::set(const Parameter& parameter, Real value) {
 }
 
 void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
-    const Real before = runner_->wanted(parameter);
+    const bool beside = companion_ && companion_->owns(parameter);
+    const Real before = (beside ? companion_->runner() : *runner_).wanted(parameter);
     if (before == value) return;
     if (locked(parameter))
         return say(Message::Kind::refused,
                    fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
-    if (!set(parameter, value)) return;
-    const bool joins = same_drag && !undo_.empty() && undo_.back().key == parameter.info.key;
-    if (!joins) undo_.push_back({std::string(parameter.info.key), before});
+    if (!(beside ? set_beside(parameter, value) : set(parameter, value))) return;
+    const bool joins = same_drag && !undo_.empty() && undo_.back().key == parameter.info.key && undo_.back().beside == beside;
+    if (!joins) undo_.push_back({std::string(parameter.info.key), before, beside});
 }
 
 void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }
 
 void Session::undo() {
     if (undo_.empty()) return;
-    set(lesson().parameter(undo_.back().key), undo_.back().value);
+    const Undo& last = undo_.back();
+    last.beside ? set_beside(companion_->lesson().parameter(last.key), last.value)
+                : set(lesson().parameter(last.key), last.value);
     undo_.pop_back();
 }
 
@@ -227,19 +243,23 @@ void Session::pull(const std::optional<Pull>& pulled) {
     hand_ = pulled;
     hand_used_ = true;
     runner_->pull(pulled);
+    if (companion_) companion_->pull(pulled, lesson());
 }
 
 void Session::keep_hand() {
-    if (hand_used_) runner_->pull(hand_);
+    if (hand_used_) pull(hand_);
 }
 
 // ---------------------------------------------------------------------------------------------------------------- view
 
-Scene Session::scene() const {
+Scene Session::scene() const { return picture_of(lesson()); }
+
+Scene Session::picture_of(const Lesson& of) const {
     Scene picture;
     picture.colour_by = colours;
     picture.show_arrows = show_arrows, picture.show_labels = show_labels;
-    lesson().draw(picture);
+    if (shows_difference()) picture.override_values = difference();
+    of.draw(picture);
     if (!smooth)
         for (GridMarks& g : picture.grids) g.smooth = false;
     return picture;

@@ -8,6 +8,7 @@
 #include <pliant/lesson/until.h>
 #include <pliant/lesson/walkthrough.h>
 
+#include "app/companion.h"
 #include "render/palette.h"
 
 #include <functional>
@@ -29,6 +30,15 @@ private:
     bool fresh_ = true;  // the next numbers set the range, whatever it was
 };
 
+// What is kept of a run to see another one against.
+struct Pinned {
+    Scene ghost;
+    Recorder recorder;
+    std::vector<Real> settings;  // in the order of the parameters
+    Index step;
+    Real time;  // s
+};
+
 class Session {
 public:
     // Opens a lesson, by default the one that moves most. Throws Refused.
@@ -44,6 +54,7 @@ public:
     const Runner& runner() const { return *runner_; }
     const Lesson& lesson() const { return runner_->lesson(); }
     const Recorder& recorder() const { return recorder_; }
+    const CostHistory& costs() const { return costs_; }
 
     // Counts the runs that began here: a lesson opened, a reset. What was measured before belongs to another run.
     int run_count() const { return run_count_; }
@@ -88,6 +99,25 @@ public:
     // The picture of now.
     Scene scene() const;
 
+    // --- two at once ---
+    // Keeps the picture and the recorded numbers of this run, or lets them go.
+    void toggle_pin();
+    const std::optional<Pinned>& pinned() const { return pinned_; }
+    // A second run, B, beside this one, A. Both start again when it is made, and when a change rebuilds one of them.
+    void toggle_companion();
+    void open_companion(const Runner::Assignments& changes = {});  // throws Refused
+    void close_companion();
+    const Companion* companion() const { return companion_.get(); }
+    // The run whose parameters the sliders set.
+    void address(bool b);
+    bool addresses_b() const { return addresses_b_; }
+    const Runner& addressed() const { return addresses_b_ ? companion_->runner() : *runner_; }
+    Scene scene_beside() const;  // of B
+    // A − B in place of A, where the field that is shown has as many numbers in both.
+    bool has_difference() const;
+    void show_difference(bool on);
+    bool shows_difference() const { return difference_ && has_difference(); }
+
     // --- walkthrough ---
     std::optional<WalkthroughPlayer> walkthrough;
     bool unlocked = false;  // whatever the slide locks, until the walkthrough ends
@@ -113,9 +143,14 @@ private:
     struct Undo {
         std::string key;
         Real value;
+        bool beside;  // of B
     };
     bool guarded(const std::function<void()>& action);  // an error becomes a message and a pause
     bool set(const Parameter& parameter, Real value);
+    bool set_beside(const Parameter& parameter, Real value);
+    void start_both();
+    std::vector<Real> difference() const;
+    Scene picture_of(const Lesson& of) const;
     void begin_run();  // nothing of the run before is shown any longer
     void moved();      // records, and keeps the view up to date
     void record_of_walkthrough();
@@ -128,6 +163,10 @@ private:
     const LessonEntry* entry_ = nullptr;
     std::unique_ptr<Runner> runner_;
     Recorder recorder_;
+    CostHistory costs_;
+    std::optional<Pinned> pinned_;
+    std::unique_ptr<Companion> companion_;
+    bool addresses_b_ = false, difference_ = false;
     std::vector<Undo> undo_;
     std::optional<Message> message_;
     int run_count_ = 0;

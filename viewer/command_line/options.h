@@ -29,6 +29,8 @@ struct PictureOptions {
     std::optional<Index> slide;  // of the walkthrough, from 1
     bool revealed = false;
     float ui_scale = 1;
+    std::vector<std::string> beside;  // "key=value" of a second run
+    bool difference = false;
 };
 
 struct WindowOptions {
@@ -43,6 +45,9 @@ struct WindowOptions {
 SceneFile scene_from(const RunOptions& options);
 // How far: what was asked for; without any, a static lesson runs to rest and another one for its demo steps.
 Until until_from(const RunOptions& options, const LessonEntry& entry, bool is_static);
+
+// "key=value" of an option, as pairs. Throws Refused.
+Runner::Assignments assignments_from(const std::vector<std::string>& settings, std::string_view option = "--set");
 
 // "1280x720". Throws Refused.
 Size size_from(const std::string& text);

@@ -2,6 +2,8 @@
 
 #include <pliant/lesson/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -22,6 +24,7 @@ std::string title_of(const Session& s, const Field& field) {
         title += " " + component_names(field)[static_cast<std::size_t>(s.colours.component)];
     else if (field.rank != Rank::scalar)
         title = "|" + title + "|";
+    if (s.shows_difference()) title = fmt::format("A − B of {}", title);
     return s.range.automatic ? title : title + " (fixed)";
 }
 

@@ -8,16 +8,6 @@
 namespace pliant::viewer {
 namespace {
 
-// What the lesson names; else the probes with an exact value, or the first one.
-std::vector<const Probe*> key_probes(const Lesson& lesson) {
-    std::vector<const Probe*> chosen;
-    for (const std::string_view name : lesson.key_numbers()) chosen.push_back(&lesson.probe(name));
-    for (const Probe& p : lesson.probes)
-        if (lesson.key_numbers().empty() && chosen.size() < 3 && p.exact) chosen.push_back(&p);
-    if (chosen.empty() && !lesson.probes.empty()) chosen.push_back(&lesson.probes.front());
-    return chosen;
-}
-
 std::string now_text(const Runner& r) {
     if (r.is_static()) return "static";
     return fmt::format("t = {}, Δt = {}", format_quantity(r.time(), "s", 3), format_quantity(r.time_step(), "s", 3));
@@ -47,6 +37,15 @@ bool draw_label(LabState& lab, const Probe& probe, const std::string& number, co
 }
 
 }  // namespace
+
+std::vector<const Probe*> key_probes(const Lesson& lesson) {
+    std::vector<const Probe*> chosen;
+    for (const std::string_view name : lesson.key_numbers()) chosen.push_back(&lesson.probe(name));
+    for (const Probe& p : lesson.probes)
+        if (lesson.key_numbers().empty() && chosen.size() < 3 && p.exact) chosen.push_back(&p);
+    if (chosen.empty() && !lesson.probes.empty()) chosen.push_back(&lesson.probes.front());
+    return chosen;
+}
 
 void draw_headline(LabState& lab) {
     const LessonInfo& info = lab.session.entry().info;

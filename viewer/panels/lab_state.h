@@ -1,5 +1,6 @@
 // What the panels of the lab share from frame to frame.
 #pragma once
+#include "app/live_error.h"
 #include "app/session.h"
 #include "app/theme.h"
 #include "panels/plot_panel.h"
@@ -9,6 +10,7 @@
 #include <imgui.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +38,8 @@ struct LabState {
     std::string search;
     bool focus_search = false;
     PlotPanelState plots;
+    bool cost_shown = false;  // cost and error in the place of the plots
+    LiveError live_error{};
 
     bool value_changed = false;  // in the present drag of a slider, or while a number is typed: one step of undo
 
@@ -43,6 +47,7 @@ struct LabState {
     std::optional<Picked> hovered;
     std::optional<Pull> pulling;
     bool turning = false;
+    std::unique_ptr<SceneRenderer> renderer_beside{};  // of run B
 
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls;
@@ -96,5 +101,7 @@ float slide_notes_height(const LabState& lab, float width);
 void draw_help(LabState& lab);
 void draw_headline(LabState& lab);
 void draw_key_numbers(LabState& lab);
+// What the lesson names; else the probes with an exact value, or the first one.
+std::vector<const Probe*> key_probes(const Lesson& lesson);
 
 }  // namespace pliant::viewer

@@ -3,7 +3,8 @@
 #include <pliant/lesson/format.h>
 
 #include "panels/colour_bar.h"
-#include "panels/lab_state.h"
+#include "panels/companion_panel.h"
+#include "render/ghost.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,11 @@ struct View {
     Scene scene;
     Projection projection;
     ImVec2 origin, size;
-    int dimension;
+    const Lesson* lesson;
+    std::string heading;  // the name of the run, where there are two
+    bool first = true;    // the picture of A, or the only one
+
+    int dimension() const { return lesson->dimension(); }
 };
 
 void draw_labels(LabState& lab, const View& view) {
@@ -41,18 +46,37 @@ void draw_labels(LabState& lab, const View& view) {
     }
 }
 
+// Broken between words where it is wider than `width` px.
+std::vector<std::string> lines_of(const std::string& text, float width) {
+    std::vector<std::string> lines;
+    const char* at = text.c_str();
+    const char* const end = at + text.size();
+    while (at < end) {
+        const char* stop = ImGui::GetFont()->CalcWordWrapPositionA(1, at, end, std::max(width, 1.f));
+        lines.emplace_back(at, std::max(stop, at + 1));
+        for (at = std::max(stop, at + 1); at < end && *at == ' ';) ++at;
+    }
+    return lines;
+}
+
 void draw_notes(LabState& lab, const View& view) {
     float y = view.origin.y + lab.px(8);
-    for (const std::string& note : view.scene.notes) {
-        haloed_text(lab, {view.origin.x + lab.px(10), y}, lab.ink(Ink::text), note);
-        y += ImGui::GetTextLineHeightWithSpacing();
-    }
+    const auto write = [&](ImFont* font, Ink ink, const std::string& text) {
+        ImGui::PushFont(font);
+        for (const std::string& line : lines_of(text, view.size.x - lab.px(20))) {
+            haloed_text(lab, {view.origin.x + lab.px(10), y}, lab.ink(ink), line);
+            y += ImGui::GetTextLineHeightWithSpacing();
+        }
+        ImGui::PopFont();
+    };
+    if (!view.heading.empty()) write(lab.fonts.medium, Ink::accent, view.heading);
+    for (const std::string& note : view.scene.notes) write(lab.fonts.normal, Ink::text, note);
 }
 
 // The thing under the pointer, with all that is known of it.
-void read_out(LabState& lab, const Picked& picked) {
+void read_out(LabState& lab, const Lesson& lesson, const Picked& picked) {
     std::string text = fmt::format("{} {}\n", name_of(picked.on), picked.index);
-    for (const Field& f : lab.session.lesson().fields) {
+    for (const Field& f : lesson.fields) {
         if (!f.in_use() || f.on != picked.on || picked.index >= f.size()) continue;
         text += fmt::format("{}{}{} = {}\n", words(f.name), f.symbol.empty() ? "" : " ", f.symbol,
                             format_quantity(row_value(f, picked.index, -1), f.unit));
@@ -101,7 +125,7 @@ void go_on_dragging(LabState& lab, const View& view) {
     }
     const ImVec2 d = ImGui::GetIO().MouseDelta;
     if (!lab.turning || (d.x == 0 && d.y == 0)) return;
-    view.dimension == 3 ? orbit(*s.camera, d.x, d.y) : pan(*s.camera, 2, view.projection, d.x, d.y);
+    view.dimension() == 3 ? orbit(*s.camera, d.x, d.y) : pan(*s.camera, 2, view.projection, d.x, d.y);
 }
 
 void end_drag(LabState& lab) {
@@ -113,27 +137,28 @@ void end_drag(LabState& lab) {
 void handle_mouse(LabState& lab, const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool inside = ImGui::IsItemHovered();
-    if (!lab.pulling && !lab.turning)
+    if (!lab.pulling && !lab.turning && (inside || view.first))
         lab.hovered = inside ? pick(view.scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) begin_drag(lab, view);
     if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, view);
     if (ImGui::IsItemActive() && (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
-        pan(*lab.session.camera, view.dimension, view.projection, io.MouseDelta.x, io.MouseDelta.y);
+        pan(*lab.session.camera, view.dimension(), view.projection, io.MouseDelta.x, io.MouseDelta.y);
     if (ImGui::IsItemDeactivated()) end_drag(lab);
     if (inside && io.MouseWheel != 0)
-        zoom(*lab.session.camera, view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
-    if (inside && lab.hovered && !lab.turning && !lab.pulling) mark_hovered(lab, view, *lab.hovered), read_out(lab, *lab.hovered);
+        zoom(*lab.session.camera, view.dimension(), view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
+    if (inside && lab.hovered && !lab.turning && !lab.pulling)
+        mark_hovered(lab, view, *lab.hovered), read_out(lab, *view.lesson, *lab.hovered);
 }
 
-void banner(LabState& lab, const View& view) {
+void banner(LabState& lab, const Rectangle& place) {
     const auto& message = lab.session.message();
     if (!message) return;
     using Kind = Session::Message::Kind;
     const Rgba8 colour = message->kind == Kind::info ? quiet_colour : bad_colour;
-    ImGui::SetCursorScreenPos({view.origin.x + lab.px(10), view.origin.y + lab.px(10)});
+    ImGui::SetCursorScreenPos({place.x + lab.px(10), place.y + lab.px(10)});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(colour, 0.94f));
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
-    const float width = view.size.x - lab.px(20), wrap = width - lab.px(20);
+    const float width = place.width - lab.px(20), wrap = width - lab.px(20);
     const float text_height = ImGui::CalcTextSize(message->text.c_str(), nullptr, false, wrap).y;
     const std::string text = message->text;
     ImGui::BeginChild("message", {width, text_height + ImGui::GetFrameHeight() + lab.px(22)},
@@ -154,7 +179,7 @@ void banner(LabState& lab, const View& view) {
     ImGui::PopStyleColor(2);
 }
 
-void hints(LabState& lab, const View& view) {
+void hints(LabState& lab, const Rectangle& place) {
     if (!lab.hints_shown || lab.layout != Layout::lab) return;
     const bool can_pull = lab.session.lesson().can_pull().has_value();
     const std::string text = fmt::format(
@@ -162,7 +187,7 @@ void hints(LabState& lab, const View& view) {
         can_pull ? "Pull it with the mouse; drag beside it to turn" : "Drag to move the picture, turn the wheel to zoom");
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float pad = lab.px(8), button = ImGui::GetFrameHeight();
-    const ImVec2 at{view.origin.x + lab.px(10), view.origin.y + view.size.y - size.y - 2 * pad - lab.px(10)};
+    const ImVec2 at{place.x + lab.px(10), place.y + place.height - size.y - 2 * pad - lab.px(10)};
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + button + 3 * pad, at.y + size.y + 2 * pad},
                                               ImGui::GetColorU32(ImGuiCol_PopupBg, 0.88f), lab.px(5));
     ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + pad}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
@@ -171,36 +196,100 @@ void hints(LabState& lab, const View& view) {
     lab.note_control("hide hints");
 }
 
+// A picture at a place of the window, under the mouse.
+void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, float right_margin, const char* name) {
+    const Size pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
+    const GLuint texture = renderer.render(view.scene, view.dimension(), *lab.session.camera, palette(lab.theme),
+                                           lab.session.range.scale, pixels, lab.scale, right_margin);
+    const ImVec2 end{view.origin.x + view.size.x, view.origin.y + view.size.y};
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), view.origin, end,
+                                         {0, 1}, {1, 0});
+    ImGui::SetCursorScreenPos(view.origin);
+    ImGui::SetNextItemAllowOverlap();
+    ImGui::InvisibleButton(
+        name, view.size,
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    lab.note_control(name);
+    handle_mouse(lab, view);
+    draw_labels(lab, view);
+    if (!lab.session.message() && lab.layout != Layout::deck) draw_notes(lab, view);
+}
+
+// Why B does not go on, over its picture.
+void tell_stopped(LabState& lab, const View& view) {
+    const std::string& why = lab.session.companion()->stopped();
+    if (why.empty()) return;
+    const std::string text = fmt::format("B stopped; A goes on. {}", why);
+    const float pad = lab.px(10), wrap = view.size.x - 4 * pad;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 at{view.origin.x + pad, view.origin.y + view.size.y - size.y - 3 * pad};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(at, {at.x + wrap + 2 * pad, at.y + size.y + 2 * pad}, packed(bad_colour, 0.94f), lab.px(4));
+    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + pad}, IM_COL32_WHITE, text.c_str(), nullptr, wrap);
+}
+
+// A on the left and B on the right, under one camera; the colour bar of both stands beside them.
+void draw_two(LabState& lab, SceneRenderer& renderer, Scene of_a, const Rectangle& place, float right) {
+    Session& s = lab.session;
+    Scene of_b = s.scene_beside();
+    const float gap = lab.px(2), width = std::floor((place.width - right - gap) / 2);
+    if (width < 8) return;
+    if (!s.camera) {
+        Scene both;
+        both.frame(of_a.lower, of_a.upper);
+        for (std::size_t k = 0; k < 3; ++k)
+            both.lower[k] = std::min(both.lower[k], of_b.lower[k]), both.upper[k] = std::max(both.upper[k], of_b.upper[k]);
+        s.camera = framing(both, s.lesson().dimension(), width / place.height);
+    }
+    const int dimension = s.lesson().dimension();
+    const Projection projection(*s.camera, dimension, width, place.height);
+    const ImVec2 size{width, place.height};
+    const View a{std::move(of_a), projection, {place.x, place.y}, size, &s.lesson(), run_name(s, false), true};
+    const View b{std::move(of_b),   projection, {place.x + width + gap, place.y}, size, &s.companion()->lesson(),
+                 run_name(s, true), false};
+    if (!lab.renderer_beside) lab.renderer_beside = std::make_unique<SceneRenderer>();
+    draw_picture(lab, renderer, a, 0, "scene");
+    draw_picture(lab, *lab.renderer_beside, b, 0, "scene B");
+    ImGui::GetWindowDrawList()->AddRectFilled({place.x + width, place.y}, {place.x + width + gap, place.y + place.height},
+                                              lab.ink(Ink::rest));
+    tell_stopped(lab, b);
+}
+
+void draw_alone(LabState& lab, SceneRenderer& renderer, Scene scene, const Rectangle& place, float right) {
+    Session& s = lab.session;
+    const int dimension = s.lesson().dimension();
+    if (!s.camera) s.camera = framing(scene, dimension, (place.width - right) / place.height);
+    const std::string heading =
+        s.shows_difference() ? fmt::format("A − B:  {}  −  {}", differing_text(s, false), differing_text(s, true)) : "";
+    const View view{std::move(scene),
+                    Projection(*s.camera, dimension, place.width, place.height, right),
+                    {place.x, place.y},
+                    {place.width, place.height},
+                    &s.lesson(),
+                    heading,
+                    true};
+    draw_picture(lab, renderer, view, right, "scene");
+}
+
 }  // namespace
 
 void draw_scene(LabState& lab, SceneRenderer& renderer) {
     Session& s = lab.session;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    ImVec2 size = ImGui::GetContentRegionAvail();
-    const ColourBarPlace bar = colour_bar_place(lab, size.x);
-    size.y -= bar.below;
-    if (size.x < 8 || size.y < 8) return;
-    const int dimension = s.lesson().dimension();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ColourBarPlace bar = colour_bar_place(lab, room.x);
+    const Rectangle place{origin.x, origin.y, room.x, room.y - bar.below};
+    if (place.width < 8 || place.height < 8) return;
     Scene scene = s.scene();
-    if (!s.camera) s.camera = framing(scene, dimension, (size.x - bar.right) / size.y);
-    const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y, bar.right), origin, size, dimension};
-
-    const Size pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
-    const GLuint texture =
-        renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.range.scale, pixels, lab.scale, bar.right);
-    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin,
-                                         {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
-
-    ImGui::SetNextItemAllowOverlap();
-    ImGui::InvisibleButton(
-        "scene", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    lab.note_control("scene");
-    handle_mouse(lab, view);
-    draw_labels(lab, view);
-    if (!s.message() && lab.layout != Layout::deck) draw_notes(lab, view);
-    draw_colour_bar(lab, {origin.x, origin.y, size.x, size.y + bar.below});
-    hints(lab, view);
-    banner(lab, view);
+    if (s.pinned()) lay_under(scene, s.pinned()->ghost), scene.notes.push_back(pinned_text(s));
+    const bool two = s.companion() && !s.shows_difference();
+    if (two)
+        draw_two(lab, renderer, std::move(scene), place, bar.right);
+    else
+        draw_alone(lab, renderer, std::move(scene), place, bar.right);
+    draw_colour_bar(lab, {place.x, place.y, place.width, place.height + bar.below});
+    hints(lab, place);
+    banner(lab, place);
 }
 
 }  // namespace pliant::viewer

@@ -1,7 +1,7 @@
 // The buttons of time, and the stages of a step with where we are in them.
 #include <pliant/lesson/format.h>
 
-#include "panels/lab_state.h"
+#include "panels/companion_panel.h"
 
 #include <fmt/format.h>
 
@@ -114,6 +114,7 @@ void draw_transport(LabState& lab) {
     if (button(lab, "Step", "step", "One step (.)")) s.step();
     if (button(lab, "Back", "back", "One step back, from stored states (,)")) s.step_back();
     if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
+    draw_two_at_once_buttons(lab);
     if (!s.runner().is_static()) speed_menu(lab);
     ImGui::SameLine(0, lab.px(14));
     colour_menu(lab);

@@ -34,6 +34,8 @@ public:
     ColourBy first_colours() const override { return {"tension", -1}; }
     std::vector<std::string_view> first_plots() const override { return {"energy", telling_probe(), "stretch"}; }
     std::vector<std::string_view> key_numbers() const override { return first_plots(); }
+    std::vector<std::pair<std::string, std::string>> finer() const override;
+    std::string_view error_probe() const override { return telling_probe(); }
 
 private:
     // --- parameters ---
