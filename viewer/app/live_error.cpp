@@ -27,7 +27,7 @@ std::vector<Real> relative_errors(const std::vector<Real>& values, const std::ve
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Real reference = i < references.size() ? references[i] : none;
         if (std::isfinite(reference)) largest = std::max(largest, std::abs(reference));
-        if (largest > 0) errors[i] = std::abs(values[i] - reference) / largest;
+        if (largest > 0 && i > 0) errors[i] = std::abs(values[i] - reference) / largest;
     }
     return errors;
 }

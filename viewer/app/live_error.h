@@ -11,7 +11,8 @@
 
 namespace pliant::viewer {
 
-// Errors are relative to the largest reference value so far; NaN where there is none at that time.
+// Errors are relative to the largest reference value so far; NaN where there is none at that time, and at the start, which is no
+// step's doing.
 struct ErrorSeries {
     std::vector<Real> at;  // s, or the number of the step where the lesson is static
     std::vector<Real> error;

@@ -13,10 +13,8 @@ namespace pliant::viewer {
 namespace {
 
 std::string joined(const std::vector<std::string>& texts, std::size_t most) {
-    std::string all = fmt::format(
-        "{}", fmt::join(texts.begin(),
-                        texts.begin() + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(most), std::ssize(texts)), ", "));
-    return texts.size() > most ? all + ", …" : all;
+    const auto end = texts.begin() + static_cast<std::ptrdiff_t>(std::min(most, texts.size()));
+    return fmt::format("{}{}", fmt::join(texts.begin(), end, ", "), texts.size() > most ? ", …" : "");
 }
 
 struct Row {
@@ -60,9 +58,21 @@ std::vector<Row> rows_of(const Session& s) {
     const auto error = [&](const Recorder& r) {
         return r.empty() ? std::nullopt : error_against_exact(r, i, s.runner().is_static()).latest();
     };
-    rows.push_back(row_of("Error", "", error(s.recorder()), error(b.recorder()),
-                          fmt::format("|value − exact| / max|exact| of {}", words(measured->name)), 3));
+    const auto of_a = error(s.recorder()), of_b = error(b.recorder());
+    if (!of_a && !of_b) return rows;
+    rows.push_back(row_of("Error", "", of_a, of_b, fmt::format("|value − exact| / max|exact| of {}", words(measured->name)), 3));
     return rows;
+}
+
+// A button that stays lit while what it stands for is on.
+bool toggle_button(LabState& lab, const char* name, const char* control, bool on, const char* help) {
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool used = ImGui::Button(name);
+    if (on) ImGui::PopStyleColor();
+    lab.note_control(control);
+    tooltip(help, lab.scale);
+    ImGui::SameLine(0, lab.px(4));
+    return used;
 }
 
 }  // namespace
@@ -107,47 +117,34 @@ std::string pinned_text(const Session& s) {
     return fmt::format("pinned {}{}{}", when, texts.empty() ? "" : ": ", joined(texts, 3));
 }
 
-void draw_two_at_once_buttons(LabState& lab) {
+void draw_pin_button(LabState& lab) {
     Session& s = lab.session;
-    const auto button = [&](const char* name, const char* control, bool on, const char* help) {
-        if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        const bool used = ImGui::Button(name);
-        if (on) ImGui::PopStyleColor();
-        lab.note_control(control);
-        tooltip(help, lab.scale);
-        ImGui::SameLine(0, lab.px(4));
-        return used;
-    };
-    if (button(s.pinned() ? "Unpin" : "Pin", "pin", s.pinned().has_value(),
-               "Keep this run behind the present one: its picture as outlines, its numbers dashed in the plots (G)"))
+    if (toggle_button(lab, s.pinned() ? "Unpin" : "Pin", "pin", s.pinned().has_value(),
+                      "Keep this run behind the present one: its picture as outlines, its numbers dashed in the plots (G)"))
         s.toggle_pin();
-    if (button("A|B", "beside", s.companion() != nullptr,
-               "Two runs of this lesson side by side, with parameters of their own and linked clocks. Both start again (2)"))
-        s.toggle_companion();
-    if (!s.companion()) return;
-    ImGui::BeginDisabled(!s.has_difference());
-    if (button("A−B", "difference", s.shows_difference(),
-               "The difference of the two runs in the field that is shown; both must have as many numbers (3)"))
-        s.show_difference(!s.shows_difference());
-    ImGui::EndDisabled();
 }
 
 void draw_run_switch(LabState& lab) {
     Session& s = lab.session;
-    if (!s.companion()) return;
+    if (toggle_button(
+            lab, "A|B", "beside", s.companion() != nullptr,
+            "Two runs of this lesson side by side, with parameters of their own and linked clocks. Both start again (2)"))
+        s.toggle_companion();
+    if (!s.companion()) return ImGui::NewLine();
     for (const bool b : {false, true}) {
-        if (b) ImGui::SameLine();
         if (ImGui::RadioButton(b ? "B" : "A", s.addresses_b() == b)) s.address(b);
         lab.note_control(b ? "run B" : "run A");
         tooltip(
             fmt::format("The sliders set run {0}, the {1} picture (Ctrl {2})", b ? "B" : "A", b ? "right" : "left", b ? 2 : 1),
             lab.scale);
+        ImGui::SameLine();
     }
-    ImGui::SameLine();
-    ImGui::PushFont(lab.fonts.small);
-    const std::string other = differing_text(s, s.addresses_b());
-    fitted_text(other.empty() ? "same parameters" : other, ImGui::GetContentRegionAvail().x);
-    ImGui::PopFont();
+    ImGui::BeginDisabled(!s.has_difference());
+    if (toggle_button(lab, "A − B", "difference", s.shows_difference(),
+                      "The difference of the two runs in the field that is shown; both must have as many numbers (3)"))
+        s.show_difference(!s.shows_difference());
+    ImGui::EndDisabled();
+    ImGui::NewLine();
 }
 
 float companion_table_height(const LabState& lab) {

@@ -13,9 +13,8 @@ std::string run_name(const Session& session, bool of_b, std::size_t most = 3);
 // "pinned at t = 0.3 s: Δt = 1 ms": how the pinned run differs from the present one.
 std::string pinned_text(const Session& session);
 
-// Buttons for the bar of time.
-void draw_two_at_once_buttons(LabState& lab);
-// Which run the sliders set; nothing without a second run.
+void draw_pin_button(LabState& lab);
+// Makes the second run; with one, which of the two the sliders set, and whether the picture shows their difference.
 void draw_run_switch(LabState& lab);
 // The key numbers of both runs, their differences, cost and error.
 void draw_companion_table(LabState& lab);

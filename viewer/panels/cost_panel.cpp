@@ -48,7 +48,7 @@ std::string point_name(const Lesson& lesson, const LiveError& e, const LiveError
     for (std::size_t i = 0; i < point.settings.size(); ++i) {
         const auto differs = [&](const LiveError::Reached& other) { return other.settings[i] != point.settings[i]; };
         if (!std::ranges::any_of(e.trail(), differs) && !(e.now() && differs(*e.now()))) continue;
-        name += (name.empty() ? "" : ", ") + setting_text(*lesson.parameters[i], point.settings[i]);
+        name += fmt::format("{}{}", name.empty() ? "" : ", ", setting_text(*lesson.parameters[i], point.settings[i]));
     }
     return name;
 }
@@ -64,7 +64,6 @@ void plot_error_against_cost(LabState& lab, Plot& plot, Point size) {
     std::vector<Real> costs, errors;
     for (const LiveError::Reached& point : e.trail()) costs.push_back(point.cost), errors.push_back(point.error);
     if (e.now()) costs.push_back(e.now()->cost), errors.push_back(e.now()->error);
-    if (costs.size() > 1) plot.line("path", costs, errors, {.dash = Dash::dotted, .marker = Marker::none, .width = 1.f});
     // Twice the same settings cannot be in the trail, but can be there and now.
     for (const LiveError::Reached& point : e.trail())
         if (!e.now() || e.now()->settings != point.settings)
@@ -75,6 +74,7 @@ void plot_error_against_cost(LabState& lab, Plot& plot, Point size) {
                     std::vector{e.now()->cost}, std::vector{e.now()->error},
                     {.colour = std::size_t{0}, .marker = Marker::circle});
     }
+    if (costs.size() > 1) plot.line("in turn", costs, errors, {.dash = Dash::dotted, .marker = Marker::none, .width = 1.f});
     plot.end();
 }
 
@@ -84,7 +84,7 @@ std::string remark(const LabState& lab) {
     if (!e.probe()) return "This lesson names no number to measure errors of.";
     if (e.mixed()) return e.no_reference();
     if (!e.no_reference().empty() && !e.exact().latest()) return e.no_reference();
-    return e.reference().empty() ? "" : "Finer run: " + e.reference();
+    return e.reference().empty() ? "" : fmt::format("Finer run: {}", e.reference());
 }
 
 }  // namespace
@@ -104,10 +104,11 @@ void draw_cost_and_error(LabState& lab, Plot& plot) {
                 below = words_below.empty()
                             ? 0
                             : gap + ImGui::CalcTextSize(words_below.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y;
-    const float height = std::max(lab.px(120), (room - below - 2 * gap) / 3);
-    plot_stages(lab, plot, {0, height});
-    plot_error(lab, plot, {0, height});
-    plot_error_against_cost(lab, plot, {0, height});
+    // The first and the last have long legends.
+    const float all = std::max(lab.px(380), room - below - 2 * gap);
+    plot_stages(lab, plot, {0, 0.37f * all});
+    plot_error(lab, plot, {0, 0.26f * all});
+    plot_error_against_cost(lab, plot, {0, 0.37f * all});
     if (!words_below.empty()) ImGui::TextWrapped("%s", words_below.c_str());
     ImGui::EndChild();
     lab.note_control("cost and error");

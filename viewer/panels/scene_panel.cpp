@@ -25,27 +25,6 @@ struct View {
     int dimension() const { return lesson->dimension(); }
 };
 
-void draw_labels(LabState& lab, const View& view) {
-    if (!view.scene.show_labels) return;
-    for (const LabelMark& l : view.scene.labels) {
-        const Eigen::Vector3f p = view.projection.pixel(l.at);
-        if (p.z() >= 1) continue;
-        ImGui::PushFont(l.large ? lab.fonts.large : lab.fonts.normal);
-        const ImVec2 size = ImGui::CalcTextSize(l.text.c_str());
-        Eigen::Vector2f beyond(0, 0);
-        if (l.away_from) {
-            const Eigen::Vector2f d = (p - view.projection.pixel(*l.away_from)).head<2>().normalized();
-            beyond = d * (lab.px(6) + std::abs(d.x()) * size.x / 2 + std::abs(d.y()) * size.y / 2);
-        }
-        const float x =
-            std::clamp(p.x() + beyond.x() + lab.px(l.offset_x) - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
-        const float y =
-            std::clamp(p.y() + beyond.y() + lab.px(l.offset_y) - size.y / 2, 2.f, std::max(2.f, view.size.y - size.y - 2));
-        haloed_text(lab, {view.origin.x + x, view.origin.y + y}, lab.ink(l.ink), l.text);
-        ImGui::PopFont();
-    }
-}
-
 // Broken between words where it is wider than `width` px.
 std::vector<std::string> lines_of(const std::string& text, float width) {
     std::vector<std::string> lines;
@@ -57,6 +36,33 @@ std::vector<std::string> lines_of(const std::string& text, float width) {
         for (at = std::max(stop, at + 1); at < end && *at == ' ';) ++at;
     }
     return lines;
+}
+
+void draw_labels(LabState& lab, const View& view) {
+    if (!view.scene.show_labels) return;
+    for (const LabelMark& l : view.scene.labels) {
+        const Eigen::Vector3f p = view.projection.pixel(l.at);
+        if (p.z() >= 1) continue;
+        ImGui::PushFont(l.large ? lab.fonts.large : lab.fonts.normal);
+        const ImVec2 size = ImGui::CalcTextSize(l.text.c_str());
+        // One that is wider than the picture stands above its place, in lines.
+        const float more_lines = size.x > view.size.x - 8 ? std::floor(size.x / (view.size.x - 8)) * size.y : 0;
+        Eigen::Vector2f beyond(0, 0);
+        if (l.away_from) {
+            const Eigen::Vector2f d = (p - view.projection.pixel(*l.away_from)).head<2>().normalized();
+            beyond = d * (lab.px(6) + std::abs(d.x()) * size.x / 2 + std::abs(d.y()) * size.y / 2);
+        }
+        const float x =
+            std::clamp(p.x() + beyond.x() + lab.px(l.offset_x) - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
+        const float y = std::clamp(p.y() + beyond.y() + lab.px(l.offset_y) - size.y / 2 - more_lines, 2.f,
+                                   std::max(2.f, view.size.y - size.y - 2));
+        float line_y = y;
+        for (const std::string& line : lines_of(l.text, view.size.x - 8)) {
+            haloed_text(lab, {view.origin.x + x, view.origin.y + line_y}, lab.ink(l.ink), line);
+            line_y += size.y;
+        }
+        ImGui::PopFont();
+    }
 }
 
 void draw_notes(LabState& lab, const View& view) {
@@ -196,6 +202,15 @@ void hints(LabState& lab, const Rectangle& place) {
     lab.note_control("hide hints");
 }
 
+// At the lower left, above the hints.
+void name_pinned(LabState& lab, const Rectangle& place) {
+    if (!lab.session.pinned()) return;
+    const bool hinted = lab.hints_shown && lab.layout == Layout::lab;
+    const float up = hinted ? 3 * ImGui::GetTextLineHeight() + lab.px(34) : lab.px(8);
+    const ImVec2 at{place.x + lab.px(10), place.y + place.height - ImGui::GetTextLineHeight() - up};
+    haloed_text(lab, at, lab.ink(Ink::text), pinned_text(lab.session));
+}
+
 // A picture at a place of the window, under the mouse.
 void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, float right_margin, const char* name) {
     const Size pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
@@ -259,8 +274,10 @@ void draw_alone(LabState& lab, SceneRenderer& renderer, Scene scene, const Recta
     Session& s = lab.session;
     const int dimension = s.lesson().dimension();
     if (!s.camera) s.camera = framing(scene, dimension, (place.width - right) / place.height);
-    const std::string heading =
-        s.shows_difference() ? fmt::format("A − B:  {}  −  {}", differing_text(s, false), differing_text(s, true)) : "";
+    const std::string of_a = differing_text(s, false);
+    const std::string heading = !s.shows_difference() ? ""
+                                : of_a.empty()        ? "A − B, of the same parameters"
+                                                      : fmt::format("A − B:  {}  −  {}", of_a, differing_text(s, true));
     const View view{std::move(scene),
                     Projection(*s.camera, dimension, place.width, place.height, right),
                     {place.x, place.y},
@@ -281,13 +298,14 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     const Rectangle place{origin.x, origin.y, room.x, room.y - bar.below};
     if (place.width < 8 || place.height < 8) return;
     Scene scene = s.scene();
-    if (s.pinned()) lay_under(scene, s.pinned()->ghost), scene.notes.push_back(pinned_text(s));
+    if (s.pinned()) lay_under(scene, s.pinned()->ghost);
     const bool two = s.companion() && !s.shows_difference();
     if (two)
         draw_two(lab, renderer, std::move(scene), place, bar.right);
     else
         draw_alone(lab, renderer, std::move(scene), place, bar.right);
     draw_colour_bar(lab, {place.x, place.y, place.width, place.height + bar.below});
+    name_pinned(lab, place);
     hints(lab, place);
     banner(lab, place);
 }

@@ -17,6 +17,9 @@ constexpr int contours = 5;
 
 using Edge = std::pair<Position, Position>;
 
+// Walls, supports, guides and words are the same in both pictures, or tell of now.
+bool moves(Ink ink) { return ink == Ink::body || ink == Ink::edge || ink == Ink::accent; }
+
 Eigen::Vector3f vector(const Position& p) { return {p[0], p[1], p[2]}; }
 
 // The edges of a surface where it ends or bends.
@@ -78,11 +81,16 @@ Scene ghost_of(const Scene& scene) {
     LineMarks solid{.ends = {}, .ink = Ink::rest, .width = line_width},
         dashed{.ends = {}, .ink = Ink::rest, .width = line_width, .dashed = true};
     for (const GridMarks& g : scene.grids) all_contours(g, solid.ends);
-    for (const TriangleMarks& t : scene.triangles) outline(t, solid.ends);
-    for (const LineMarks& l : scene.lines) dashed.ends.insert(dashed.ends.end(), l.ends.begin(), l.ends.end());
+    for (const TriangleMarks& t : scene.triangles)
+        if (moves(t.ink)) outline(t, solid.ends);
+    // Where there is an outline, what lies inside it would hide the picture of now.
+    const bool outlined = !solid.ends.empty();
+    for (const LineMarks& l : scene.lines)
+        if (moves(l.ink) && !outlined) dashed.ends.insert(dashed.ends.end(), l.ends.begin(), l.ends.end());
     ghost.lines = {std::move(solid), std::move(dashed)};
     for (const PointMarks& p : scene.points)
-        ghost.points.push_back({.at = p.at, .ink = Ink::rest, .radius = std::min(p.radius, point_radius)});
+        if (moves(p.ink) && !outlined)
+            ghost.points.push_back({.at = p.at, .ink = Ink::rest, .radius = std::min(p.radius, point_radius)});
     return ghost;
 }
 

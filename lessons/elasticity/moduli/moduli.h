@@ -24,6 +24,7 @@ public:
     ColourBy first_colours() const override { return {"displacement", 0}; }
     std::vector<std::string_view> first_plots() const override { return {"measured_stress", "displacement"}; }
     std::vector<std::string_view> key_numbers() const override { return {"stress", "strain", "measured_modulus"}; }
+    std::string_view error_probe() const override { return "measured_modulus"; }
 
 private:
     Choice<Test> test;
