@@ -18,7 +18,7 @@ std::string joined(const std::vector<std::string>& texts, std::size_t most) {
 }
 
 struct Row {
-    std::string name, a, b, difference, help;
+    std::string name, symbol, a, b, difference, help;
 };
 
 std::string text_or_dash(std::optional<Real> value, std::string_view unit, int digits) {
@@ -28,7 +28,7 @@ std::string text_or_dash(std::optional<Real> value, std::string_view unit, int d
 Row row_of(std::string name, std::string_view unit, std::optional<Real> a, std::optional<Real> b, std::string help,
            int digits = 4) {
     const auto difference = a && b ? std::optional(*a - *b) : std::nullopt;
-    return {std::move(name), text_or_dash(a, unit, digits), text_or_dash(b, unit, digits), text_or_dash(difference, unit, 3),
+    return {std::move(name), "", text_or_dash(a, unit, digits), text_or_dash(b, unit, digits), text_or_dash(difference, unit, 3),
             std::move(help)};
 }
 
@@ -47,9 +47,11 @@ std::vector<Row> rows_of(const Session& s) {
     const Companion& b = *s.companion();
     const auto& probes = s.lesson().probes;
     std::vector<Row> rows;
-    for (const Probe* p : key_probes(s.lesson()))
+    for (const Probe* p : key_probes(s.lesson())) {
         rows.push_back(row_of(words(p->name), p->unit, value_of(s.runner(), *p), value_of(b.runner(), b.lesson().probe(p->name)),
-                              std::string(p->help)));
+                              fmt::format("{} {}\n{}", words(p->name), p->symbol, p->help), 3));
+        rows.back().symbol = p->symbol;
+    }
     rows.push_back(row_of("Per step", "s", seconds(s.costs().step_ms()), seconds(b.costs().step_ms()),
                           "what a step costs: the median of the latest", 3));
     const auto measured = std::ranges::find(probes, s.lesson().error_probe(), &Probe::name);
@@ -164,7 +166,9 @@ void draw_companion_table(LabState& lab) {
         for (const Row& row : rows_of(lab.session)) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
-            fitted_text(row.name, ImGui::GetContentRegionAvail().x);
+            // Where the name has no room the symbol stands for it, and the tooltip has both.
+            const bool fits = ImGui::CalcTextSize(row.name.c_str()).x <= ImGui::GetContentRegionAvail().x;
+            fitted_text(fits || row.symbol.empty() ? row.name : row.symbol, ImGui::GetContentRegionAvail().x);
             tooltip(row.help, lab.scale);
             for (const std::string* cell : {&row.a, &row.b, &row.difference}) {
                 ImGui::TableNextColumn();

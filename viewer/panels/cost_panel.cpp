@@ -64,10 +64,13 @@ void plot_error_against_cost(LabState& lab, Plot& plot, Point size) {
     std::vector<Real> costs, errors;
     for (const LiveError::Reached& point : e.trail()) costs.push_back(point.cost), errors.push_back(point.error);
     if (e.now()) costs.push_back(e.now()->cost), errors.push_back(e.now()->error);
-    // Twice the same settings cannot be in the trail, but can be there and now.
-    for (const LiveError::Reached& point : e.trail())
+    // The settings of now may be in the trail too.
+    for (std::size_t i = 0; i < e.trail().size(); ++i) {
+        const LiveError::Reached& point = e.trail()[i];
         if (!e.now() || e.now()->settings != point.settings)
-            plot.points(point_name(s.lesson(), e, point), std::vector{point.cost}, std::vector{point.error});
+            plot.points(point_name(s.lesson(), e, point), std::vector{point.cost}, std::vector{point.error},
+                        {.colour = i + 1, .marker = marker_by_place(i + 1)});
+    }
     if (e.now()) {
         const std::string name = point_name(s.lesson(), e, *e.now());
         plot.points(fmt::format("now{}{}{}", name.empty() ? "" : ": ", name, e.mixed() ? " (mixed)" : ""),
