@@ -110,7 +110,7 @@ void Session::view_changed() {
     if (shows_difference()) {
         values = difference();
     } else if (const Field* beside = companion_ ? companion_->lesson().find_field(colours.field) : nullptr;
-               beside && beside->in_use()) {
+               beside && beside->in_use() && companion_->stopped().empty()) {
         std::vector<Real> of_b;
         row_values(*beside, colours.component, of_b);
         values.insert(values.end(), of_b.begin(), of_b.end());

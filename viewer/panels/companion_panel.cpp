@@ -83,7 +83,9 @@ std::string setting_text(const Parameter& p, Real value) {
     switch (p.info.kind) {
         case Kind::choice: {
             const std::string_view label = p.info.options[static_cast<std::size_t>(value)].label;
-            return std::string(label.substr(0, label.find(':')));
+            const std::string_view name = label.substr(0, label.find(':'));
+            // A single word, such as "none", does not say what it is about.
+            return name.find(' ') == name.npos ? fmt::format("{} {}", words(p.info.key), name) : std::string(name);
         }
         case Kind::toggle:
             return fmt::format("{} {}", words(p.info.key), value != 0 ? "on" : "off");
@@ -150,14 +152,14 @@ void draw_run_switch(LabState& lab) {
 }
 
 float companion_table_height(const LabState& lab) {
-    if (!lab.session.companion()) return 0;
+    if (!lab.session.companion() || lab.layout != Layout::lab) return 0;
     const float row = lab.fonts.small->FontSize + 2 * ImGui::GetStyle().CellPadding.y;
     return static_cast<float>(rows_of(lab.session).size() + 1) * row + lab.px(6);
 }
 
 void draw_companion_table(LabState& lab) {
     if (!lab.session.companion()) return;
-    ImGui::PushFont(lab.fonts.small);
+    ImGui::PushFont(lab.layout == Layout::lab ? lab.fonts.small : lab.fonts.normal);
     if (ImGui::BeginTable("two runs", 4,
                           ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);

@@ -16,8 +16,9 @@ std::string pinned_text(const Session& session);
 void draw_pin_button(LabState& lab);
 // Makes the second run; with one, which of the two the sliders set, and whether the picture shows their difference.
 void draw_run_switch(LabState& lab);
-// The key numbers of both runs, their differences, cost and error.
+// The key numbers of both runs, their differences, cost and error: below the plots of the lab, and on a slide in the place of its
+// numbers.
 void draw_companion_table(LabState& lab);
-float companion_table_height(const LabState& lab);  // px; 0 without a second run
+float companion_table_height(const LabState& lab);  // px below the plots; 0 without a second run, and on a slide
 
 }  // namespace pliant::viewer

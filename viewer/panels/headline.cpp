@@ -1,7 +1,7 @@
 // What the slide layout shows besides picture and plots: the title, and the numbers that matter in large type.
 #include <pliant/lesson/format.h>
 
-#include "panels/lab_state.h"
+#include "panels/companion_panel.h"
 
 #include <fmt/format.h>
 
@@ -66,6 +66,7 @@ void draw_headline(LabState& lab) {
 }
 
 void draw_key_numbers(LabState& lab) {
+    if (lab.session.companion()) return draw_companion_table(lab);
     const Runner& r = lab.session.runner();
     for (const Probe* p : key_probes(r.lesson())) {
         const auto value = r.value(*p), exact = r.exact(*p);

@@ -193,6 +193,10 @@ std::vector<std::string> shown_plots(const LabState& lab) {
     return shown;
 }
 
+void table_below(LabState& lab) {
+    if (companion_table_height(lab) > 0) draw_companion_table(lab);
+}
+
 }  // namespace
 
 void draw_plots(LabState& lab) {
@@ -201,16 +205,16 @@ void draw_plots(LabState& lab) {
     follow_live_error(lab);
     if (lab.layout == Layout::lab) choice_menu(lab);
     Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
-    if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), draw_companion_table(lab);
+    if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
     const std::vector<std::string> shown = shown_plots(lab);
-    if (shown.empty()) return draw_companion_table(lab);
+    if (shown.empty()) return table_below(lab);
     ImGui::BeginChild("plots", {0, -companion_table_height(lab)});
     const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float height = std::clamp((room.y - spacing * (count - 1)) / count, lab.px(130), std::max(lab.px(130), 0.85f * room.x));
     for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
     ImGui::EndChild();
-    draw_companion_table(lab);
+    table_below(lab);
 }
 
 }  // namespace pliant::viewer

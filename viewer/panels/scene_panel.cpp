@@ -234,7 +234,7 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
 void tell_stopped(LabState& lab, const View& view) {
     const std::string& why = lab.session.companion()->stopped();
     if (why.empty()) return;
-    const std::string text = fmt::format("B stopped; A goes on. {}", why);
+    const std::string text = fmt::format("B stopped, A goes on: {}", why);
     const float pad = lab.px(10), wrap = view.size.x - 4 * pad;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
     const ImVec2 at{view.origin.x + pad, view.origin.y + view.size.y - size.y - 3 * pad};
