@@ -1,6 +1,8 @@
 #include <pliant/lesson/lesson.h>
 #include <pliant/lesson/scene.h>
 
+#include <algorithm>
+
 namespace pliant {
 
 void Scene::clear() {
@@ -18,6 +20,10 @@ std::vector<float> Scene::values(const Lesson& lesson, On on) const {
     if (!field || field->on != on || !field->in_use()) return {};
     if (override_values) return {override_values->begin(), override_values->end()};
     std::vector<float> numbers(static_cast<std::size_t>(field->size()));
+    if (override_values && override_values->size() == numbers.size()) {
+        std::ranges::transform(*override_values, numbers.begin(), [](Real x) { return static_cast<float>(x); });
+        return numbers;
+    }
     for (std::size_t i = 0; i < numbers.size(); ++i)
         numbers[i] = static_cast<float>(row_value(*field, static_cast<Index>(i), colour_by.component));
     return numbers;

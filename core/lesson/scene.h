@@ -117,7 +117,8 @@ public:
     // Set by the viewer before draw(): what the person wants to see.
     ColourBy colour_by;
     bool show_arrows = true, show_labels = true;
-    // Numbers to show in place of the chosen field's own, one per row of it: a difference of two moments or of two runs.
+    // Shown in place of the numbers of the field that is chosen, one per row: a difference of two runs, or of after and before.
+    // Ignored where the field has another number of rows.
     std::optional<std::vector<Real>> override_values;
 
     // The part of space that the picture frames at first. Kept the same from step to step, so that nothing jumps.

@@ -75,6 +75,34 @@ TEST_CASE("no lesson's picture is empty: the lab", "[shots][slow]") { check_pict
 TEST_CASE("no lesson's picture is empty: slides for a projector", "[shots][slow]") { check_pictures("1920x1080", 1.5f, "slide"); }
 TEST_CASE("no lesson's picture is empty: the lab for a projector", "[shots][slow]") { check_pictures("1920x1080", 1.5f, "lab"); }
 
+TEST_CASE("a second run stands beside the first, and their difference in its place", "[shots]") {
+    Shot shot{"fluids/navier_stokes", {"resolution=24"}, few_steps, {}};
+    shot.picture.size = "640x360";
+    const Image alone = picture_of(shot);
+    shot.picture.beside = {"viscosity=0.05"};
+    const Image two = picture_of(shot);
+    shot.picture.difference = true;
+    const Image difference = picture_of(shot);
+    for (const Image& image : {two, difference}) check_not_empty(image);
+    CHECK(viewer::compare(alone, two, 24).fraction_over > 0.02);
+    CHECK(viewer::compare(two, difference, 24).fraction_over > 0.02);
+    CHECK(viewer::compare(alone, difference, 24).fraction_over > 0.02);
+
+    const auto refused = [](Shot s) { CHECK_THROWS_AS(picture_of(s), Refused); };
+    Shot other = shot;
+    other.picture.beside = {"resolution=16"};
+    refused(other);  // of another size
+    other.picture.beside = {};
+    refused(other);  // a difference of one run
+    other.picture.beside = {"viscosity"};
+    refused(other);
+    other.picture.beside = {"viscosity=-1"};
+    refused(other);
+    other = shot;
+    other.picture.layout = "deck";
+    refused(other);
+}
+
 TEST_CASE("the measure of emptiness tells an empty picture", "[shots]") {
     const Image blank{640, 360, std::vector<std::uint8_t>(640 * 360 * 3, 20)};
     CHECK(distinct_colours(blank) == 1);

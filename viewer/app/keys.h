@@ -50,7 +50,13 @@ enum class Action {
     save_probes,
     save_animation,
     defaults,
-    menu
+    menu,
+    pin,
+    beside,
+    address_a,
+    address_b,
+    difference,
+    cost
 };
 
 // Where a key has its meaning. The deck is the layout for a lecture, while a walkthrough plays in it.

@@ -66,6 +66,15 @@ bool Lab::perform_on_run(Action action) {
         case Action::why_back:
             if (s.inspector.asked.size() > 1) s.inspector.ask_back(s.runner());
             return true;
+        case Action::pin:
+            return s.toggle_pin(), true;
+        case Action::beside:
+            return s.toggle_companion(), true;
+        case Action::address_a:
+        case Action::address_b:
+            return s.address(action == Action::address_b), true;
+        case Action::difference:
+            return s.show_difference(!s.shows_difference()), true;
         case Action::reset:
             return s.reset(), true;
         case Action::previous_lesson:
@@ -147,6 +156,9 @@ bool Lab::perform_on_view(Action action) {
             return set_scale(state_.scale + 0.25f), true;
         case Action::smaller:
             return set_scale(state_.scale - 0.25f), true;
+        case Action::cost:
+            state_.cost_shown = !state_.cost_shown;
+            return true;
         case Action::frame:
             return s.camera.reset(), true;
         default:

@@ -21,6 +21,8 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     runner_ = std::move(runner);
     entry_ = &entry;
     ++open_count_;
+    pinned_.reset();
+    close_companion();
     undo_.clear();
     message_.reset();
     walkthrough.reset();
@@ -78,6 +80,8 @@ void Session::begin_run() {
     inspector.forget_run();
     before_.reset();
     recorder_.clear();
+    costs_.clear();
+    if (companion_) companion_->restart();
     range.forget();
     owed_ = 0;
     moved();
@@ -89,7 +93,9 @@ void Session::moved() {
         guarded([&] {
             recorder_.record(*runner_);
             inspector.record(*runner_);
+            costs_.record(*runner_);
         });
+    if (companion_) companion_->follow(*runner_);
     if (!playing && !inspector.asked.empty()) guarded([&] { inspector.ask_again(*runner_); });
     view_changed();
 }
@@ -100,6 +106,14 @@ void Session::view_changed() {
     if (!field || !field->in_use()) return;
     std::vector<Real> values;
     row_values(*field, colours.component, values);
+    if (shows_difference()) {
+        values = difference();
+    } else if (const Field* beside = companion_ ? companion_->lesson().find_field(colours.field) : nullptr;
+               beside && beside->in_use() && companion_->stopped().empty()) {
+        std::vector<Real> of_b;
+        row_values(*beside, colours.component, of_b);
+        values.insert(values.end(), of_b.begin(), of_b.end());
+    }
     range.update(values);
     if (inspector.compare != Compare::difference) return;
     guarded([&] { inspector.renew_trace(*runner_); });
@@ -263,14 +277,16 @@ bool Session::set(const Values& values) {
 
 void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
     const std::string key(parameter.info.key);
-    const Real before = runner_->wanted(parameter);
+    const bool beside = companion_ && companion_->owns(parameter);
+    const Real before = (beside ? companion_->runner() : *runner_).wanted(parameter);
     if (before == value) return;
     if (locked(parameter))
         return say(Message::Kind::refused,
                    fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
-    if (!set({{key, value}})) return;
-    const bool joins = same_drag && !undo_.empty() && undo_.back().size() == 1 && undo_.back()[0].first == key;
-    if (!joins) undo_.push_back({{key, before}});
+    if (!(beside ? set_beside(parameter, value) : set({{key, value}}))) return;
+    const bool joins = same_drag && !undo_.empty() && undo_.back().values.size() == 1 && undo_.back().values[0].first == key &&
+                       undo_.back().beside == beside;
+    if (!joins) undo_.push_back({{{key, before}}, beside});
 }
 
 void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }
@@ -282,12 +298,13 @@ void Session::restore_defaults() {
         before.emplace_back(p->info.key, runner_->wanted(*p));
         defaults.emplace_back(p->info.key, p->info.initial);
     }
-    if (!defaults.empty() && set(defaults)) undo_.push_back(std::move(before));
+    if (!defaults.empty() && set(defaults)) undo_.push_back({std::move(before), false});
 }
 
 void Session::undo() {
     if (undo_.empty()) return;
-    set(undo_.back());
+    const Undo& last = undo_.back();
+    last.beside ? set_beside(companion_->lesson().parameter(last.values[0].first), last.values[0].second) : set(last.values);
     undo_.pop_back();
 }
 
@@ -295,10 +312,11 @@ void Session::pull(const std::optional<Pull>& pulled) {
     hand_ = pulled;
     hand_used_ = true;
     runner_->pull(pulled);
+    if (companion_) companion_->pull(pulled, lesson());
 }
 
 void Session::keep_hand() {
-    if (hand_used_) runner_->pull(hand_);
+    if (hand_used_) pull(hand_);
 }
 
 // ---------------------------------------------------------------------------------------------------------------- view
@@ -307,15 +325,14 @@ Scene Session::drawn() const {
     Scene picture;
     picture.colour_by = colours;
     picture.show_arrows = show_arrows, picture.show_labels = show_labels;
+    if (shows_difference()) picture.override_values = difference();
     return picture;
 }
 
-namespace {
-void show_cells(Scene& picture, bool smooth) {
+void Session::show_cells(Scene& picture) const {
     if (smooth) return;
     for (GridMarks& g : picture.grids) g.smooth = false;
 }
-}  // namespace
 
 Scene Session::scene() {
     if (inspector.compare == Compare::before)
@@ -324,7 +341,7 @@ Scene Session::scene() {
     const Field* field = lesson().find_field(colours.field);
     if (shows_change_ && field) picture.override_values = inspector.change(*runner_, *field, colours.component);
     lesson().draw(picture);
-    show_cells(picture, smooth);
+    show_cells(picture);
     return picture;
 }
 
@@ -337,7 +354,7 @@ std::optional<Scene> Session::other_scene() {
         Scene picture = drawn();
         bool found = false;
         guarded([&] { found = inspector.draw_before(*runner_, picture); });
-        show_cells(picture, smooth);
+        show_cells(picture);
         before_ = found ? std::optional(std::move(picture)) : std::nullopt;
         before_place_ = runner_->place();
         before_key_ = key;

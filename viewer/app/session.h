@@ -8,6 +8,7 @@
 #include <pliant/lesson/until.h>
 #include <pliant/lesson/walkthrough.h>
 
+#include "app/companion.h"
 #include "app/inspector.h"
 #include "render/palette.h"
 
@@ -30,6 +31,15 @@ private:
     bool fresh_ = true;  // the next numbers set the range, whatever it was
 };
 
+// What is kept of a run to see another one against.
+struct Pinned {
+    Scene ghost;
+    Recorder recorder;
+    std::vector<Real> settings;  // in the order of the parameters
+    Index step;
+    Real time;  // s
+};
+
 class Session {
 public:
     // Opens a lesson, by default the one that moves most. Throws Refused.
@@ -45,6 +55,7 @@ public:
     const Runner& runner() const { return *runner_; }
     const Lesson& lesson() const { return runner_->lesson(); }
     const Recorder& recorder() const { return recorder_; }
+    const CostHistory& costs() const { return costs_; }
 
     // Counts the runs that began here: a lesson opened, a reset. What was measured before belongs to another run.
     int run_count() const { return run_count_; }
@@ -108,6 +119,25 @@ public:
     // A stop before this stage is set or taken away.
     void toggle_break(std::string_view stage);
 
+    // --- two at once ---
+    // Keeps the picture and the recorded numbers of this run, or lets them go.
+    void toggle_pin();
+    const std::optional<Pinned>& pinned() const { return pinned_; }
+    // A second run, B, beside this one, A. Both start again when it is made, and when a change rebuilds one of them.
+    void toggle_companion();
+    void open_companion(const Runner::Assignments& changes = {});  // throws Refused
+    void close_companion();
+    const Companion* companion() const { return companion_.get(); }
+    // The run whose parameters the sliders set.
+    void address(bool b);
+    bool addresses_b() const { return addresses_b_; }
+    const Runner& addressed() const { return addresses_b_ ? companion_->runner() : *runner_; }
+    Scene scene_beside() const;  // of B
+    // A − B in place of A, where the field that is shown has as many numbers in both.
+    bool has_difference() const;
+    void show_difference(bool on);
+    bool shows_difference() const { return difference_ && has_difference(); }
+
     // --- walkthrough ---
     std::optional<WalkthroughPlayer> walkthrough;
     bool unlocked = false;  // whatever the slide locks, until the walkthrough ends
@@ -131,8 +161,15 @@ public:
 
 private:
     using Values = std::vector<std::pair<std::string, Real>>;  // by key
-    bool guarded(const std::function<void()>& action);         // an error becomes a message and a pause
+    struct Undo {
+        Values values;
+        bool beside = false;  // of B
+    };
+    bool guarded(const std::function<void()>& action);  // an error becomes a message and a pause
     bool set(const Values& values);
+    bool set_beside(const Parameter& parameter, Real value);
+    void start_both();
+    std::vector<Real> difference() const;
     void begin_run();  // nothing of the run before is shown any longer
     void moved();      // records, and keeps the view up to date
     void record_of_walkthrough();
@@ -141,13 +178,18 @@ private:
     void after_walkthrough();
     void keep_hand();  // after a move back: the hand is where it is now, not where it was then
     bool advance_one();
-    void trace();  // copies what the stages do, while someone looks
-    Scene drawn() const;
+    void trace();         // copies what the stages do, while someone looks
+    Scene drawn() const;  // empty, with what the person wants to see
+    void show_cells(Scene& picture) const;
 
     const LessonEntry* entry_ = nullptr;
     std::unique_ptr<Runner> runner_;
     Recorder recorder_;
-    std::vector<Values> undo_;
+    CostHistory costs_;
+    std::optional<Pinned> pinned_;
+    std::unique_ptr<Companion> companion_;
+    bool addresses_b_ = false, difference_ = false;
+    std::vector<Undo> undo_;
     std::optional<Message> message_;
     int run_count_ = 0, open_count_ = 0;
     std::optional<Pull> hand_;

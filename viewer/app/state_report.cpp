@@ -25,6 +25,19 @@ nlohmann::ordered_json inspector_json(const LabState& lab) {
     j["reach"] = lab.session.runner().reach().step;
     return j;
 }
+
+nlohmann::ordered_json companion_json(const Session& s) {
+    if (!s.companion()) return nullptr;
+    const Runner& b = s.companion()->runner();
+    nlohmann::ordered_json j{{"step", b.place().step},
+                             {"time", b.time()},
+                             {"stopped", s.companion()->stopped()},
+                             {"addressed", s.addresses_b()},
+                             {"difference", s.shows_difference()}};
+    for (const Parameter* p : b.lesson().parameters) j["parameters"][std::string(p->info.key)] = p->text(b.wanted(*p));
+    return j;
+}
+
 }  // namespace
 
 std::string state_json(const LabState& lab) {
@@ -58,6 +71,9 @@ std::string state_json(const LabState& lab) {
     j["file"] = lab.file;
     j["recent"] = lab.recent;
     j["recording"] = lab.animation.progress.has_value();
+    j["companion"] = companion_json(lab.session);
+    j["pinned"] = lab.session.pinned().has_value();
+    j["cost_shown"] = lab.cost_shown;
     j["scale"] = lab.scale;
     j["help"] = lab.help_shown;
     j["frame"] = ImGui::GetFrameCount();

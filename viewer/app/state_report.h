@@ -8,7 +8,8 @@
 namespace pliant::viewer {
 
 // {"lesson", "step", "passes", "stage", "time", "playing", "parameters": {...}, "probes": {...}, "pulling", "message",
-// "layout", "slide" (from 1; 0 without a walkthrough), "revealed", "unlocked", "notes", "controls": {name: [x, y, width,
+// "layout", "slide" (from 1; 0 without a walkthrough), "revealed", "unlocked", "notes", "companion" (of run B; null without
+// one), "pinned", "cost_shown", "controls": {name: [x, y, width,
 // height]}}
 std::string state_json(const LabState& lab);
 

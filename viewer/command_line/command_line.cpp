@@ -46,6 +46,9 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
         ->capture_default_str();
     command.add_option("--slide", o.slide, "with --layout deck: the slide of the walkthrough, from 1");
     command.add_flag("--revealed", o.revealed, "with --layout deck: with the answer");
+    command.add_option("--beside", o.beside, "KEY=VALUE: a second run, B, with this change, beside the first; may be repeated")
+        ->allow_extra_args(false);
+    command.add_flag("--difference", o.difference, "with --beside: the difference of the two runs in one picture");
     command.add_option("--backend", o.backend, "any, osmesa or egl")->capture_default_str();
 }
 

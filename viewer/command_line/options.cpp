@@ -9,19 +9,16 @@
 #include <limits>
 
 namespace pliant::viewer {
-namespace {
 
-Runner::Assignments assignments_from(const std::vector<std::string>& settings) {
+Runner::Assignments assignments_from(const std::vector<std::string>& settings, std::string_view option) {
     Runner::Assignments result;
     for (const std::string& s : settings) {
         const auto equals = s.find('=');
-        if (equals == std::string::npos || equals == 0) throw Refused(fmt::format("--set {} is not KEY=VALUE", s));
+        if (equals == std::string::npos || equals == 0) throw Refused(fmt::format("{} {} is not KEY=VALUE", option, s));
         result.emplace_back(s.substr(0, equals), s.substr(equals + 1));
     }
     return result;
 }
-
-}  // namespace
 
 SceneFile scene_from(const RunOptions& o) {
     if (o.lesson.empty() && o.scene_path.empty())

@@ -31,6 +31,8 @@ struct PictureOptions {
     float ui_scale = 1;
     Real seconds = 0;  // of an animation; 0: one picture
     int frames_per_second = 20;
+    std::vector<std::string> beside;  // "key=value" of a second run
+    bool difference = false;
 };
 
 struct WindowOptions {
@@ -46,6 +48,9 @@ struct WindowOptions {
 SceneFile scene_from(const RunOptions& options);
 // How far: what was asked for; without any, a static lesson runs to rest and another one for its demo steps.
 Until until_from(const RunOptions& options, const LessonEntry& entry, bool is_static);
+
+// "key=value" of an option, as pairs. Throws Refused.
+Runner::Assignments assignments_from(const std::vector<std::string>& settings, std::string_view option = "--set");
 
 // "1280x720". Throws Refused.
 Size size_from(const std::string& text);

@@ -158,6 +158,10 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     if (layout != Layout::deck && (picture.slide || picture.revealed))
         throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck as well");
     const float scale = ui_scale_from(picture.ui_scale);
+    if (layout == Layout::deck && !picture.beside.empty())
+        throw Refused("--beside shows two runs, and a slide of the walkthrough has one: leave out --layout deck");
+    if (picture.difference && picture.beside.empty())
+        throw Refused("--difference needs a second run: give --beside KEY=VALUE as well");
     check_writable_picture(picture);
     std::optional<Animation> animation;
     if (picture.seconds != 0) animation.emplace(picture.seconds, picture.frames_per_second, size.width);
@@ -169,12 +173,15 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     lab.state().hints_shown = false;
     Session& s = lab.session();
     s.open_scene(scene);
+    if (!picture.beside.empty()) s.open_companion(assignments_from(picture.beside, "--beside"));
     const bool from_start = animation && !options.steps && !options.time && !options.rest;
     if (layout == Layout::deck)
         show_slide(s, picture);
     else
         s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
     choose_view(s, picture);
+    if (picture.difference) s.show_difference(true);
+    if (picture.difference && !s.shows_difference()) throw Refused(s.message()->text);
     if (animation) return animate(lab, *context, *animation, picture.out);
     write_png(capture(lab, *context), picture.out);
     return 0;

@@ -2,6 +2,8 @@
 
 #include <pliant/lesson/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -22,9 +24,10 @@ std::string title_of(const Session& s, const Field& field) {
         title += " " + component_names(field)[static_cast<std::size_t>(s.colours.component)];
     else if (field.rank != Rank::scalar)
         title = "|" + title + "|";
+    if (s.shows_difference()) return fmt::format("A − B of {}", title);
     if (s.shows_change()) {
         const Stage* stage = s.inspector.shown_stage(s.runner());
-        return "Change of " + title + (stage ? " by " + words(stage->name) : "");
+        return stage ? fmt::format("Change of {} by {}", title, words(stage->name)) : fmt::format("Change of {}", title);
     }
     return s.range.automatic ? title : title + " (fixed)";
 }

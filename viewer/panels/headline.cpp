@@ -1,22 +1,12 @@
 // What the slide layout shows besides picture and plots: the title, and the numbers that matter in large type.
 #include <pliant/lesson/format.h>
 
-#include "panels/lab_state.h"
+#include "panels/companion_panel.h"
 
 #include <fmt/format.h>
 
 namespace pliant::viewer {
 namespace {
-
-// What the lesson names; else the probes with an exact value, or the first one.
-std::vector<const Probe*> key_probes(const Lesson& lesson) {
-    std::vector<const Probe*> chosen;
-    for (const std::string_view name : lesson.key_numbers()) chosen.push_back(&lesson.probe(name));
-    for (const Probe& p : lesson.probes)
-        if (lesson.key_numbers().empty() && chosen.size() < 3 && p.exact) chosen.push_back(&p);
-    if (chosen.empty() && !lesson.probes.empty()) chosen.push_back(&lesson.probes.front());
-    return chosen;
-}
 
 std::string now_text(const Runner& r) {
     if (r.is_static()) return "static";
@@ -48,6 +38,15 @@ bool draw_label(LabState& lab, const Probe& probe, const std::string& number, co
 
 }  // namespace
 
+std::vector<const Probe*> key_probes(const Lesson& lesson) {
+    std::vector<const Probe*> chosen;
+    for (const std::string_view name : lesson.key_numbers()) chosen.push_back(&lesson.probe(name));
+    for (const Probe& p : lesson.probes)
+        if (lesson.key_numbers().empty() && chosen.size() < 3 && p.exact) chosen.push_back(&p);
+    if (chosen.empty() && !lesson.probes.empty()) chosen.push_back(&lesson.probes.front());
+    return chosen;
+}
+
 void draw_headline(LabState& lab) {
     const LessonInfo& info = lab.session.entry().info;
     ImGui::PushFont(lab.fonts.huge);
@@ -67,6 +66,7 @@ void draw_headline(LabState& lab) {
 }
 
 void draw_key_numbers(LabState& lab) {
+    if (lab.session.companion()) return draw_companion_table(lab);
     const Runner& r = lab.session.runner();
     for (const Probe* p : key_probes(r.lesson())) {
         const auto value = r.value(*p), exact = r.exact(*p);

@@ -1,6 +1,7 @@
 // What the panels of the lab share from frame to frame.
 #pragma once
 #include "app/keys.h"
+#include "app/live_error.h"
 #include "app/session.h"
 #include "app/theme.h"
 #include "panels/file_choice.h"
@@ -11,6 +12,7 @@
 #include <imgui.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,14 +51,17 @@ struct LabState {
     std::string search;
     bool focus_search = false;
     PlotPanelState plots;
+    bool cost_shown = false;  // cost and error in the place of the plots
+    LiveError live_error{};
 
     bool value_changed = false;  // in the present drag of a slider, or while a number is typed: one step of undo
 
     // the scene panel
     std::optional<Picked> hovered;
     std::optional<Pull> pulling;
-    bool turning = false, clicked_only = false;  // has the pointer stayed where it was pressed?
-    bool scene_has_grid = false;                 // of the last frame
+    bool turning = false, clicked_only = false;        // has the pointer stayed where it was pressed?
+    bool scene_has_grid = false;                       // of the last frame
+    std::unique_ptr<SceneRenderer> renderer_beside{};  // of run B, or of before
 
     // the inspector
     bool show_inspector = false, choose_inspector = false, focus_thing = false, open_breaks = false;
@@ -134,5 +139,7 @@ float slide_notes_height(const LabState& lab, float width);
 void draw_help(LabState& lab);
 void draw_headline(LabState& lab);
 void draw_key_numbers(LabState& lab);
+// What the lesson names; else the probes with an exact value, or the first one.
+std::vector<const Probe*> key_probes(const Lesson& lesson);
 
 }  // namespace pliant::viewer

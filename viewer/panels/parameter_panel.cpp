@@ -1,8 +1,9 @@
 // One control per parameter, made from its declaration alone.
 #include <pliant/lesson/format.h>
 
-#include "panels/lab_state.h"
+#include "panels/companion_panel.h"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ Interval span_of(const Parameter& p, bool extreme) {
 
 void number_slider(LabState& lab, const Parameter& p) {
     Session& session = lab.session;
-    Real value = session.runner().wanted(p);
+    Real value = session.addressed().wanted(p);
     Interval span = span_of(p, session.extreme);
     span.min = std::min(span.min, value), span.max = std::max(span.max, value);
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
@@ -57,7 +58,7 @@ void number_slider(LabState& lab, const Parameter& p) {
 }
 
 void choice_box(LabState& lab, const Parameter& p) {
-    const auto current = static_cast<std::size_t>(lab.session.runner().wanted(p));
+    const auto current = static_cast<std::size_t>(lab.session.addressed().wanted(p));
     if (!ImGui::BeginCombo("##value", std::string(p.info.options[current].label).c_str())) return;
     for (std::size_t i = 0; i < p.info.options.size(); ++i)
         if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current))
@@ -66,17 +67,26 @@ void choice_box(LabState& lab, const Parameter& p) {
 }
 
 void switch_box(LabState& lab, const Parameter& p, const std::string& label) {
-    bool on = lab.session.runner().wanted(p) != 0;
+    bool on = lab.session.addressed().wanted(p) != 0;
     if (ImGui::Checkbox((label + "##value").c_str(), &on)) lab.session.assign(p, on ? 1 : 0);
+}
+
+// Where the two runs differ in it: the value in the one that the sliders do not set.
+std::optional<Real> value_in_other_run(const Session& s, const Parameter& p) {
+    if (!s.companion()) return std::nullopt;
+    for (const Differing& d : differing(s.runner(), s.companion()->runner()))
+        if (d.parameter->info.key == p.info.key) return s.addresses_b() ? d.a : d.b;
+    return std::nullopt;
 }
 
 std::string help_of(const LabState& lab, const Parameter& p) {
     if (lab.session.locked(p)) return "Locked on this slide; End the walkthrough or press L to unlock.";
-    return describe(p);
+    const auto other = value_in_other_run(lab.session, p);
+    return describe(p) + (other ? fmt::format("\nThe other run has {}.", setting_text(p, *other)) : "");
 }
 
-std::string label_of(const Parameter& p) {
-    std::string label = words(p.info.key);
+std::string label_of(const LabState& lab, const Parameter& p) {
+    std::string label = fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "", words(p.info.key));
     if (!p.info.symbol.empty()) label += "  " + std::string(p.info.symbol);
     if (p.info.effect == Effect::rebuild) label += "  ↻";
     return label;
@@ -85,12 +95,12 @@ std::string label_of(const Parameter& p) {
 // The name on the left and, of a number, the value on the right.
 void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     const bool number = p.info.kind != Kind::choice;
-    const std::string value = number ? format_quantity(lab.session.runner().wanted(p), p.info.unit, 5) : "";
+    const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
     const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x - lab.px(2);
     const float top = ImGui::GetCursorPosY(), drop = ImGui::GetTextLineHeight();
     ImGui::PushFont(label_font);
     ImGui::SetCursorPosY(top + drop - ImGui::GetTextLineHeight());
-    fitted_text(label_of(p), right - ImGui::GetCursorPosX() - lab.px(4));
+    fitted_text(label_of(lab, p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
     tooltip(help_of(lab, p), lab.scale);
     if (!number) return;
@@ -116,7 +126,7 @@ void draw_parameter(LabState& lab, const Parameter& p, bool large) {
     ImGui::PushFont(large ? lab.fonts.large : lab.fonts.normal);
     ImGui::BeginDisabled(!p.used() || lab.session.locked(p));
     if (p.info.kind == Kind::toggle) {
-        switch_box(lab, p, label_of(p));
+        switch_box(lab, p, label_of(lab, p));
     } else {
         label_row(lab, p, large ? lab.fonts.medium : lab.fonts.small);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
@@ -138,8 +148,9 @@ void draw_parameters(LabState& lab) {
     const float width = ImGui::CalcTextSize("extreme ranges").x + ImGui::GetFrameHeight() + lab.px(6);
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
     extreme_switch(lab);
+    draw_run_switch(lab);
     ImGui::BeginChild("parameters");
-    for (const Parameter* p : lab.session.lesson().parameters) draw_parameter(lab, *p);
+    for (const Parameter* p : lab.session.addressed().lesson().parameters) draw_parameter(lab, *p);
     ImGui::EndChild();
 }
 

@@ -2,6 +2,7 @@
 
 #include <pliant/lesson/format.h>
 
+#include "panels/companion_panel.h"
 #include "panels/field_profile.h"
 #include "panels/lab_state.h"
 
@@ -41,34 +42,53 @@ void mark_now(const LabState& lab, Plot& plot) {
     plot.vertical_line("now", runner.is_static() ? static_cast<Real>(runner.place().step) : runner.time());
 }
 
+// A static lesson has no clock: its steps are counted instead.
+std::vector<Real> places_of(const Session& s, const Recorder& r) {
+    return s.runner().is_static() ? std::vector<Real>(r.steps().begin(), r.steps().end()) : r.times();
+}
+
 void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
     const Session& s = lab.session;
     const Probe& probe = s.lesson().probes[i];
     const Recorder& r = s.recorder();
     const pliant::Series& series = r.series(i);
-    // A static lesson has no clock: its steps are counted instead.
-    std::vector<Real> steps;
-    if (s.runner().is_static()) steps.assign(r.steps().begin(), r.steps().end());
-    const auto& xs = s.runner().is_static() ? steps : r.times();
+    const std::vector<Real> xs = places_of(s, r);
     const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"},
                     .y = {words(probe.name) +
                               (probe.symbol.empty() || probe.symbol == words(probe.name) ? "" : " " + std::string(probe.symbol)),
                           std::string(probe.unit)}};
     if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
-    plot.line("measured", xs, series.value);
+    plot.line(s.companion() ? run_name(s, false, 1) : "measured", xs, series.value);
+    if (const Companion* b = s.companion(); b && !b->recorder().empty())
+        plot.line(run_name(s, true, 1), places_of(s, b->recorder()), b->recorder().series(i).value, {.dash = Dash::dashed});
+    if (s.pinned() && !s.pinned()->recorder.empty())
+        plot.line("pinned", places_of(s, s.pinned()->recorder), s.pinned()->recorder.series(i).value, {.dash = Dash::dashed});
     if (std::ranges::any_of(series.exact, [](Real x) { return std::isfinite(x); })) plot.reference("exact", xs, series.exact);
     mark_now(lab, plot);
     plot.end();
 }
 
-void plot_line(Plot& plot, const Line& line, Point size) {
+// The same line in run B; null when there is none now.
+const Line* line_of_b(const Session& s, const Line& line) {
+    if (!s.companion()) return nullptr;
+    const auto& lines = s.companion()->lesson().lines;
+    const auto found = std::ranges::find(lines, line.name, &Line::name);
+    return found != lines.end() && found->in_use() ? &*found : nullptr;
+}
+
+void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     Curve curve, reference;
     line.sample(curve);
     if (line.reference) line.reference(reference);
     const Axes axes{.x = {words(line.position_name), std::string(line.position_unit)},
                     .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit)}};
     if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
-    plot.line("now", curve.position, curve.value);
+    plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
+    Curve of_b;
+    if (const Line* b = line_of_b(s, line)) {
+        b->sample(of_b);
+        plot.line(run_name(s, true, 1), of_b.position, of_b.value, {.dash = Dash::dashed});
+    }
     const std::string name(line.reference_name);
     if (!reference.position.empty())
         line.reference_points ? plot.points(name, reference.position, reference.value)
@@ -164,7 +184,7 @@ void draw_one(LabState& lab, Plot& plot, const std::string& name, Point size) {
     for (std::size_t i = 0; i < lesson.probes.size(); ++i)
         if (lesson.probes[i].name == name) return plot_probe(lab, plot, i, size);
     for (const Line& line : lesson.lines)
-        if (line.name == name && line.in_use()) return plot_line(plot, line, size);
+        if (line.name == name && line.in_use()) return plot_line(lab.session, plot, line, size);
 }
 
 void toggle(LabState& lab, std::string_view name, const std::string& label) {
@@ -177,7 +197,11 @@ void toggle(LabState& lab, std::string_view name, const std::string& label) {
 
 void choice_menu(LabState& lab) {
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##plots", "plots …", ImGuiComboFlags_HeightLarge)) return lab.note_control("plots");
+    if (!ImGui::BeginCombo("##plots", lab.cost_shown ? "cost & error" : "plots …", ImGuiComboFlags_HeightLarge))
+        return lab.note_control("plots");
+    ImGui::Checkbox("cost & error  (C)", &lab.cost_shown);
+    tooltip("In place of the plots: ms per stage, the error over time, and the error against the cost", lab.scale);
+    ImGui::Separator();
     const Lesson& lesson = lab.session.lesson();
     for (const Probe& p : lesson.probes) toggle(lab, p.name, words(p.name));
     for (const Line& l : lesson.lines)
@@ -205,21 +229,28 @@ std::vector<std::string> shown_plots(const LabState& lab) {
     return shown;
 }
 
+void table_below(LabState& lab) {
+    if (companion_table_height(lab) > 0) draw_companion_table(lab);
+}
+
 }  // namespace
 
 void draw_plots(LabState& lab) {
     choose_first(lab);
     if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
+    follow_live_error(lab);
     if (lab.layout == Layout::lab) choice_menu(lab);
     Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
+    if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
     const std::vector<std::string> shown = shown_plots(lab);
-    if (shown.empty()) return;
-    ImGui::BeginChild("plots");
+    if (shown.empty()) return table_below(lab);
+    ImGui::BeginChild("plots", {0, -companion_table_height(lab)});
     const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float height = std::clamp((room.y - spacing * (count - 1)) / count, lab.px(130), std::max(lab.px(130), 0.85f * room.x));
     for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
     ImGui::EndChild();
+    table_below(lab);
 }
 
 }  // namespace pliant::viewer

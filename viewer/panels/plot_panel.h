@@ -19,4 +19,10 @@ struct PlotPanelState {
     std::array<Real, 2> across{0.5, 0.5};
 };
 
+struct LabState;
+// Notices changes of the run for its cost and error: in every frame.
+void follow_live_error(LabState& lab);
+// In the place of the plots.
+void draw_cost_and_error(LabState& lab, Plot& plot);
+
 }  // namespace pliant::viewer

@@ -1,7 +1,7 @@
 // The buttons of time, and the stages of a step with where we are in them.
 #include <pliant/lesson/format.h>
 
-#include "panels/lab_state.h"
+#include "panels/companion_panel.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,9 @@ void colour_menu(LabState& lab) {
     std::string current = shown ? words(shown->name) : "none";
     if (shown && s.colours.component >= 0)
         current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
-    ImGui::SetNextItemWidth(lab.px(122));
+    // Small enough for the switches behind it.
+    const float behind = lab.scene_has_grid ? 270.f : 190.f;
+    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - lab.px(behind), lab.px(84), lab.px(140)));
     if (ImGui::BeginCombo("##colour", current.c_str(), ImGuiComboFlags_HeightLarge)) {
         if (ImGui::Selectable("none", !shown)) s.colours = {};
         for (const Field& f : s.lesson().fields) {
@@ -138,12 +140,15 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
 
 void draw_transport(LabState& lab) {
     Session& s = lab.session;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(5), ImGui::GetStyle().FramePadding.y});
     if (button(lab, s.playing ? "Pause" : "Play", "play", "Play or pause (Space)")) s.toggle_play();
     if (button(lab, "Pass", "pass", "One pass of the stage's inner loop (;)")) s.step_pass();
     if (button(lab, "Stage", "stage", "One stage (/)")) s.step_stage();
     if (button(lab, "Step", "step", "One step (.)")) s.step();
     if (button(lab, "Back", "back", "One step back, from stored states (,)")) s.step_back();
     if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
+    draw_pin_button(lab);
+    ImGui::PopStyleVar();
     if (!s.runner().is_static()) speed_menu(lab);
     ImGui::SameLine(0, lab.px(8));
     colour_menu(lab);

@@ -1,0 +1,96 @@
+// The session with a run pinned behind the present one, and with a second one beside it.
+#include "app/session.h"
+
+#include "render/ghost.h"
+
+namespace pliant::viewer {
+
+// --------------------------------------------------------------------------------------------------------- pinned
+
+void Session::toggle_pin() {
+    if (pinned_) return pinned_.reset();
+    pinned_ = Pinned{ghost_of(scene()), recorder_, settings_of(*runner_), runner_->place().step, runner_->time()};
+}
+
+// ------------------------------------------------------------------------------------------------------ two at once
+
+void Session::open_companion(const Runner::Assignments& changes) {
+    if (walkthrough) throw Refused("A second run is not made while a walkthrough plays: end the walkthrough, then press 2.");
+    companion_ = std::make_unique<Companion>(*entry_, *runner_, changes);
+    camera.reset();
+    start_both();
+}
+
+void Session::close_companion() {
+    if (!companion_) return;
+    companion_.reset();
+    addresses_b_ = difference_ = false;
+    std::erase_if(undo_, [](const Undo& u) { return u.beside; });
+    camera.reset();
+    range.forget();
+    view_changed();
+}
+
+void Session::toggle_companion() {
+    if (companion_) return close_companion();
+    guarded([&] { open_companion(); });
+}
+
+void Session::address(bool b) { addresses_b_ = b && companion_; }
+
+// From the start, so that both have run for the same time under what the sliders say.
+void Session::start_both() {
+    dismiss();
+    guarded([&] { runner_->reset(); });
+    begin_run();
+}
+
+bool Session::set_beside(const Parameter& parameter, Real value) {
+    const bool rebuilds = parameter.info.effect == Effect::rebuild;
+    if (!guarded([&] { companion_->assign(parameter.info.key, value); })) return false;
+    if (rebuilds && lesson().dimension() == 2) camera.reset();
+    if (rebuilds) return start_both(), true;
+    companion_->follow(*runner_);
+    view_changed();
+    return true;
+}
+
+Scene Session::scene_beside() const {
+    Scene picture = drawn();
+    companion_->lesson().draw(picture);
+    show_cells(picture);
+    return picture;
+}
+
+// ------------------------------------------------------------------------------------------------------- difference
+
+bool Session::has_difference() const {
+    const Field* a = lesson().find_field(colours.field);
+    const Field* b = companion_ ? companion_->lesson().find_field(colours.field) : nullptr;
+    return a && b && a->in_use() && b->in_use() && a->view().size() == b->view().size();
+}
+
+void Session::show_difference(bool on) {
+    if (on && !has_difference())
+        return say(Message::Kind::info,
+                   companion_ ? "The two runs hold the field that is shown in different sizes: there is no difference to show."
+                              : "There is one run only: press 2 for a second one.");
+    difference_ = on;
+    camera.reset();
+    range.forget();
+    view_changed();
+}
+
+// Of a scalar or a component A − B; of a vector or tensor as a whole the length of A − B.
+std::vector<Real> Session::difference() const {
+    const Field field = lesson().field(colours.field);
+    const auto a = field.view(), b = companion_->lesson().field(colours.field).view();
+    std::vector<Real> numbers(a.begin(), a.end()), rows;
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] -= b[i];
+    Field of_difference = field;
+    of_difference.view = view_of(numbers);
+    row_values(of_difference, colours.component, rows);
+    return rows;
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,186 @@
+#include "panels/companion_panel.h"
+
+#include <pliant/lesson/format.h>
+
+#include "app/live_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pliant::viewer {
+namespace {
+
+std::string joined(const std::vector<std::string>& texts, std::size_t most) {
+    const auto end = texts.begin() + static_cast<std::ptrdiff_t>(std::min(most, texts.size()));
+    return fmt::format("{}{}", fmt::join(texts.begin(), end, ", "), texts.size() > most ? ", …" : "");
+}
+
+struct Row {
+    std::string name, symbol, a, b, difference, help;
+};
+
+std::string text_or_dash(std::optional<Real> value, std::string_view unit, int digits) {
+    return value ? format_quantity(*value, unit, digits) : "–";
+}
+
+Row row_of(std::string name, std::string_view unit, std::optional<Real> a, std::optional<Real> b, std::string help,
+           int digits = 4) {
+    const auto difference = a && b ? std::optional(*a - *b) : std::nullopt;
+    return {std::move(name), "", text_or_dash(a, unit, digits), text_or_dash(b, unit, digits), text_or_dash(difference, unit, 3),
+            std::move(help)};
+}
+
+std::optional<Real> seconds(std::optional<Real> ms) { return ms ? std::optional(*ms / 1000) : std::nullopt; }
+
+// Of B too when the numbers of one run are not finite, which the run itself tells in words.
+std::optional<Real> value_of(const Runner& runner, const Probe& probe) {
+    try {
+        return runner.value(probe);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+std::vector<Row> rows_of(const Session& s) {
+    const Companion& b = *s.companion();
+    const auto& probes = s.lesson().probes;
+    std::vector<Row> rows;
+    for (const Probe* p : key_probes(s.lesson())) {
+        rows.push_back(row_of(words(p->name), p->unit, value_of(s.runner(), *p), value_of(b.runner(), b.lesson().probe(p->name)),
+                              fmt::format("{} {}\n{}", words(p->name), p->symbol, p->help), 3));
+        rows.back().symbol = p->symbol;
+    }
+    rows.push_back(row_of("Per step", "s", seconds(s.costs().step_ms()), seconds(b.costs().step_ms()),
+                          "what a step costs: the median of the latest", 3));
+    const auto measured = std::ranges::find(probes, s.lesson().error_probe(), &Probe::name);
+    if (measured == probes.end() || !measured->exact) return rows;
+    const auto i = static_cast<std::size_t>(measured - probes.begin());
+    const auto error = [&](const Recorder& r) {
+        return r.empty() ? std::nullopt : error_against_exact(r, i, s.runner().is_static()).latest();
+    };
+    const auto of_a = error(s.recorder()), of_b = error(b.recorder());
+    if (!of_a && !of_b) return rows;
+    rows.push_back(row_of("Error", "", of_a, of_b, fmt::format("|value − exact| / max|exact| of {}", words(measured->name)), 3));
+    return rows;
+}
+
+// A button that stays lit while what it stands for is on.
+bool toggle_button(LabState& lab, const char* name, const char* control, bool on, const char* help) {
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool used = ImGui::Button(name);
+    if (on) ImGui::PopStyleColor();
+    lab.note_control(control);
+    tooltip(help, lab.scale);
+    ImGui::SameLine(0, lab.px(4));
+    return used;
+}
+
+}  // namespace
+
+std::string setting_text(const Parameter& p, Real value) {
+    switch (p.info.kind) {
+        case Kind::choice: {
+            const std::string_view label = p.info.options[static_cast<std::size_t>(value)].label;
+            const std::string_view name = label.substr(0, label.find(':'));
+            // A single word, such as "none", does not say what it is about.
+            return name.find(' ') == name.npos ? fmt::format("{} {}", words(p.info.key), name) : std::string(name);
+        }
+        case Kind::toggle:
+            return fmt::format("{} {}", words(p.info.key), value != 0 ? "on" : "off");
+        case Kind::number:
+        case Kind::whole:
+            break;
+    }
+    const std::string name = p.info.symbol.empty() ? words(p.info.key) : std::string(p.info.symbol);
+    return fmt::format("{} = {}", name, format_quantity(value, p.info.unit));
+}
+
+std::string differing_text(const Session& s, bool of_b, std::size_t most) {
+    if (!s.companion()) return "";
+    std::vector<std::string> texts;
+    for (const Differing& d : differing(s.runner(), s.companion()->runner()))
+        texts.push_back(setting_text(*d.parameter, of_b ? d.b : d.a));
+    return joined(texts, most);
+}
+
+std::string run_name(const Session& s, bool of_b, std::size_t most) {
+    const std::string settings = differing_text(s, of_b, most);
+    return fmt::format("{}{}{}", of_b ? "B" : "A", settings.empty() ? "" : "  ", settings);
+}
+
+std::string pinned_text(const Session& s) {
+    if (!s.pinned()) return "";
+    std::vector<std::string> texts;
+    const std::vector<Real> now = settings_of(s.runner());
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (now[i] != s.pinned()->settings[i]) texts.push_back(setting_text(*s.lesson().parameters[i], s.pinned()->settings[i]));
+    const std::string when = s.runner().is_static() ? fmt::format("at step {}", s.pinned()->step)
+                                                    : fmt::format("at t = {}", format_quantity(s.pinned()->time, "s"));
+    return fmt::format("pinned {}{}{}", when, texts.empty() ? "" : ": ", joined(texts, 3));
+}
+
+void draw_pin_button(LabState& lab) {
+    Session& s = lab.session;
+    if (toggle_button(lab, s.pinned() ? "Unpin" : "Pin", "pin", s.pinned().has_value(),
+                      "Keep this run behind the present one: its picture as outlines, its numbers dashed in the plots (G)"))
+        s.toggle_pin();
+}
+
+void draw_run_switch(LabState& lab) {
+    Session& s = lab.session;
+    if (toggle_button(
+            lab, "A|B", "beside", s.companion() != nullptr,
+            "Two runs of this lesson side by side, with parameters of their own and linked clocks. Both start again (2)"))
+        s.toggle_companion();
+    if (!s.companion()) return ImGui::NewLine();
+    for (const bool b : {false, true}) {
+        if (ImGui::RadioButton(b ? "B" : "A", s.addresses_b() == b)) s.address(b);
+        lab.note_control(b ? "run B" : "run A");
+        tooltip(
+            fmt::format("The sliders set run {0}, the {1} picture (Ctrl {2})", b ? "B" : "A", b ? "right" : "left", b ? 2 : 1),
+            lab.scale);
+        ImGui::SameLine();
+    }
+    ImGui::BeginDisabled(!s.has_difference());
+    if (toggle_button(lab, "A − B", "difference", s.shows_difference(),
+                      "The difference of the two runs in the field that is shown; both must have as many numbers (3)"))
+        s.show_difference(!s.shows_difference());
+    ImGui::EndDisabled();
+    ImGui::NewLine();
+}
+
+float companion_table_height(const LabState& lab) {
+    if (!lab.session.companion() || lab.layout != Layout::lab) return 0;
+    const float row = lab.fonts.small->FontSize + 2 * ImGui::GetStyle().CellPadding.y;
+    return static_cast<float>(rows_of(lab.session).size() + 1) * row + lab.px(6);
+}
+
+void draw_companion_table(LabState& lab) {
+    if (!lab.session.companion()) return;
+    ImGui::PushFont(lab.layout == Layout::lab ? lab.fonts.small : lab.fonts.normal);
+    if (ImGui::BeginTable("two runs", 4,
+                          ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+        for (const char* column : {"A", "B", "A − B"}) ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed);
+        ImGui::TableHeadersRow();
+        for (const Row& row : rows_of(lab.session)) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            // Where the name has no room the symbol stands for it, and the tooltip has both.
+            const bool fits = ImGui::CalcTextSize(row.name.c_str()).x <= ImGui::GetContentRegionAvail().x;
+            fitted_text(fits || row.symbol.empty() ? row.name : row.symbol, ImGui::GetContentRegionAvail().x);
+            tooltip(row.help, lab.scale);
+            for (const std::string* cell : {&row.a, &row.b, &row.difference}) {
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(cell->c_str());
+            }
+        }
+        ImGui::EndTable();
+    }
+    ImGui::PopFont();
+    lab.note_control("two runs");
+}
+
+}  // namespace pliant::viewer

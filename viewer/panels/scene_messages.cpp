@@ -1,0 +1,77 @@
+#include "panels/scene_messages.h"
+
+#include "panels/companion_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pliant::viewer {
+
+void draw_banner(LabState& lab, const Rectangle& place) {
+    const auto& message = lab.session.message();
+    if (!message) return;
+    using Kind = Session::Message::Kind;
+    const Rgba8 colour = message->kind == Kind::info ? quiet_colour : bad_colour;
+    ImGui::SetCursorScreenPos({place.x + lab.px(10), place.y + lab.px(10)});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(colour, 0.94f));
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+    const float width = place.width - lab.px(20), wrap = width - lab.px(20);
+    const float text_height = ImGui::CalcTextSize(message->text.c_str(), nullptr, false, wrap).y;
+    const std::string text = message->text;
+    ImGui::BeginChild("message", {width, text_height + ImGui::GetFrameHeight() + lab.px(22)},
+                      ImGuiChildFlags_AlwaysUseWindowPadding);
+    ImGui::PushTextWrapPos(wrap);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 90));
+    if (message->kind == Kind::diverged) {
+        if (ImGui::Button("Step back")) lab.session.step_back();
+        ImGui::SameLine();
+        if (ImGui::Button("Reset")) lab.session.reset();
+        ImGui::SameLine();
+    }
+    if (ImGui::Button("Dismiss")) lab.session.dismiss();
+    ImGui::PopStyleColor();
+    ImGui::EndChild();
+    ImGui::PopStyleColor(2);
+}
+
+void draw_hints(LabState& lab, const Rectangle& place) {
+    if (!lab.hints_shown || lab.layout != Layout::lab || lab.animation.progress) return;
+    const bool can_pull = lab.session.lesson().can_pull().has_value();
+    const std::string text = fmt::format(
+        "{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",
+        can_pull ? "Pull it with the mouse; drag beside it to turn" : "Drag to move the picture, turn the wheel to zoom");
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float pad = lab.px(8), button = ImGui::GetFrameHeight();
+    const ImVec2 at{place.x + lab.px(10), place.y + place.height - size.y - 2 * pad - lab.px(10)};
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + button + 3 * pad, at.y + size.y + 2 * pad},
+                                              ImGui::GetColorU32(ImGuiCol_PopupBg, 0.88f), lab.px(5));
+    ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + pad}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    ImGui::SetCursorScreenPos({at.x + size.x + 2 * pad, at.y + pad});
+    if (ImGui::Button("×", {button, button})) lab.hints_shown = false;
+    lab.note_control("hide hints");
+}
+
+void name_pinned(LabState& lab, const Rectangle& place) {
+    if (!lab.session.pinned()) return;
+    const bool hinted = lab.hints_shown && lab.layout == Layout::lab;
+    const float up = hinted ? 3 * ImGui::GetTextLineHeight() + lab.px(34) : lab.px(8);
+    const ImVec2 at{place.x + lab.px(10), place.y + place.height - ImGui::GetTextLineHeight() - up};
+    haloed_text(lab, at, lab.ink(Ink::text), pinned_text(lab.session));
+}
+
+void tell_stopped(LabState& lab, const Rectangle& place) {
+    const std::string& why = lab.session.companion()->stopped();
+    if (why.empty()) return;
+    const std::string text = fmt::format("B stopped, A goes on: {}", why);
+    const float pad = lab.px(10), wrap = place.width - 4 * pad;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 at{place.x + pad, place.y + place.height - size.y - 3 * pad};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(at, {at.x + wrap + 2 * pad, at.y + size.y + 2 * pad}, packed(bad_colour, 0.94f), lab.px(4));
+    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + pad}, IM_COL32_WHITE, text.c_str(), nullptr, wrap);
+}
+
+}  // namespace pliant::viewer
