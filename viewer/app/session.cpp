@@ -365,6 +365,8 @@ std::optional<Scene> Session::other_scene() {
 // ------------------------------------------------------------------------------------------------------ looking inside
 
 void Session::compare(Compare what) {
+    // Half of the place asks for another frame.
+    if ((what == Compare::side_by_side) != (inspector.compare == Compare::side_by_side)) camera.reset();
     inspector.compare = what;
     before_.reset();
     change_range_.forget();

@@ -73,7 +73,9 @@ int window(const WindowOptions& o) {
     using Clock = std::chrono::steady_clock;
     auto last = Clock::now();
     for (long frame = 0; !context->close_requested() && (o.frames == 0 || frame < o.frames); ++frame) {
-        context->poll_events();
+        // A lab at rest leaves the processor alone.
+        const bool at_rest = !lab.session().playing && !lab.state().animation.progress && !lab.state().cost_shown;
+        context->poll_events(at_rest ? 1.0 / 60 : 0);
         const auto now = Clock::now();
         const Real seconds = std::chrono::duration<Real>(now - last).count();
         lab.frame(seconds);

@@ -39,7 +39,8 @@ public:
 
     // What type and line widths must be multiplied with on this screen.
     virtual float ui_scale() const { return 1; }
-    virtual void poll_events() {}
+    // Takes what has happened; with `wait`, in s, sleeps so long at most until something does.
+    virtual void poll_events(Real wait = 0) { (void)wait; }
     virtual bool close_requested() const { return false; }
     virtual void cancel_close() {}
     // Paths of the files dropped on the window since the last call.

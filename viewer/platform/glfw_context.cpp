@@ -73,7 +73,7 @@ public:
         const float inside_units = width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1;
         return std::max(1.0f, x / inside_units);
     }
-    void poll_events() override { glfwPollEvents(); }
+    void poll_events(Real wait) override { wait > 0 ? glfwWaitEventsTimeout(wait) : glfwPollEvents(); }
     bool close_requested() const override { return glfwWindowShouldClose(window_) != 0; }
     void cancel_close() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
     std::vector<std::string> take_dropped_files() override { return std::exchange(dropped_, {}); }
