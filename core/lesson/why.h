@@ -4,6 +4,7 @@
 #include <pliant/lesson/runner.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,12 +42,22 @@ struct Answer {
     bool can_ask = false;   // has inputs that are not listed here for want of depth
 };
 
+// One number: of a field, or of a probe with the index 0; now, where no time is given.
+struct AskedNumber {
+    std::string_view field;
+    Index index = 0;
+    int component = -1;
+    std::optional<When> when{};
+};
+
 // field: the name of a field or of a probe; "probe:NAME" where a probe bears the name of a field.
 // The component -1 asks for the length of a vector or the norm of a tensor. depth: levels of inputs, at least 1. The run is where
 // it was afterwards, to the bit. Throws Refused for a field, probe, index or component that does not exist, and for a time that
 // is no longer stored.
 Answer why(Runner& runner, std::string_view field, Index index, int component, int depth = 1,
            std::optional<When> when = std::nullopt);
+// Many at once, with one way back through the run.
+std::vector<Answer> why(Runner& runner, std::span<const AskedNumber> questions, int depth = 1);
 
 // "field, index, value, unit, stage, formula, substituted, inputs[]", the inputs likewise down to the depth.
 std::string why_json(const Answer& answer, int depth);

@@ -37,20 +37,20 @@ inline void check_answer(const Answer& a, const std::string& where) {
 // All that the stage wrote can be explained, by itself or by definition.
 inline void check_stage(Runner& runner, const Stage& stage, const std::string& where) {
     const Lesson& lesson = runner.lesson();
+    std::vector<AskedNumber> questions;
     for (const Field& field : lesson.fields) {
         if (!field.in_use() || !changes(lesson, stage, field)) continue;
         for (const Index row : sample_rows(field, runner.place().step))
-            for (int c = 0; c < (field.rank == Rank::scalar ? 1 : field.components); ++c) {
-                const Answer a = why(runner, field.name, row, c, 1);
-                INFO(where << ": " << field.name << "[" << row << "]");
-                CHECK((a.kind == Answer::Kind::computed || a.kind == Answer::Kind::state));
-                if (!runner.inside_step()) CHECK(a.kind == Answer::Kind::computed);
-                check_answer(a, where);
-            }
+            for (int c = 0; c < (field.rank == Rank::scalar ? 1 : field.components); ++c)
+                questions.push_back({field.name, row, c});
     }
-    for (const std::string_view name : stage.writes) {
-        if (lesson.find_field(name) || !lesson.probe(name).value()) continue;
-        check_answer(why(runner, name, 0, -1, 1), where);
+    for (const std::string_view name : stage.writes)
+        if (!lesson.find_field(name) && lesson.probe(name).value()) questions.push_back({name});
+    for (const Answer& a : why(runner, questions)) {
+        INFO(where << ": " << a.field << "[" << a.index << "]");
+        CHECK((a.kind == Answer::Kind::computed || a.kind == Answer::Kind::state));
+        if (!runner.inside_step()) CHECK(a.kind == Answer::Kind::computed);
+        check_answer(a, where);
     }
 }
 
@@ -60,8 +60,9 @@ inline void check_probes(Runner& runner, const std::string& where) {
         if (probe.explain && probe.value()) check_answer(why(runner, "probe:" + std::string(probe.name), 0, -1, 1), where);
 }
 
-inline void check_every_stage(Runner& runner, const std::string& where) {
-    const Index steps = runner.place().step + (runner.is_static() ? 1 : 4);
+// every: of the passes of a long inner loop, each so many-th is looked at.
+inline void check_every_stage(Runner& runner, const std::string& where, Index more_steps = 4, Index every = 17) {
+    const Index steps = runner.place().step + (runner.is_static() ? 1 : more_steps);
     while (runner.place().step < steps) {
         runner.step_pass();
         const auto last = runner.last_stage();
@@ -69,7 +70,7 @@ inline void check_every_stage(Runner& runner, const std::string& where) {
         const Stage& stage = *runner.stages()[*last];
         // Inner loops of many passes are looked at now and then.
         const Index passes = runner.passes_in_stage();
-        if (passes > 2 && passes % 61 != 0) continue;
+        if (passes > 2 && passes % every != 0) continue;
         check_stage(runner, stage, where + ", stage " + std::string(stage.name));
     }
     check_probes(runner, where);
