@@ -38,8 +38,13 @@ constexpr std::array bindings{
     KeyBinding{Action::first_slide, ImGuiKey_Home, false, false, "Home", "deck: first slide", Where::in_deck},
     KeyBinding{Action::last_slide, ImGuiKey_End, false, false, "End", "deck: last slide", Where::in_deck},
     KeyBinding{Action::notes, ImGuiKey_O, false, false, "O", "deck: the lecturer's notes", Where::in_deck},
+    KeyBinding{Action::dismiss, ImGuiKey_Escape, false, false, "Escape", "close a message or the summary", Where::over_a_message},
     KeyBinding{Action::leave_deck, ImGuiKey_Escape, false, false, "Escape", "deck: to the lab, with this run", Where::in_deck},
     KeyBinding{Action::hide_panels, ImGuiKey_Tab, false, false, "Tab", "hide or show the panels", Where::outside_deck},
+    KeyBinding{Action::next_panel, ImGuiKey_F6, false, false, "F6", "next panel; arrow keys go through its controls"},
+    KeyBinding{Action::previous_panel, ImGuiKey_F6, false, false, "Shift F6", "panel before", Where::everywhere, true},
+    KeyBinding{Action::summary, ImGuiKey_S, false, false, "S", "how things stand, in sentences; also printed"},
+    KeyBinding{Action::patterns, ImGuiKey_P, false, false, "P", "patterns as well as colours show the sign"},
     KeyBinding{Action::arrows, ImGuiKey_A, false, false, "A", "arrows on or off"},
     KeyBinding{Action::frame, ImGuiKey_Home, false, false, "Home", "frame the whole scene", Where::outside_deck},
     KeyBinding{Action::extreme, ImGuiKey_E, false, false, "E", "extreme ranges of the sliders"},
@@ -79,6 +84,8 @@ bool KeyContext::suits(Where where) const {
             return deck;
         case Where::in_walkthrough:
             return walkthrough;
+        case Where::over_a_message:
+            return message && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     }
     return false;
 }
@@ -102,7 +109,7 @@ bool pressed(const KeyBinding& b) {
     // Space acts on the control that has the visible focus, if one has.
     if (b.key == ImGuiKey_Space && io.NavVisible) return false;
     // A control that was taken hold of by keys has the arrows, and Escape lets go of it.
-    if (b.where == Where::in_deck && ImGui::IsAnyItemActive()) return false;
+    if ((b.where == Where::in_deck || b.where == Where::over_a_message) && ImGui::IsAnyItemActive()) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);
 }
 

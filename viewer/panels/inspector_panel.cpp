@@ -261,11 +261,11 @@ void draw_inspector(LabState& lab) {
     const Inspector& in = lab.session.inspector;
     if (!in.thing) return ImGui::TextDisabled("This lesson has no fields to look into.");
     exports(lab);
-    ImGui::BeginChild("quantities", {0, ImGui::GetContentRegionAvail().y * 0.5f}, ImGuiChildFlags_Border);
+    ImGui::BeginChild("quantities", {0, ImGui::GetContentRegionAvail().y * 0.5f}, ImGuiChildFlags_Border, ImGuiWindowFlags_NavFlattened);
     for (const Field& f : lab.session.lesson().fields)
         if (f.in_use() && f.on == in.thing->on && in.thing->index < f.size()) quantity(lab, f, in.thing->index);
     ImGui::EndChild();
-    ImGui::BeginChild("why", {0, 0}, ImGuiChildFlags_Border);
+    ImGui::BeginChild("why", {0, 0}, ImGuiChildFlags_Border, ImGuiWindowFlags_NavFlattened);
     why_part(lab);
     ImGui::EndChild();
 }

@@ -138,7 +138,7 @@ void draw_parameters(LabState& lab) {
     const float width = ImGui::CalcTextSize("extreme ranges").x + ImGui::GetFrameHeight() + lab.px(6);
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
     extreme_switch(lab);
-    ImGui::BeginChild("parameters");
+    ImGui::BeginChild("parameters", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
     for (const Parameter* p : lab.session.lesson().parameters) draw_parameter(lab, *p);
     ImGui::EndChild();
 }

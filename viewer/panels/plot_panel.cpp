@@ -214,7 +214,7 @@ void draw_plots(LabState& lab) {
     Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
     const std::vector<std::string> shown = shown_plots(lab);
     if (shown.empty()) return;
-    ImGui::BeginChild("plots");
+    ImGui::BeginChild("plots", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
     const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float height = std::clamp((room.y - spacing * (count - 1)) / count, lab.px(130), std::max(lab.px(130), 0.85f * room.x));

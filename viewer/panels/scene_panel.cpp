@@ -73,10 +73,11 @@ void read_out(LabState& lab, const Picked& picked) {
     ImGui::PopFont();
 }
 
-// A ring around the thing that is inspected.
+// A ring around the thing that is inspected, or where the run broke down.
 void mark_thing(LabState& lab, const View& view) {
-    const auto& thing = lab.session.inspector.thing;
-    if (!thing || !lab.show_inspector) return;
+    const auto& autopsy = lab.session.autopsy();
+    const auto& thing = autopsy && autopsy->thing ? autopsy->thing : lab.session.inspector.thing;
+    if (!thing || (thing == lab.session.inspector.thing && !lab.show_inspector)) return;
     if (const auto at = place_of(view.scene, thing->on, thing->index)) {
         const Eigen::Vector3f p = view.projection.pixel(*at);
         ImGui::GetWindowDrawList()->AddCircle({view.origin.x + p.x(), view.origin.y + p.y()}, lab.px(11), lab.ink(Ink::accent), 0,
@@ -148,7 +149,7 @@ void handle_mouse(LabState& lab, const View& view) {
 
 void banner(LabState& lab, const View& view) {
     const auto& message = lab.session.message();
-    if (!message) return;
+    if (!message || lab.session.autopsy()) return;
     using Kind = Session::Message::Kind;
     const Rgba8 colour = message->kind == Kind::info ? quiet_colour : bad_colour;
     ImGui::SetCursorScreenPos({view.origin.x + lab.px(10), view.origin.y + lab.px(10)});
@@ -163,13 +164,9 @@ void banner(LabState& lab, const View& view) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 90));
-    if (message->kind == Kind::diverged) {
-        if (ImGui::Button("Step back")) lab.session.step_back();
-        ImGui::SameLine();
-        if (ImGui::Button("Reset")) lab.session.reset();
-        ImGui::SameLine();
-    }
     if (ImGui::Button("Dismiss")) lab.session.dismiss();
+    lab.note_control("dismiss");
+    tooltip("Close this (Escape)", lab.scale);
     ImGui::PopStyleColor();
     ImGui::EndChild();
     ImGui::PopStyleColor(2);
@@ -208,8 +205,8 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     const View view{std::move(scene), Projection(*s.camera, dimension, size.x, size.y, bar.right), origin, size, dimension};
 
     const Size pixels{static_cast<int>(size.x), static_cast<int>(size.y)};
-    const GLuint texture =
-        renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.colour_scale(), pixels, lab.scale, bar.right);
+    const GLuint texture = renderer.render(view.scene, dimension, *s.camera, palette(lab.theme), s.colour_scale(), pixels,
+                                           lab.scale, bar.right, s.patterns);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), origin,
                                          {origin.x + size.x, origin.y + size.y}, {0, 1}, {1, 0});
 
@@ -220,10 +217,11 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     handle_mouse(lab, view);
     mark_thing(lab, view);
     draw_labels(lab, view);
-    if (!s.message() && lab.layout != Layout::deck) draw_notes(lab, view);
+    if (!s.message() && !s.autopsy() && lab.layout != Layout::deck) draw_notes(lab, view);
     draw_colour_bar(lab, {origin.x, origin.y, size.x, size.y + bar.below});
     hints(lab, view);
     banner(lab, view);
+    draw_autopsy(lab, {origin.x, origin.y, size.x, size.y});
 }
 
 }  // namespace pliant::viewer
