@@ -1,4 +1,6 @@
 // The card of a run that broke down: where, by how much, and the buttons that go on from there.
+#include <imgui_internal.h>
+
 #include "panels/lab_state.h"
 
 #include <fmt/format.h>
@@ -25,6 +27,15 @@ bool flowing_button(LabState& lab, const std::string& label, const std::string& 
     return pressed;
 }
 
+// Once for each card the keys go to its first button, the last item, unless a hand is on something else.
+void take_focus(LabState& lab) {
+    const int card = lab.session.run_count() * 1000003 + static_cast<int>(lab.session.runner().place().step % 1000003);
+    if (lab.focused_card == card || ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput) return;
+    lab.focused_card = card;
+    ImGui::SetFocusID(ImGui::GetItemID(), ImGui::GetCurrentWindow());
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+}
+
 std::string fix_label(const Autopsy& a) { return fmt::format("Set {} and {}", a.fix->label, a.restarts ? "restart" : "go on"); }
 
 // Each returns whether the card is gone.
@@ -38,6 +49,7 @@ bool fix_button(LabState& lab, const Autopsy& a) {
                          : "goes on from the last good state";
     ImGui::BeginDisabled(locked != nullptr);
     const bool pressed = flowing_button(lab, fix_label(a), "fix", help, true);
+    if (!locked) take_focus(lab);
     ImGui::EndDisabled();
     if (pressed) lab.session.mend();
     return pressed;
@@ -45,8 +57,9 @@ bool fix_button(LabState& lab, const Autopsy& a) {
 
 bool other_buttons(LabState& lab, const Autopsy& a) {
     Session& s = lab.session;
-    if (flowing_button(lab, "Step back", "autopsy back", "The step before the last good state (,)", !a.fix))
-        return s.step_back(), true;
+    const bool back = flowing_button(lab, "Step back", "autopsy back", "The step before the last good state (,)", !a.fix);
+    if (!a.fix || s.locked_of_fix()) take_focus(lab);
+    if (back) return s.step_back(), true;
     if (a.thing && flowing_button(lab, "Show it", "show it",
                                   fmt::format("Inspect {} {}: its numbers, and why", name_of(a.thing->on), a.thing->index))) {
         s.pick_failed();
@@ -104,14 +117,6 @@ void draw_words(const std::array<Line, 3>& lines) {
     }
 }
 
-// Once for each card the keys go to its first button, unless a hand is on something else.
-void take_focus(LabState& lab) {
-    const int card = lab.session.run_count() * 1000003 + static_cast<int>(lab.session.runner().place().step % 1000003);
-    if (lab.focused_card == card || ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput) return;
-    lab.focused_card = card;
-    ImGui::SetKeyboardFocusHere();
-}
-
 }  // namespace
 
 void draw_autopsy(LabState& lab, const Rectangle& picture) {
@@ -135,7 +140,6 @@ void draw_autopsy(LabState& lab, const Rectangle& picture) {
     ImGui::BeginChild("autopsy words", {0, height - buttons - 2 * pad}, ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);
     draw_words(lines);
     ImGui::EndChild();
-    if (!lab.session.locked_of_fix()) take_focus(lab);
     if (!fix_button(lab, a)) other_buttons(lab, a);
     ImGui::EndChild();
     lab.note_control("autopsy");
