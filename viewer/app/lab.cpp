@@ -200,7 +200,6 @@ void Lab::frame(Real dt) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
-    if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
     release_keys(in_deck());
     animation_ && !animation_->complete() ? animation_->advance(state_.session) : state_.session.update(dt);
     const Session& s = state_.session;
@@ -212,6 +211,7 @@ void Lab::frame(Real dt) {
     forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
+    if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
     draw_layout(display.x, display.y);
     state_.plots.memory.save_all_svg = false;
     if (state_.help_shown) draw_help(state_);
