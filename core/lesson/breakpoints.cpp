@@ -68,7 +68,7 @@ int first_new(const std::vector<char>& now, const std::vector<char>& before) {
 }
 }  // namespace
 
-std::string Breakpoints::words_of(const Runner& runner, const Watch& now) const {
+std::string Breakpoints::words_of(const Runner& runner, const Watch& now) {
     const Lesson& lesson = runner.lesson();
     if (const int k = first_new(now.conditions, last_.conditions); k >= 0) {
         const Condition& c = conditions[static_cast<std::size_t>(k)];
@@ -77,6 +77,7 @@ std::string Breakpoints::words_of(const Runner& runner, const Watch& now) const 
     }
     if (const int k = first_new(now.assumptions, last_.assumptions); k >= 0 && assumptions) {
         const Assumption& a = lesson.assumptions[static_cast<std::size_t>(k)];
+        failed_assumption_ = static_cast<std::size_t>(k);
         return fmt::format("the assumption '{}' fails: {} is beyond {}. {}", a.name, format_quantity(a.value(), a.unit),
                            format_quantity(a.limit(), a.unit), a.broken);
     }
@@ -93,6 +94,7 @@ std::string Breakpoints::words_of(const Runner& runner, const Watch& now) const 
 std::optional<std::string> Breakpoints::stops(const Runner& runner) {
     const bool whole_step = !runner.inside_step();
     std::string reason;
+    failed_assumption_.reset();
     if (runner.passes_in_stage() == 0) {
         const Watch now = look(runner, whole_step);
         reason = words_of(runner, now);

@@ -39,15 +39,18 @@ public:
     void arm(const Runner& runner);
     // To be asked after every pass: why the run stops here, in words; empty when it does not.
     std::optional<std::string> stops(const Runner& runner);
+    // Index in Lesson::assumptions of the one that made the run stop last; empty when something else did.
+    const std::optional<std::size_t>& failed_assumption() const { return failed_assumption_; }
 
 private:
     struct Watch {
         std::vector<char> conditions, assumptions, laws;  // does it hold (fail, fail) now?
     };
     Watch look(const Runner& runner, bool whole_step) const;
-    std::string words_of(const Runner& runner, const Watch& now) const;
+    std::string words_of(const Runner& runner, const Watch& now);
 
     Watch last_;
+    std::optional<std::size_t> failed_assumption_;
 };
 
 // Runs on, pass by pass, until a breakpoint stops it or `go_on` (asked behind every whole step) is false. Empty: not stopped by

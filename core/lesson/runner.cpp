@@ -146,7 +146,10 @@ void Runner::guard(const Stage& stage) const {
                                      ? "a number that is not finite"
                                      : fmt::format("{} is beyond the bound {}", format_quantity(value, field->unit),
                                                    format_quantity(bound, field->unit));
-        throw Diverged({.stage = {}, .field = std::string(name), .index = at / field->components, .what = what, .limit = {}});
+        Failure failure{.stage = {}, .field = std::string(name), .index = at / field->components, .what = what, .limit = {}};
+        if (std::isfinite(value)) failure.value = value;
+        if (field->bound) failure.bound = bound;
+        throw Diverged(std::move(failure));
     }
 }
 

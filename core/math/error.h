@@ -2,6 +2,7 @@
 #pragma once
 #include <pliant/math/types.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -45,6 +46,8 @@ struct Failure {
     Real time = 0;      // s
     std::string what;   // what went wrong, with the numbers
     std::string limit;  // the limit that was exceeded and by how much; empty when none is known
+    // The number itself and what it may be at most, in the unit of the field; empty where there is none or it is not finite.
+    std::optional<Real> value{}, bound{};
 };
 
 struct Diverged : Error {

@@ -20,12 +20,12 @@ TEST_CASE("explanations hold in every scene, method and preset", "[slow]") {
             if (p->info.kind != Kind::choice && p->info.kind != Kind::toggle) continue;
             for (Real v = p->info.useful.min; v <= p->info.useful.max; ++v) {
                 Runner runner(entry, {{std::string(p->info.key), p->text(v)}});
-                check_every_stage(runner, std::string(entry.info.id) + " " + std::string(p->info.key) + "=" + p->text(v));
+                check_every_stage(runner, std::string(entry.info.id) + " " + std::string(p->info.key) + "=" + p->text(v), 1, 101);
             }
         }
         for (const std::string& name : preset_names(entry.info.id)) {
             Runner runner(entry, preset(entry, name).parameters);
-            check_every_stage(runner, std::string(entry.info.id) + " preset " + name);
+            check_every_stage(runner, std::string(entry.info.id) + " preset " + name, 1, 101);
         }
     }
 }

@@ -83,15 +83,36 @@ TEST_CASE("the last good state of a diverged run is that of the steps before", "
     CHECK(json_of(shorter)["probes"] == run["probes"]);
 }
 
-TEST_CASE("a diverged run has no picture, and says why", "[process]") {
+TEST_CASE("the picture of a diverged run is its last good state, and the exit code says why", "[process]") {
     const Scratch scratch;
     Arguments shot = blow_up;
     shot[0] = "shot";
-    shot.insert(shot.end(), {"--out", scratch.path("picture.png")});
+    shot.insert(shot.end(), {"--layout", "lab", "--out", scratch.path("picture.png")});
     const Outcome outcome = call(shot);
     CHECK(outcome.exit_code == diverged);
     CHECK(contains(outcome.err, "stage"));
+    CHECK(scratch.names() == std::vector<std::string>{"picture.png"});
+}
+
+TEST_CASE("the animation of a diverged run is not written", "[process]") {
+    const Scratch scratch;
+    Arguments shot = blow_up;
+    shot[0] = "shot";
+    shot.insert(shot.end(), {"--seconds", "1", "--out", scratch.path("picture.gif")});
+    const Outcome outcome = call(shot);
+    CHECK(outcome.exit_code == diverged);
     CHECK(scratch.names().empty());
+}
+
+TEST_CASE("the summary of a run says in sentences what holds, what fails and what ended it", "[process]") {
+    const Outcome outcome = run_with({"--summary"});
+    CHECK(outcome.exit_code == diverged);
+    CHECK(contains(outcome.out, "The run stopped in step"));
+    const Outcome well = call({"run", "mesh/mass_spring", "--steps", "3", "--summary"});
+    CHECK(well.exit_code == 0);
+    CHECK(contains(well.out, "Step 3, time"));
+    CHECK(contains(well.out, "The assumption"));
+    CHECK_FALSE(contains(well.out, "stopped"));
 }
 
 TEST_CASE("a body that never rests is reported, not run for ever", "[process][slow]") {

@@ -187,3 +187,15 @@ TEST_CASE("an animation is recorded while the run plays, and Escape gives it up"
     CHECK_FALSE(fs::exists(b.scratch.path("b.gif")));
     CHECK_THAT(b.told(), ContainsSubstring("given up"));
 }
+
+TEST_CASE("the next lesson, opened by its key in the deck, leaves the deck", "[lab]") {
+    Bench b;
+    b.lab.open_deck();
+    b.frames(2);
+    REQUIRE(b.lab.in_deck());
+    ImGui::GetIO().AddKeyEvent(ImGuiKey_RightBracket, true);
+    ImGui::GetIO().AddKeyEvent(ImGuiKey_RightBracket, false);
+    b.frames(3);
+    CHECK(b.lab.session().entry().info.id != "mesh/mass_spring");
+    CHECK(b.lab.state().layout == Layout::lab);
+}

@@ -25,7 +25,7 @@ LabState fresh_lab() {
 }  // namespace
 
 TEST_CASE("settings: everything is read back as it was written", "[settings]") {
-    const Settings s{Theme::projector, 1.5f, 0.25, Layout::slide, false, {"/a/b.json", "/c \"d\".json"}};
+    const Settings s{Theme::projector, 1.5f, 0.25, Layout::slide, false, true, {"/a/b.json", "/c \"d\".json"}};
     CHECK(parse_settings(settings_text(s), "s") == s);
     CHECK(parse_settings(settings_text({}), "s") == Settings{});
 }

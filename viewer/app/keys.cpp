@@ -38,6 +38,7 @@ constexpr std::array bindings{
     KeyBinding{Action::first_slide, ImGuiKey_Home, false, false, "Home", "deck: first slide", Where::in_deck},
     KeyBinding{Action::last_slide, ImGuiKey_End, false, false, "End", "deck: last slide", Where::in_deck},
     KeyBinding{Action::notes, ImGuiKey_O, false, false, "O", "deck: the lecturer's notes", Where::in_deck},
+    KeyBinding{Action::dismiss, ImGuiKey_Escape, false, false, "Escape", "close a message or the summary", Where::over_a_message},
     KeyBinding{Action::leave_deck, ImGuiKey_Escape, false, false, "Escape", "deck: to the lab, with this run", Where::in_deck},
     KeyBinding{Action::pin, ImGuiKey_G, false, false, "G", "pin this run behind the present one, or let it go"},
     KeyBinding{Action::beside, ImGuiKey_2, false, false, "2", "two runs, A and B, side by side"},
@@ -46,6 +47,10 @@ constexpr std::array bindings{
     KeyBinding{Action::address_b, ImGuiKey_2, true, false, "Ctrl 2", "two runs: the sliders set B"},
     KeyBinding{Action::cost, ImGuiKey_C, false, false, "C", "cost and error in the place of the plots", Where::outside_deck},
     KeyBinding{Action::hide_panels, ImGuiKey_Tab, false, false, "Tab", "hide or show the panels", Where::outside_deck},
+    KeyBinding{Action::next_panel, ImGuiKey_F6, false, false, "F6", "next panel; arrow keys go through its controls"},
+    KeyBinding{Action::previous_panel, ImGuiKey_F6, false, false, "Shift F6", "panel before", Where::everywhere, true},
+    KeyBinding{Action::summary, ImGuiKey_S, false, false, "S", "how things stand, in sentences; also printed"},
+    KeyBinding{Action::patterns, ImGuiKey_P, false, false, "P", "patterns as well as colours show the sign"},
     KeyBinding{Action::arrows, ImGuiKey_A, false, false, "A", "arrows on or off"},
     KeyBinding{Action::frame, ImGuiKey_Home, false, false, "Home", "frame the whole scene", Where::outside_deck},
     KeyBinding{Action::extreme, ImGuiKey_E, false, false, "E", "extreme ranges of the sliders"},
@@ -85,6 +90,8 @@ bool KeyContext::suits(Where where) const {
             return deck;
         case Where::in_walkthrough:
             return walkthrough;
+        case Where::over_a_message:
+            return message && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     }
     return false;
 }
@@ -108,7 +115,7 @@ bool pressed(const KeyBinding& b) {
     // Space acts on the control that has the visible focus, if one has.
     if (b.key == ImGuiKey_Space && io.NavVisible) return false;
     // A control that was taken hold of by keys has the arrows, and Escape lets go of it.
-    if (b.where == Where::in_deck && ImGui::IsAnyItemActive()) return false;
+    if ((b.where == Where::in_deck || b.where == Where::over_a_message) && ImGui::IsAnyItemActive()) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);
 }
 

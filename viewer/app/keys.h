@@ -56,11 +56,17 @@ enum class Action {
     address_a,
     address_b,
     difference,
-    cost
+    cost,
+    dismiss,
+    summary,
+    patterns,
+    next_panel,
+    previous_panel
 };
 
-// Where a key has its meaning. The deck is the layout for a lecture, while a walkthrough plays in it.
-enum class Where { everywhere, outside_deck, in_deck, in_walkthrough };
+// Where a key has its meaning; over a message, or a summary, it has that one alone. The deck is the layout for a lecture, while a
+// walkthrough plays in it.
+enum class Where { everywhere, outside_deck, in_deck, in_walkthrough, over_a_message };
 
 struct KeyBinding {
     Action action;
@@ -74,7 +80,7 @@ struct KeyBinding {
 
 // What the person is in, for the keys that depend on it.
 struct KeyContext {
-    bool walkthrough = false, deck = false;
+    bool walkthrough = false, deck = false, message = false;
     bool suits(Where where) const;
 };
 
@@ -85,8 +91,12 @@ bool pressed(const KeyBinding& binding);
 
 // Calls `perform` for each action whose key was pressed in this frame, unless a text is being typed.
 void handle_keys(const KeyContext& context, const auto& perform) {
-    for (const KeyBinding& b : key_bindings())
-        if (context.suits(b.where) && pressed(b)) perform(b.action);
+    int taken = 0;
+    for (const KeyBinding& b : key_bindings()) {
+        if (!context.suits(b.where) || b.key == taken || !pressed(b)) continue;
+        if (b.where == Where::over_a_message) taken = b.key;
+        perform(b.action);
+    }
 }
 
 }  // namespace pliant::viewer

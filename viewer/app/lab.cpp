@@ -3,6 +3,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
 
+#include "app/summary.h"
 #include "panels/file_dialog.h"
 #include "platform/gl.h"
 
@@ -162,6 +163,27 @@ bool Lab::perform_on_view(Action action) {
         case Action::frame:
             return s.camera.reset(), true;
         default:
+            return perform_for_ear_and_hand(action);
+    }
+}
+
+// What helps without a mouse, and without seeing the picture or its colours.
+bool Lab::perform_for_ear_and_hand(Action action) {
+    switch (action) {
+        case Action::dismiss:
+            state_.summary.empty() ? state_.session.dismiss() : state_.summary.clear();
+            return true;
+        case Action::summary:
+            state_.summary = state_.summary.empty() ? summary_of(state_) : "";
+            if (!state_.summary.empty() && state_.speak) state_.speak(state_.summary);
+            return true;
+        case Action::patterns:
+            state_.session.patterns = !state_.session.patterns;
+            return true;
+        case Action::next_panel:
+        case Action::previous_panel:
+            return focus_panel(action == Action::next_panel ? 1 : -1), true;
+        default:
             return false;
     }
 }
@@ -190,19 +212,25 @@ void Lab::frame(Real dt) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
-    if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
     release_keys(in_deck());
     animation_ && !animation_->complete() ? animation_->advance(state_.session) : state_.session.update(dt);
+    const Session& s = state_.session;
     if (!state_.files.asking() && !state_.animation.asking)
-        handle_keys({.walkthrough = state_.session.walkthrough.has_value(), .deck = in_deck()}, [this](Action a) { perform(a); });
+        handle_keys({.walkthrough = state_.session.walkthrough.has_value(),
+                     .deck = in_deck(),
+                     .message = s.message() || s.autopsy() || !state_.summary.empty()},
+                    [this](Action a) { perform(a); });
     forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
+    if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
     draw_layout(display.x, display.y);
     state_.plots.memory.save_all_svg = false;
     if (state_.help_shown) draw_help(state_);
+    draw_summary(state_);
     draw_file_dialog(state_);
     draw_animation_panel(state_);
+    draw_focus(state_);
     do_what_is_wanted();
     ImGui::PopFont();
     gui_.end_frame();

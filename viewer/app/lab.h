@@ -55,6 +55,7 @@ private:
     bool perform_on_run(Action action);
     bool perform_on_walkthrough(Action action);
     bool perform_on_view(Action action);
+    bool perform_for_ear_and_hand(Action action);
     void perform_on_files(Action action);
     void do_what_is_wanted();
     void after_frame();

@@ -110,7 +110,8 @@ void Lab::deck_layout(float width, float height) {
     }
     if (slide_parameters_height(s) > 0) {
         // Tab goes to the sliders, whatever was clicked before.
-        const bool busy = ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+        const bool busy =
+            s.session.autopsy() || ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
         if (!busy) ImGui::SetNextWindowFocus();
         const FixedPanel panel("Slide parameters", {left, head + body - sliders, middle, sliders}, ImGuiWindowFlags_NoBackground);
         draw_slide_parameters(s);

@@ -24,7 +24,7 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     pinned_.reset();
     close_companion();
     undo_.clear();
-    message_.reset();
+    dismiss();
     walkthrough.reset();
     unlocked = false;
     playing = false;
@@ -67,7 +67,7 @@ bool Session::guarded(const std::function<void()>& action) {
         action();
         return true;
     } catch (const Diverged& e) {
-        say(Message::Kind::diverged, e.what());
+        tell(e);
     } catch (const Error& e) {
         say(Message::Kind::refused, e.what());
     }
@@ -132,7 +132,10 @@ bool Session::advance_one() {
         if (!pass_by_pass) return runner_->step();
         do {
             runner_->step_pass();
-            if (const auto reason = inspector.breaks.stops(*runner_)) inspector.stopped = *reason, go_on = false;
+            if (const auto reason = inspector.breaks.stops(*runner_)) {
+                inspector.stopped = *reason, go_on = false;
+                tell_failed_assumption();
+            }
         } while (go_on && !runner_->is_static() && runner_->inside_step());
     });
     if (!go_on) playing = false;

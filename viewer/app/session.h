@@ -8,6 +8,7 @@
 #include <pliant/lesson/until.h>
 #include <pliant/lesson/walkthrough.h>
 
+#include "app/autopsy.h"
 #include "app/companion.h"
 #include "app/inspector.h"
 #include "render/palette.h"
@@ -102,6 +103,7 @@ public:
     ColourBy colours;
     ColourRange range;
     bool show_arrows = true, show_labels = true, smooth = true;
+    bool patterns = false;         // the sign shows by hatching, dashes and shapes as well as by colours
     std::optional<Camera> camera;  // framed afresh when empty
     void view_changed();           // after a change of the colours: their range is found again
     // The picture, as the inspector asks for it: of now, of before the stage that is looked at, or of what that changed.
@@ -156,8 +158,19 @@ public:
         std::string text;
     };
     const std::optional<Message>& message() const { return message_; }
-    void say(Message::Kind kind, std::string text) { message_ = {kind, std::move(text)}; }
-    void dismiss() { message_.reset(); }
+    void say(Message::Kind kind, std::string text) { message_ = {kind, std::move(text)}, autopsy_.reset(); }
+    void dismiss() { message_.reset(), autopsy_.reset(); }
+
+    // --- when a run breaks down ---
+    // Of the divergence that the message tells, or of the assumption that stopped the run; gone with the message.
+    const std::optional<Autopsy>& autopsy() const { return autopsy_; }
+    void tell(const Diverged& divergence);
+    // The parameter of the fix that the slide locks; null when all may be changed.
+    const Parameter* locked_of_fix() const;
+    // Applies the fix, as one step of undo, and plays: on from the last good state, or from the start where it rebuilds.
+    void mend();
+    // The element goes to the inspector.
+    void pick_failed();
 
 private:
     using Values = std::vector<std::pair<std::string, Real>>;  // by key
@@ -170,6 +183,7 @@ private:
     bool set_beside(const Parameter& parameter, Real value);
     void start_both();
     std::vector<Real> difference() const;
+    void tell_failed_assumption();
     void begin_run();  // nothing of the run before is shown any longer
     void moved();      // records, and keeps the view up to date
     void record_of_walkthrough();
@@ -191,6 +205,7 @@ private:
     bool addresses_b_ = false, difference_ = false;
     std::vector<Undo> undo_;
     std::optional<Message> message_;
+    std::optional<Autopsy> autopsy_;
     int run_count_ = 0, open_count_ = 0;
     std::optional<Pull> hand_;
     bool hand_used_ = false;

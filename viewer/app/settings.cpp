@@ -47,6 +47,7 @@ Settings parse_settings(std::string_view text, std::string_view path) {
     if (const auto scale = read<float>(json, "scale"); scale && *scale >= 1 && *scale <= 3) s.scale = scale;
     if (const auto speed = read<Real>(json, "speed"); speed && *speed > 0 && *speed <= 1000) s.speed = speed;
     s.hints_shown = read<bool>(json, "hints_shown");
+    s.patterns = read<bool>(json, "patterns");
     s.recent = read<std::vector<std::string>>(json, "recent").value_or(std::vector<std::string>{});
     if (s.recent.size() > most_recent) s.recent.resize(most_recent);
     return s;
@@ -59,13 +60,14 @@ std::string settings_text(const Settings& s) {
     put(json, "scale", s.scale);
     put(json, "speed", s.speed);
     put(json, "hints_shown", s.hints_shown);
+    put(json, "patterns", s.patterns);
     json["recent"] = s.recent;
     // A path need not be UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Settings settings_of(const LabState& lab) {
-    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.hints_shown, lab.recent};
+    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.hints_shown, lab.session.patterns, lab.recent};
 }
 
 fs::path settings_path() {
@@ -98,7 +100,7 @@ void SettingsFile::note(const LabState& lab) {
         changed_ = true;
     };
     take(&Settings::theme), take(&Settings::scale), take(&Settings::speed), take(&Settings::layout);
-    take(&Settings::hints_shown), take(&Settings::recent);
+    take(&Settings::hints_shown), take(&Settings::patterns), take(&Settings::recent);
     seen_ = now;
 }
 

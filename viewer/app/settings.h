@@ -16,6 +16,7 @@ struct Settings {
     std::optional<Real> speed;   // simulated seconds per second
     std::optional<Layout> layout;
     std::optional<bool> hints_shown;
+    std::optional<bool> patterns;     // as well as colours
     std::vector<std::string> recent;  // scene files, the latest first
     bool operator==(const Settings&) const = default;
 };

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant::viewer {
@@ -38,6 +39,20 @@ nlohmann::ordered_json companion_json(const Session& s) {
     return j;
 }
 
+// The ring, and the control that it goes around best.
+nlohmann::ordered_json focus_json(const LabState& lab) {
+    const Rectangle& f = *lab.focus;
+    std::string best;
+    float most = 0;
+    for (const auto& [name, c] : lab.controls) {
+        const float width = std::min(c.x + c.width, f.x + f.width) - std::max(c.x, f.x),
+                    height = std::min(c.y + c.height, f.y + f.height) - std::max(c.y, f.y);
+        if (width <= 0 || height <= 0) continue;
+        const float common = width * height, part = common / (c.width * c.height + f.width * f.height - common);
+        if (part > most) most = part, best = name;
+    }
+    return {{"control", best}, {"place", {f.x, f.y, f.width, f.height}}};
+}
 }  // namespace
 
 std::string state_json(const LabState& lab) {
@@ -58,6 +73,10 @@ std::string state_json(const LabState& lab) {
     j["pulling"] = lab.pulling ? lab.pulling->index : -1;
     j["hovered"] = lab.hovered ? lab.hovered->index : -1;
     j["message"] = lab.session.message() ? lab.session.message()->text : "";
+    j["autopsy"] = lab.session.autopsy() ? lab.session.autopsy()->text() : "";
+    j["summary"] = lab.summary;
+    j["patterns"] = lab.session.patterns;
+    if (lab.focus) j["focus"] = focus_json(lab);
     j["layout"] = name_of(lab.layout);
     const auto& walkthrough = lab.session.walkthrough;
     j["slide"] = walkthrough ? walkthrough->slide_number() + 1 : 0;

@@ -39,6 +39,7 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
     command.add_option("--stage", o.stage, "go on to the end of this stage, inside the next step");
     command.add_option("--field", o.field, "the field that colours the picture");
     command.add_option("--component", o.component, "its component, from 0; -1 for the whole");
+    command.add_flag("--patterns", o.patterns, "show the sign by patterns as well as by colours");
     command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command.add_option("--ui-scale", o.ui_scale, "of type and lines, 1 to 3")->capture_default_str();
     command.add_option("--theme", o.theme, "dark or projector")->capture_default_str();
@@ -102,7 +103,9 @@ int dispatch(int argc, const char* const* argv) {
     CLI::App* run_command = app.add_subcommand("run", "run a lesson and print its probes, assumptions and costs");
     add_run_options(*run_command, run_options);
     run_command->add_option("--csv", run_options.csv_path, "write the probes of every step to this file");
-    run_command->add_flag("--json", run_options.json, "print one JSON object");
+    CLI::Option* run_json_flag = run_command->add_flag("--json", run_options.json, "print one JSON object");
+    run_command->add_flag("--summary", run_options.summary, "print how the run stands in plain sentences")
+        ->excludes(run_json_flag);
     run_command->callback([&] { action = [&] { return run(run_options); }; });
 
     CLI::App* why_command = app.add_subcommand("why", "how a number came about: its stage, formula and inputs");

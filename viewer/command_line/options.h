@@ -20,14 +20,14 @@ struct RunOptions {
     std::optional<Real> time;
     bool rest = false;
     std::string csv_path;
-    bool json = false;
+    bool json = false, summary = false;
 };
 
 struct PictureOptions {
     std::string stage, field, size = "1280x720", theme = "dark", layout = "slide", backend = "any", out;
     int component = -1;
     std::optional<Index> slide;  // of the walkthrough, from 1
-    bool revealed = false;
+    bool revealed = false, patterns = false;
     float ui_scale = 1;
     Real seconds = 0;  // of an animation; 0: one picture
     int frames_per_second = 20;

@@ -80,7 +80,7 @@ void show_slide(Session& s, const PictureOptions& o) {
     s.start_walkthrough();
     s.go_to_slide(static_cast<std::size_t>(o.slide.value_or(1) - 1));
     if (o.revealed && !s.message()) s.walkthrough_next();
-    if (s.message()) throw Refused(s.message()->text);
+    if (s.message() && !s.autopsy()) throw Refused(s.message()->text);
 }
 
 bool is_gif(const std::string& path) { return path.ends_with(".gif"); }
@@ -124,7 +124,7 @@ std::string visit(Lab& lab, Context& context, const TourStop& stop, const std::f
     try {
         s.run(s.runner().is_static() ? Until::at_rest() : Until::after_steps(s.entry().info.demo_steps));
     } catch (const Diverged& e) {
-        s.say(Session::Message::Kind::diverged, e.what());
+        s.tell(e);
     }
     lab.state().layout = Layout::slide;
     write_png(capture(lab, context), (folder / (stop.name + ".png")).string());
@@ -174,17 +174,27 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     Session& s = lab.session();
     s.open_scene(scene);
     if (!picture.beside.empty()) s.open_companion(assignments_from(picture.beside, "--beside"));
+    s.patterns = picture.patterns;
     const bool from_start = animation && !options.steps && !options.time && !options.rest;
-    if (layout == Layout::deck)
-        show_slide(s, picture);
-    else
-        s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
-    choose_view(s, picture);
+    std::optional<Diverged> divergence;
+    try {
+        if (layout == Layout::deck)
+            show_slide(s, picture);
+        else
+            s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
+        choose_view(s, picture);
+    } catch (const Diverged& e) {
+        if (animation) throw;
+        // The picture is that of the last good state, with what went wrong over it.
+        divergence = e;
+        s.tell(e);
+    }
     if (picture.difference) s.show_difference(true);
     if (picture.difference && !s.shows_difference()) throw Refused(s.message()->text);
     if (animation) return animate(lab, *context, *animation, picture.out);
     write_png(capture(lab, *context), picture.out);
-    return 0;
+    if (divergence) throw *divergence;
+    return s.autopsy() ? static_cast<int>(ExitCode::diverged) : 0;
 }
 
 int tour(const std::string& folder_name) {

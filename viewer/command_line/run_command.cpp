@@ -3,6 +3,7 @@
 #include <pliant/lesson/recorder.h>
 #include <pliant/lesson/report.h>
 #include <pliant/lesson/share.h>
+#include <pliant/lesson/summary.h>
 #include <pliant/lesson/walkthrough.h>
 
 #include "command_line/options.h"
@@ -66,7 +67,7 @@ int run(const RunOptions& options) {
     }
     if (!options.csv_path.empty()) write_file(options.csv_path, recorder.csv(runner.lesson()));
     if (divergence) runner.note_failure(divergence->failure);
-    print(options.json ? run_json(runner) : run_text(runner));
+    print(options.json ? run_json(runner) : options.summary ? summary_text(runner) : run_text(runner));
     if (divergence) throw *divergence;
     if (until.what == Until::What::time && !runner.is_static() && std::abs(runner.time() - until.time) > 1e-9 * until.time)
         fmt::print(stderr, "pliant: the time was rounded to whole steps: {} s\n", runner.time());

@@ -34,6 +34,7 @@ void restore(Lab& lab, const SettingsFile& file, const WindowOptions& o, float s
     lab.session().speed = s.speed.value_or(lab.session().speed);
     lab.state().layout = s.layout.value_or(Layout::lab);
     lab.state().hints_shown = s.hints_shown.value_or(true);
+    lab.session().patterns = s.patterns.value_or(false);
     lab.state().recent = s.recent;
 }
 
@@ -65,6 +66,10 @@ int window(const WindowOptions& o) {
     SettingsFile settings(o.no_settings ? std::filesystem::path() : settings_path());
     restore(lab, settings, o, context->ui_scale());
     settings.begin(lab.state());
+    lab.state().speak = [](const std::string& text) {
+        fmt::print("{}\n", text);
+        std::fflush(stdout);
+    };
     open_first(lab, o);
     if (!settings.trouble().empty()) lab.session().say(Session::Message::Kind::refused, settings.trouble());
     StateReport report(o.state_path);

@@ -50,6 +50,22 @@ std::vector<std::string> ticks_that_fit(const LabState& lab, const Field& field,
     return 6 * widest + 4 * lab.px(14) <= width ? five : tick_texts(lab.session.colour_scale(), 2, field.unit);
 }
 
+// Hatches the part of the bar that stands for negative numbers, as the picture does. `from` and `to` are where the least and the
+// greatest number are.
+void hatch(LabState& lab, ImVec2 from, ImVec2 to, bool upright) {
+    const ColourScale& scale = lab.session.colour_scale();
+    if (!lab.session.patterns || scale.min >= 0 || scale.max <= scale.min) return;
+    const float part = static_cast<float>(std::min(Real{1}, -scale.min / (scale.max - scale.min)));
+    const ImVec2 a{from.x, upright ? from.y - part * (from.y - to.y) : to.y},
+        b{upright ? to.x : from.x + part * (to.x - from.x), from.y};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->PushClipRect(a, b, true);
+    const float height = b.y - a.y;
+    for (float x = a.x - height; x < b.x; x += lab.px(7))
+        draw->AddLine({x, a.y}, {x + height, b.y}, IM_COL32(0, 0, 0, 170), std::max(1.5f, lab.px(2)));
+    draw->PopClipRect();
+}
+
 void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ColourScale& scale = lab.session.colour_scale();
@@ -60,6 +76,7 @@ void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
         const float y0 = low.y - height * static_cast<float>(i + 1) / bands, y1 = low.y - height * static_cast<float>(i) / bands;
         draw->AddRectFilled({low.x, y0}, {low.x + width, y1 + 0.5f}, packed(colour_at(scale.map, (i + 0.5) / bands)));
     }
+    hatch(lab, low, {low.x + width, top}, true);
     draw->AddRect({low.x, top}, {low.x + width, low.y}, lab.ink(Ink::text, 0.6f));
     ImGui::PushFont(lab.fonts.small);
     const float line = ImGui::GetTextLineHeight();
@@ -85,6 +102,7 @@ void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
         const float x0 = left + width * static_cast<float>(i) / bands, x1 = left + width * static_cast<float>(i + 1) / bands;
         draw->AddRectFilled({x0, top}, {x1 + 0.5f, bottom}, packed(colour_at(scale.map, (i + 0.5) / bands)));
     }
+    hatch(lab, {left, bottom}, {left + width, top}, false);
     draw->AddRect({left, top}, {left + width, bottom}, lab.ink(Ink::text, 0.6f));
     const auto ticks = ticks_that_fit(lab, field, width);
     for (std::size_t i = 0; i < ticks.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "panels/companion_panel.h"
 
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/summary.h>
 
 #include "app/live_error.h"
 

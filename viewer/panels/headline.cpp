@@ -1,5 +1,6 @@
 // What the slide layout shows besides picture and plots: the title, and the numbers that matter in large type.
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/summary.h>
 
 #include "panels/companion_panel.h"
 
@@ -37,15 +38,6 @@ bool draw_label(LabState& lab, const Probe& probe, const std::string& number, co
 }
 
 }  // namespace
-
-std::vector<const Probe*> key_probes(const Lesson& lesson) {
-    std::vector<const Probe*> chosen;
-    for (const std::string_view name : lesson.key_numbers()) chosen.push_back(&lesson.probe(name));
-    for (const Probe& p : lesson.probes)
-        if (lesson.key_numbers().empty() && chosen.size() < 3 && p.exact) chosen.push_back(&p);
-    if (chosen.empty() && !lesson.probes.empty()) chosen.push_back(&lesson.probes.front());
-    return chosen;
-}
 
 void draw_headline(LabState& lab) {
     const LessonInfo& info = lab.session.entry().info;

@@ -264,11 +264,12 @@ void draw_inspector(LabState& lab) {
     exports(lab);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     ImGui::SetNextWindowSizeConstraints({room.x, lab.px(40)}, {room.x, room.y * 0.5f});
-    ImGui::BeginChild("quantities", {room.x, 0}, ImGuiChildFlags_Border | ImGuiChildFlags_AutoResizeY);
+    ImGui::BeginChild("quantities", {room.x, 0}, ImGuiChildFlags_Border | ImGuiChildFlags_AutoResizeY,
+                      ImGuiWindowFlags_NavFlattened);
     for (const Field& f : lab.session.lesson().fields)
         if (f.in_use() && f.on == in.thing->on && in.thing->index < f.size()) quantity(lab, f, in.thing->index);
     ImGui::EndChild();
-    ImGui::BeginChild("why", {0, 0}, ImGuiChildFlags_Border);
+    ImGui::BeginChild("why", {0, 0}, ImGuiChildFlags_Border, ImGuiWindowFlags_NavFlattened);
     why_part(lab);
     ImGui::EndChild();
 }

@@ -11,6 +11,7 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -67,6 +68,12 @@ struct LabState {
     bool show_inspector = false, choose_inspector = false, focus_thing = false, open_breaks = false;
     std::string condition_text{};
     std::string condition_refused{};  // why the text above is none
+
+    // For those who do not see the picture: the summary, while it is shown, and who else takes it (standard output).
+    std::string summary{};
+    std::function<void(const std::string&)> speak{};
+    std::optional<Rectangle> focus{};   // the control that the keys act on, when it shows
+    std::optional<int> focused_card{};  // the run and step whose autopsy has had the focus
 
     // What the lab itself has to do, asked for by a panel: done at the end of the frame.
     std::vector<Action> wanted{};
@@ -137,9 +144,15 @@ void draw_slide_notes(LabState& lab);
 float slide_parameters_height(const LabState& lab);
 float slide_notes_height(const LabState& lab, float width);
 void draw_help(LabState& lab);
+// Over the picture, at most a third of it: why the run stopped, and what to do.
+void draw_autopsy(LabState& lab, const Rectangle& picture);
+// How things stand, in sentences.
+void draw_summary(LabState& lab);
+// A thick ring around the control that the keys act on.
+void draw_focus(LabState& lab);
+// The keys go to the next panel, or the one before.
+void focus_panel(int direction);
 void draw_headline(LabState& lab);
 void draw_key_numbers(LabState& lab);
-// What the lesson names; else the probes with an exact value, or the first one.
-std::vector<const Probe*> key_probes(const Lesson& lesson);
 
 }  // namespace pliant::viewer

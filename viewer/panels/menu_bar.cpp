@@ -91,6 +91,8 @@ void view_menu(LabState& lab) {
     item(lab, Action::smaller, "Smaller", lab.scale > 1);
     ImGui::Separator();
     item(lab, Action::arrows, "Arrows", true, lab.session.show_arrows);
+    item(lab, Action::patterns, "Patterns", true, lab.session.patterns);
+    item(lab, Action::summary, "Summary", true, !lab.summary.empty());
     item(lab, Action::frame, "Whole scene");
     item(lab, Action::hide_panels, "Hide the panels");
     item(lab, Action::extreme, "Extreme ranges", true, lab.session.extreme);

@@ -149,7 +149,7 @@ void draw_parameters(LabState& lab) {
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
     extreme_switch(lab);
     draw_run_switch(lab);
-    ImGui::BeginChild("parameters");
+    ImGui::BeginChild("parameters", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
     for (const Parameter* p : lab.session.addressed().lesson().parameters) draw_parameter(lab, *p);
     ImGui::EndChild();
 }

@@ -244,7 +244,7 @@ void draw_plots(LabState& lab) {
     if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
     const std::vector<std::string> shown = shown_plots(lab);
     if (shown.empty()) return table_below(lab);
-    ImGui::BeginChild("plots", {0, -companion_table_height(lab)});
+    ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
     const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float height = std::clamp((room.y - spacing * (count - 1)) / count, lab.px(130), std::max(lab.px(130), 0.85f * room.x));

@@ -10,7 +10,7 @@ namespace pliant::viewer {
 
 void draw_banner(LabState& lab, const Rectangle& place) {
     const auto& message = lab.session.message();
-    if (!message) return;
+    if (!message || lab.session.autopsy()) return;
     using Kind = Session::Message::Kind;
     const Rgba8 colour = message->kind == Kind::info ? quiet_colour : bad_colour;
     ImGui::SetCursorScreenPos({place.x + lab.px(10), place.y + lab.px(10)});
@@ -25,13 +25,9 @@ void draw_banner(LabState& lab, const Rectangle& place) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 90));
-    if (message->kind == Kind::diverged) {
-        if (ImGui::Button("Step back")) lab.session.step_back();
-        ImGui::SameLine();
-        if (ImGui::Button("Reset")) lab.session.reset();
-        ImGui::SameLine();
-    }
     if (ImGui::Button("Dismiss")) lab.session.dismiss();
+    lab.note_control("dismiss");
+    tooltip("Close this (Escape)", lab.scale);
     ImGui::PopStyleColor();
     ImGui::EndChild();
     ImGui::PopStyleColor(2);

@@ -103,10 +103,11 @@ void read_out(LabState& lab, const Lesson& lesson, const Picked& picked) {
     ImGui::PopFont();
 }
 
-// A ring around the thing that is inspected.
+// A ring around the thing that is inspected, or where the run broke down.
 void mark_thing(LabState& lab, const View& view) {
-    const auto& thing = lab.session.inspector.thing;
-    if (!thing || !lab.show_inspector) return;
+    const auto& autopsy = lab.session.autopsy();
+    const auto& thing = autopsy && autopsy->thing ? autopsy->thing : lab.session.inspector.thing;
+    if (!thing || (thing == lab.session.inspector.thing && !lab.show_inspector)) return;
     if (const auto at = place_of(view.scene, thing->on, thing->index)) {
         const Eigen::Vector3f p = view.projection.pixel(*at);
         ImGui::GetWindowDrawList()->AddCircle({view.origin.x + p.x(), view.origin.y + p.y()}, lab.px(11), lab.ink(Ink::accent), 0,
@@ -181,7 +182,7 @@ void handle_mouse(LabState& lab, const View& view) {
 void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, float right_margin, const char* name) {
     const Size pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
     const GLuint texture = renderer.render(view.scene, view.dimension, *lab.session.camera, palette(lab.theme),
-                                           lab.session.colour_scale(), pixels, lab.scale, right_margin);
+                                           lab.session.colour_scale(), pixels, lab.scale, right_margin, lab.session.patterns);
     const ImVec2 end{view.origin.x + view.size.x, view.origin.y + view.size.y};
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), view.origin, end,
                                          {0, 1}, {1, 0});
@@ -194,7 +195,7 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
     handle_mouse(lab, view);
     if (view.first) mark_thing(lab, view);
     draw_labels(lab, view);
-    if (!lab.session.message() && lab.layout != Layout::deck) draw_notes(lab, view);
+    if (!lab.session.message() && !lab.session.autopsy() && lab.layout != Layout::deck) draw_notes(lab, view);
 }
 
 struct Side {
@@ -279,7 +280,7 @@ void draw_swipe(LabState& lab, SceneRenderer& renderer, Scene before, Scene afte
     if (!lab.renderer_beside) lab.renderer_beside = std::make_unique<SceneRenderer>();
     const Size pixels{static_cast<int>(place.width), static_cast<int>(place.height)};
     const GLuint texture = lab.renderer_beside->render(before, s.lesson().dimension(), *s.camera, palette(lab.theme),
-                                                       s.colour_scale(), pixels, lab.scale, right);
+                                                       s.colour_scale(), pixels, lab.scale, right, s.patterns);
     const float x = place.x + swipe * place.width, line = std::max(2.f, lab.px(2)), grip = lab.px(14);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {place.x, place.y},
@@ -323,6 +324,7 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     name_pinned(lab, place);
     draw_hints(lab, place);
     draw_banner(lab, place);
+    draw_autopsy(lab, place);
 }
 
 }  // namespace pliant::viewer

@@ -115,7 +115,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
 
     ImGui::SetCursorScreenPos(at);
     ImGui::SetNextItemAllowOverlap();
-    ImGui::InvisibleButton(fmt::format("stage {}", i).c_str(), {width, height});
+    const bool clicked = ImGui::InvisibleButton(fmt::format("stage {}", i).c_str(), {width, height});
     lab.note_control(fmt::format("stage {}", stage.name));
     std::string more = fmt::format("{}\n{}\nSource: {}\nReads {}; writes {}.", words(stage.name), stage.formula, stage.source,
                                    fmt::join(stage.reads, ", "), fmt::join(stage.writes, ", "));
@@ -124,7 +124,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
                             cost.runs);
     more += "\nClick: run to the end of this stage. Right click: compare before and after.";
     tooltip(more, lab.scale);
-    const bool clicked = ImGui::IsItemClicked(), looked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    const bool looked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     const bool toggled = break_dot(lab, stage, i, {at.x + pad, at.y + pad * 0.4f}, dot);
     // The box is what the next one stands beside.
     ImGui::SetCursorScreenPos(at);

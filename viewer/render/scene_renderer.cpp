@@ -25,6 +25,12 @@ void upload(GLuint buffer, const std::vector<Item>& items) {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(), GL_STREAM_DRAW);
 }
 
+// Of a mark; 0, which has no sign, where it shows no number.
+float value_at(const std::vector<float>& values, std::size_t i) { return values.empty() ? 0 : values[i]; }
+
+// Of hatching and dashes, px at scale 1.
+constexpr float pattern_size = 7;
+
 void set(GLuint program, const char* name, float value) { glUniform1f(glGetUniformLocation(program, name), value); }
 
 void texture_filter(GLenum filter) {
@@ -53,6 +59,7 @@ SceneRenderer::SceneRenderer()
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
     attribute(0, 3, GL_FLOAT, sizeof(Corner), offsetof(Corner, at), 0);
     attribute(1, 4, GL_UNSIGNED_BYTE, sizeof(Corner), offsetof(Corner, colour), 0);
+    attribute(2, 1, GL_FLOAT, sizeof(Corner), offsetof(Corner, value), 0);
     glBindVertexArray(grid_array_);
     glBindBuffer(GL_ARRAY_BUFFER, grid_corners_);
     attribute(0, 3, GL_FLOAT, 5 * sizeof(float), 0, 0);
@@ -70,6 +77,7 @@ SceneRenderer::MarkProgram SceneRenderer::mark_program(const char* vertex, const
     attribute(1, 3, GL_FLOAT, sizeof(Segment), offsetof(Segment, a), 1);
     attribute(2, 3, GL_FLOAT, sizeof(Segment), offsetof(Segment, b), 1);
     attribute(3, 4, GL_UNSIGNED_BYTE, sizeof(Segment), offsetof(Segment, colour), 1);
+    attribute(4, 1, GL_FLOAT, sizeof(Segment), offsetof(Segment, value), 1);
     glBindVertexArray(0);
     return m;
 }
@@ -94,10 +102,10 @@ void SceneRenderer::ensure_target(Size size) {
 }
 
 GLuint SceneRenderer::render(const Scene& scene, int dimension, const Camera& camera, const Palette& colours,
-                             const ColourScale& scale, Size size, float pixel_scale, float right_margin) {
+                             const ColourScale& scale, Size size, float pixel_scale, float right_margin, bool patterns) {
     const Projection projection(camera, dimension, static_cast<float>(size.width), static_cast<float>(size.height), right_margin);
     matrix_ = projection.matrix(), view_ = projection.view();
-    lit_ = dimension == 3, pixel_scale_ = pixel_scale, palette_ = &colours, scale_ = scale;
+    lit_ = dimension == 3, pixel_scale_ = pixel_scale, palette_ = &colours, scale_ = scale, patterns_ = patterns;
 
     ensure_target(size);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
@@ -143,6 +151,7 @@ void SceneRenderer::common_uniforms(GLuint program) const {
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "matrix"), 1, GL_FALSE, matrix_.data());
     glUniform2f(glGetUniformLocation(program, "viewport"), static_cast<float>(size_.width), static_cast<float>(size_.height));
+    set(program, "pattern", patterns_ ? pattern_size * pixel_scale_ : 0);
 }
 
 void SceneRenderer::draw_segments(const MarkProgram& mark, float width, float dash, float shorten) {
@@ -161,7 +170,8 @@ void SceneRenderer::draw_segments(const MarkProgram& mark, float width, float da
 void SceneRenderer::draw_lines(const LineMarks& marks) {
     segments_.clear();
     for (std::size_t i = 0; i + 1 < marks.ends.size(); i += 2)
-        segments_.push_back({marks.ends[i], marks.ends[i + 1], colour_of(marks.values, i / 2, marks.ink)});
+        segments_.push_back(
+            {marks.ends[i], marks.ends[i + 1], colour_of(marks.values, i / 2, marks.ink), value_at(marks.values, i / 2)});
     draw_segments(lines_, marks.width * pixel_scale_, marks.dashed ? 6 * pixel_scale_ : 0);
 }
 
@@ -177,7 +187,7 @@ void SceneRenderer::draw_arrows(const ArrowMarks& marks) {
 void SceneRenderer::draw_points(const PointMarks& marks) {
     segments_.clear();
     for (std::size_t i = 0; i < marks.at.size(); ++i)
-        segments_.push_back({marks.at[i], marks.at[i], colour_of(marks.values, i, marks.ink)});
+        segments_.push_back({marks.at[i], marks.at[i], colour_of(marks.values, i, marks.ink), value_at(marks.values, i)});
     draw_segments(points_, marks.radius * pixel_scale_);
 }
 
@@ -187,7 +197,9 @@ void SceneRenderer::draw_triangles(const TriangleMarks& marks) {
     for (std::size_t t = 0; t < marks.triangles.size(); ++t)
         for (const int corner : marks.triangles[t]) {
             const auto c = static_cast<std::size_t>(corner);
-            corners_data_.push_back({marks.corners[c], colour_of(marks.values, per_triangle ? t : c, marks.ink, marks.opacity)});
+            const std::size_t v = per_triangle ? t : c;
+            corners_data_.push_back(
+                {marks.corners[c], colour_of(marks.values, v, marks.ink, marks.opacity), value_at(marks.values, v)});
         }
     upload(corners_, corners_data_);
     common_uniforms(triangle_program_);

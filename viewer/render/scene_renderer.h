@@ -16,19 +16,22 @@ public:
     SceneRenderer();
 
     // Everything but the labels, which the panel writes over it. pixel_scale multiplies the sizes of marks; right_margin as for
-    // Projection. The texture is opaque, its rows bottom-up.
+    // Projection. With `patterns` negative numbers show by more than their colours: hatched areas with lines between equal
+    // numbers, squares in place of discs, dashed lines. The texture is opaque, its rows bottom-up.
     GLuint render(const Scene& scene, int dimension, const Camera& camera, const Palette& palette, const ColourScale& scale,
-                  Size size, float pixel_scale, float right_margin);
+                  Size size, float pixel_scale, float right_margin, bool patterns = false);
 
 private:
-    // One instance: two ends and a colour.
+    // One instance: two ends, a colour and the number that it shows; 0 for none.
     struct Segment {
         Position a, b;
         Rgba8 colour;
+        float value = 0;
     };
     struct Corner {
         Position at;
         Rgba8 colour;
+        float value = 0;
     };
     struct MarkProgram {
         GlProgram program;
@@ -59,7 +62,7 @@ private:
 
     // of the picture being drawn
     Eigen::Matrix4f matrix_, view_;
-    bool lit_ = false;
+    bool lit_ = false, patterns_ = false;
     float pixel_scale_ = 1;
     const Palette* palette_ = nullptr;
     ColourScale scale_;

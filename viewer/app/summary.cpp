@@ -1,0 +1,57 @@
+#include "app/summary.h"
+
+#include <pliant/lesson/format.h>
+#include <pliant/lesson/summary.h>
+
+#include <fmt/format.h>
+
+namespace pliant::viewer {
+namespace {
+
+std::string colours_sentence(const Session& s) {
+    const Field* field = s.lesson().find_field(s.colours.field);
+    if (!field || !field->in_use()) return "";
+    const ColourScale& scale = s.colour_scale();
+    return fmt::format("The picture shows {}, from {} to {}.\n", words(field->name), format_quantity(scale.min, field->unit, 3),
+                       format_quantity(scale.max, field->unit, 3));
+}
+
+std::string thing_sentences(const Session& s) {
+    const auto& thing = s.inspector.thing;
+    if (!thing) return "";
+    std::string text = fmt::format("Picked: {} {}.\n", name_of(thing->on), thing->index);
+    for (const Field& f : s.lesson().fields) {
+        if (!f.in_use() || f.on != thing->on || thing->index >= f.size()) continue;
+        text += fmt::format("{}{} is {}", f.rank == Rank::scalar ? "" : "The size of ", words(f.name),
+                            format_quantity(row_value(f, thing->index, -1), f.unit));
+        if (f.rank != Rank::scalar) {
+            const auto names = component_names(f);
+            for (int c = 0; c < f.components; ++c)
+                text += fmt::format("{}{} {}", c ? ", " : ": ", names[static_cast<std::size_t>(c)],
+                                    format_quantity(row_value(f, thing->index, c), f.unit));
+        }
+        text += ".\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string summary_of(const LabState& lab) {
+    const Session& s = lab.session;
+    std::string text = summary_text(s.runner());
+    text += s.playing ? "The run is playing.\n" : "The run is paused.\n";
+    if (!s.inspector.stopped.empty()) text += fmt::format("It was stopped: {}.\n", s.inspector.stopped);
+    text += colours_sentence(s);
+    text += thing_sentences(s);
+    if (s.walkthrough)
+        text += fmt::format("Walkthrough, slide {} of {}: {}.\n", s.walkthrough->slide_number() + 1,
+                            s.walkthrough->walkthrough().slides.size(), without_marks(s.walkthrough->slide().title));
+    if (s.autopsy())
+        text += s.autopsy()->text() + "\n";
+    else if (s.message())
+        text += fmt::format("Message: {}\n", s.message()->text);
+    return text;
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,56 @@
+// Where the keys act: the panel that they go to, and a ring that shows the control.
+#include <imgui_internal.h>
+
+#include "panels/lab_state.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace pliant::viewer {
+namespace {
+
+// The panels of the present layout, in the order in which they are drawn.
+std::vector<ImGuiWindow*> panels() {
+    std::vector<ImGuiWindow*> found;
+    constexpr int passed_over = ImGuiWindowFlags_ChildWindow | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip |
+                                ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_MenuBar;
+    for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+        if (w->WasActive && !w->Hidden && !(w->Flags & passed_over) && w->DC.NavLayersActiveMask != 0) found.push_back(w);
+    std::ranges::sort(found, {}, &ImGuiWindow::BeginOrderWithinContext);
+    return found;
+}
+
+}  // namespace
+
+void focus_panel(int direction) {
+    const auto all = panels();
+    if (all.empty()) return;
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    const int count = static_cast<int>(all.size());
+    const ImGuiWindow* here = g.NavWindow ? g.NavWindow->RootWindow : nullptr;
+    const int at = static_cast<int>(std::ranges::find(all, here) - all.begin());
+    const int next = at == count ? (direction > 0 ? 0 : count - 1) : (at + direction + count) % count;
+    ImGuiWindow* panel = all[static_cast<std::size_t>(next)];
+    ImGui::ClearActiveID();
+    ImGui::FocusWindow(panel);
+    g.NavLayer = ImGuiNavLayer_Main;
+    ImGui::NavInitWindow(panel, false);
+    g.NavDisableHighlight = false;
+    g.NavDisableMouseHover = true;
+}
+
+void draw_focus(LabState& lab) {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    lab.focus.reset();
+    if (!g.NavWindow || g.NavId == 0 || g.NavDisableHighlight || g.NavWindow->Hidden) return;
+    ImRect r = ImGui::WindowRectRelToAbs(g.NavWindow, g.NavWindow->NavRectRel[g.NavLayer]);
+    if (g.NavLayer == ImGuiNavLayer_Main) r.ClipWith(g.NavWindow->InnerRect);
+    if (r.GetWidth() <= 0 || r.GetHeight() <= 0) return;
+    lab.focus = Rectangle{r.Min.x, r.Min.y, r.GetWidth(), r.GetHeight()};
+    r.Expand(lab.px(2));
+    const float line = std::max(3.f, lab.px(3));
+    ImGui::GetForegroundDrawList()->AddRect(r.Min, r.Max, packed(palette(lab.theme).background), lab.px(4), 0, 2 * line);
+    ImGui::GetForegroundDrawList()->AddRect(r.Min, r.Max, ImGui::GetColorU32(ImGuiCol_NavHighlight), lab.px(4), 0, line);
+}
+
+}  // namespace pliant::viewer
