@@ -281,6 +281,9 @@ std::string Monkey::look() {
     for (const Probe& p : s.lesson().probes)
         if (const auto value = p.value(); value && !std::isfinite(*value))
             return fmt::format("the probe {} is not finite", p.name);
+    // A refusal may quote a number that was typed.
+    const auto& message = lab_->session().message();
+    if (message && message->kind == Session::Message::Kind::refused) lab_->session().dismiss();
     if (std::string wrong = not_a_number_in(state_json(lab_->state()), "the state"); !wrong.empty()) return wrong;
     return not_a_number_in(summary_of(lab_->state()), "the summary");
 }
