@@ -159,6 +159,7 @@ void Runner::fail(Failure failure) {
     if (failure.limit.empty()) failure.limit = lesson_->blow_up_hint();
     if (!go_to({step_, 0}) && history_.last()) restore(*history_.last());
     failure_ = failure;
+    reach_ = place();
     throw Diverged(std::move(failure));
 }
 

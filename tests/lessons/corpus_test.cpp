@@ -14,7 +14,7 @@ namespace {
 void replay(const std::string& reader, bool (*accepts)(std::string_view)) {
     std::size_t count = 0;
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(PLIANT_SOURCE_DIR) + "/tests/fuzz/corpus/" + reader)) {
+         std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/tests/fuzz/corpus/" + reader) {
         const std::string name = entry.path().filename().string();
         INFO(reader << "/" << name);
         bool accepted = false;

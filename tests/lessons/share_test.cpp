@@ -135,7 +135,7 @@ TEST_CASE("share string: a scene that is too large is refused on both ways") {
     CHECK_THROWS_AS(share_text(scene), Refused);
     // 2 MB of blanks: under two thousand letters.
     const std::string bomb = [] {
-        const auto file = std::string(PLIANT_SOURCE_DIR) + "/tests/fuzz/corpus/share_string/refused_too_much.txt";
+        const auto file = std::string(PLIANT_SOURCE_DIR "/tests/fuzz/corpus/share_string/refused_too_much.txt");
         return read_file(file);
     }();
     CHECK(bomb.size() < 4000);
@@ -144,7 +144,7 @@ TEST_CASE("share string: a scene that is too large is refused on both ways") {
 
 TEST_CASE("share string: what a scene file may not say, it may not say either") {
     const std::string wrong = [] {
-        return read_file(std::string(PLIANT_SOURCE_DIR) + "/tests/fuzz/corpus/share_string/refused_scene.txt");
+        return read_file(PLIANT_SOURCE_DIR "/tests/fuzz/corpus/share_string/refused_scene.txt";
     }();
     CHECK_THAT(refusal(wrong), ContainsSubstring("share string:1:") && ContainsSubstring("mesh/mass_spring"));
 }
