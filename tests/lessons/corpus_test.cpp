@@ -13,8 +13,7 @@ namespace {
 // A file whose name begins with "refused_" is refused; every other one is accepted, but for those that the fuzzer found.
 void replay(const std::string& reader, bool (*accepts)(std::string_view)) {
     std::size_t count = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/tests/fuzz/corpus/" + reader) {
+    for (const auto& entry : std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/tests/fuzz/corpus/" + reader)) {
         const std::string name = entry.path().filename().string();
         INFO(reader << "/" << name);
         bool accepted = false;
