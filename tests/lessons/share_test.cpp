@@ -143,7 +143,7 @@ TEST_CASE("share string: a scene that is too large is refused on both ways") {
 }
 
 TEST_CASE("share string: what a scene file may not say, it may not say either") {
-    const std::string wrong = [] { return read_file(PLIANT_SOURCE_DIR "/tests/fuzz/corpus/share_string/refused_scene.txt"; }();
+    const std::string wrong = [] { return read_file(PLIANT_SOURCE_DIR "/tests/fuzz/corpus/share_string/refused_scene.txt"); }();
     CHECK_THAT(refusal(wrong), ContainsSubstring("share string:1:") && ContainsSubstring("mesh/mass_spring"));
 }
 
