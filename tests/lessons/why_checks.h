@@ -68,6 +68,9 @@ inline void check_every_stage(Runner& runner, const std::string& where, Index mo
         const auto last = runner.last_stage();
         if (!last) break;
         const Stage& stage = *runner.stages()[*last];
+        // Of a loop over several stages, the first two rounds and the end stand for all.
+        const auto rounds = std::ranges::count(runner.executed(), &stage, &Execution::stage);
+        if (runner.inside_step() && rounds > (runner.passes_in_stage() ? 1 : 2)) continue;
         // Inner loops of many passes are looked at now and then.
         const Index passes = runner.passes_in_stage();
         if (passes > 2 && passes % every != 0) continue;

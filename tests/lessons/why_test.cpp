@@ -13,6 +13,16 @@ TEST_CASE("every number that a stage writes is explained by a formula that gives
     }
 }
 
+namespace {
+// A static lesson, whose step may take thousands of passes, is asked when it is done.
+void check_briefly(Runner& runner, const std::string& where) {
+    if (!runner.is_static()) return check_every_stage(runner, where, 1, 101);
+    runner.step();
+    for (const Stage* stage : runner.stages()) check_stage(runner, *stage, where);
+    check_probes(runner, where);
+}
+}  // namespace
+
 TEST_CASE("explanations hold in every scene, method and preset", "[slow]") {
     for (const LessonEntry& entry : lessons()) {
         const auto made = entry.make();
@@ -20,12 +30,12 @@ TEST_CASE("explanations hold in every scene, method and preset", "[slow]") {
             if (p->info.kind != Kind::choice && p->info.kind != Kind::toggle) continue;
             for (Real v = p->info.useful.min; v <= p->info.useful.max; ++v) {
                 Runner runner(entry, {{std::string(p->info.key), p->text(v)}});
-                check_every_stage(runner, std::string(entry.info.id) + " " + std::string(p->info.key) + "=" + p->text(v), 1, 101);
+                check_briefly(runner, std::string(entry.info.id) + " " + std::string(p->info.key) + "=" + p->text(v));
             }
         }
         for (const std::string& name : preset_names(entry.info.id)) {
             Runner runner(entry, preset(entry, name).parameters);
-            check_every_stage(runner, std::string(entry.info.id) + " preset " + name, 1, 101);
+            check_briefly(runner, std::string(entry.info.id) + " preset " + name);
         }
     }
 }
