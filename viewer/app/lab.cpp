@@ -65,7 +65,7 @@ bool Lab::perform_on_run(Action action) {
         case Action::pass_back:
             return s.pass_back(), true;
         case Action::why_back:
-            if (s.inspector.asked.size() > 1) s.inspector.ask_back(s.runner());
+            if (s.inspector.asked.size() > 1) s.ask_back();
             return true;
         case Action::pin:
             return s.toggle_pin(), true;

@@ -381,6 +381,10 @@ void Session::ask(Inspector::Asked question) {
     guarded([&] { inspector.ask(*runner_, std::move(question)); });
 }
 
+void Session::ask_back() {
+    guarded([&] { inspector.ask_back(*runner_); });
+}
+
 void Session::toggle_break(std::string_view stage) {
     auto& stages = inspector.breaks.stages;
     if (const auto there = stages.find(stage); there != stages.end())

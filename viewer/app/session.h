@@ -118,6 +118,7 @@ public:
     Inspector inspector;
     void compare(Compare what);
     void ask(Inspector::Asked question);
+    void ask_back();  // to the question before
     // A stop before this stage is set or taken away.
     void toggle_break(std::string_view stage);
 

@@ -229,11 +229,7 @@ void why_part(LabState& lab) {
         return;
     }
     if (in.asked.size() > 1) {
-        if (ImGui::SmallButton("◂ back")) try {
-                in.ask_back(s.runner());
-            } catch (const Error& e) {
-                s.say(Session::Message::Kind::refused, e.what());
-            }
+        if (ImGui::SmallButton("◂ back")) s.ask_back();
         lab.note_control("why back");
         tooltip("To the number that this one went into", lab.scale);
         ImGui::SameLine();
