@@ -201,7 +201,7 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
             continue;
         }
         const char32_t last = last_visible(text);
-        const bool product = after_number || multiplies(last) || last == ')';
+        const bool product = after_number || multiplies(last) || last == ')' || (last == '|' && text.ends_with(' '));
         if (product) text += text.ends_with(' ') ? "· " : " · ";
         const Real value = values[static_cast<std::size_t>(k)];
         const std::size_t end = at + inputs[static_cast<std::size_t>(k)].symbol.size();
@@ -224,6 +224,8 @@ std::string substituted(const Explanation& explanation, std::span<const Real> va
     const std::string_view left = equals == std::string_view::npos ? "" : formula.substr(0, equals + 1);
     std::string_view right = equals == std::string_view::npos ? formula : formula.substr(equals + 1);
     right.remove_prefix(std::min(right.find_first_not_of(' '), right.size()));
+    // A remark behind the formula holds no numbers.
+    right = right.substr(0, right.find("   ("));
     const std::string numbers =
         explanation.substitute ? explanation.substitute(values) : with_numbers(right, explanation.inputs, values);
     return left.empty() ? numbers : fmt::format("{} {}", left, numbers);
