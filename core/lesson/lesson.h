@@ -141,6 +141,10 @@ public:
     // Takes effect in the steps that follow, until released (empty).
     virtual void pull(const std::optional<Pull>&) {}
 
+    // Parameters that a pull sets, as a slider would, and their values: a point that the person places, an angle. What is
+    // pulled is then a handle, and pull() is not called. Values outside the accepted ranges are drawn to the nearest end.
+    virtual std::vector<std::pair<std::string, Real>> dragged(const Pull&) const { return {}; }
+
     // The limit that was exceeded and what to do: "Δt = 0.01 s is above the stability limit 2/ω = 0.004 s: lower time_step or
     // ...".
     virtual std::string blow_up_hint() const { return ""; }

@@ -12,13 +12,13 @@ void Scene::clear() {
     points.clear();
     arrows.clear();
     labels.clear();
+    matrices.clear();
     notes.clear();
 }
 
 std::vector<float> Scene::values(const Lesson& lesson, On on) const {
     const Field* field = lesson.find_field(colour_by.field);
     if (!field || field->on != on || !field->in_use()) return {};
-    if (override_values) return {override_values->begin(), override_values->end()};
     std::vector<float> numbers(static_cast<std::size_t>(field->size()));
     if (override_values && override_values->size() == numbers.size()) {
         std::ranges::transform(*override_values, numbers.begin(), [](Real x) { return static_cast<float>(x); });

@@ -104,6 +104,14 @@ struct LabelMark {
     std::optional<Position> away_from{};  // the words then stand beyond `at`, as seen from here: behind the head of an arrow
 };
 
+// Numbers in brackets beside the picture, row by row: "F = [...]". Drawn one under another in a corner of the picture.
+struct MatrixMark {
+    std::string name, unit;
+    int rows = 0, columns = 0;
+    std::vector<Real> entries;
+    Ink ink = Ink::text;
+};
+
 class Lesson;
 
 // Which field gives the colours. component -1: a scalar's value, a vector's length, a tensor's norm.
@@ -130,6 +138,7 @@ public:
     std::vector<PointMarks> points;
     std::vector<ArrowMarks> arrows;
     std::vector<LabelMark> labels;
+    std::vector<MatrixMark> matrices;
     std::vector<std::string> notes;  // short lines in a corner of the picture: a formula with its numbers put in, a magnification
 
     void clear();  // marks only; the choices of the person stay
@@ -143,6 +152,14 @@ public:
     void label(const Position& at, std::string text, Ink ink = Ink::text, float offset_x = 0, float offset_y = 0);
     // A dimension line with ticks at both ends and a label in its middle: "L = 2 m".
     void dimension_line(const Position& from, const Position& to, std::string text, float offset_x = 0, float offset_y = 0);
+    // A matrix or a column of numbers, with its name and unit.
+    template <class Derived>
+    void matrix(std::string name, const Eigen::MatrixBase<Derived>& m, std::string unit = "", Ink ink = Ink::text) {
+        MatrixMark mark{std::move(name), std::move(unit), static_cast<int>(m.rows()), static_cast<int>(m.cols()), {}, ink};
+        for (Index i = 0; i < m.rows(); ++i)
+            for (Index j = 0; j < m.cols(); ++j) mark.entries.push_back(m(i, j));
+        matrices.push_back(std::move(mark));
+    }
     // The twelve edges of a box (four of a rectangle when it is flat).
     void box(const Position& lower_corner, const Position& upper_corner, Ink ink, float width = 1.5f, bool dashed = false);
 };

@@ -8,6 +8,12 @@
 #include <utility>
 
 namespace pliant::viewer {
+namespace {
+
+// Of one frame, for doing a static lesson again.
+constexpr int settling_ms = 12;
+
+}  // namespace
 
 // ----------------------------------------------------------------------------------------------------- lessons, scenes
 
@@ -270,12 +276,28 @@ bool Session::set(const Values& values) {
         rebuilds = rebuilds || p.info.effect == Effect::rebuild;
         assignments.emplace_back(key, p.text(value));
     }
+    const bool all_was_done = lesson().at_rest() && !runner_->inside_step();
     if (!guarded([&] { runner_->assign(assignments); })) return false;
     dismiss();
     if (!rebuilds) return moved(), true;
     if (lesson().dimension() == 2) camera.reset();  // the domain may have another size
     begin_run();
+    settle(all_was_done);
     return true;
+}
+
+// What was done before the change is done again: a static lesson answers a slider at once. A long solve goes on from frame to
+// frame.
+void Session::settle(bool all_was_done) {
+    if (!runner_->is_static() || !(all_was_done || playing)) return;
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::milliseconds(settling_ms);
+    const bool was_playing = playing;
+    playing = true;
+    do {
+        if (!advance_one()) return;
+        if (lesson().at_rest() && !runner_->inside_step()) return void(playing = was_playing);
+    } while (Clock::now() < end);
 }
 
 void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
@@ -312,10 +334,30 @@ void Session::undo() {
 }
 
 void Session::pull(const std::optional<Pull>& pulled) {
+    if (!pulled) moves_handle_ = false;
+    if (const Values values = pulled ? lesson().dragged(*pulled) : Values{}; !values.empty()) return move_handle(values);
     hand_ = pulled;
     hand_used_ = true;
     runner_->pull(pulled);
     if (companion_) companion_->pull(pulled, lesson());
+}
+
+// The moves of one drag are one step of undo.
+void Session::move_handle(const Values& values) {
+    Values before, wanted;
+    for (const auto& [key, value] : values) {
+        const Parameter& p = lesson().parameter(key);
+        if (locked(p)) return say(Message::Kind::refused, fmt::format("{} is locked on this slide: press L to unlock it.", key));
+        const Interval span = extreme ? p.accepted() : p.info.useful;
+        before.emplace_back(key, runner_->wanted(p));
+        wanted.emplace_back(key, std::clamp(value, span.min, span.max));
+    }
+    if (wanted == before) return;
+    const auto kept = camera;  // what is under the pointer stays there
+    const bool moved_it = set(wanted);
+    camera = kept;
+    if (!moved_it) return;
+    if (!std::exchange(moves_handle_, true)) undo_.push_back({std::move(before), false});
 }
 
 void Session::keep_hand() {

@@ -97,6 +97,7 @@ public:
     bool can_undo() const { return !undo_.empty(); }
 
     // --- the hand ---
+    // A handle of the lesson sets its parameters, within the reach of their sliders; anything else is pulled.
     void pull(const std::optional<Pull>& pull);
 
     // --- view ---
@@ -183,6 +184,8 @@ private:
     bool set(const Values& values);
     bool set_beside(const Parameter& parameter, Real value);
     void start_both();
+    void settle(bool all_was_done);
+    void move_handle(const Values& values);
     std::vector<Real> difference() const;
     void tell_failed_assumption();
     void begin_run();  // nothing of the run before is shown any longer
@@ -209,7 +212,7 @@ private:
     std::optional<Autopsy> autopsy_;
     int run_count_ = 0, open_count_ = 0;
     std::optional<Pull> hand_;
-    bool hand_used_ = false;
+    bool hand_used_ = false, moves_handle_ = false;
     Real owed_ = 0;  // simulated seconds asked for and not yet run
     Real reached_speed_ = 0;
     bool armed_ = false;  // have the breakpoints seen where the run stood when it was let go?

@@ -4,6 +4,7 @@
 
 #include "panels/colour_bar.h"
 #include "panels/companion_panel.h"
+#include "panels/scene_matrices.h"
 #include "panels/scene_messages.h"
 #include "render/ghost.h"
 #include "render/places.h"
@@ -195,6 +196,12 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
     handle_mouse(lab, view);
     if (view.first) mark_thing(lab, view);
     draw_labels(lab, view);
+    if (view.lesson) {
+        // Above the hints, where they are shown.
+        const bool hinted = lab.hints_shown && lab.layout == Layout::lab;
+        const float low = hinted ? 3 * ImGui::GetTextLineHeight() + lab.px(32) : 0;
+        draw_matrices(lab, view.scene.matrices, {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y - low});
+    }
     if (!lab.session.message() && !lab.session.autopsy() && lab.layout != Layout::deck) draw_notes(lab, view);
 }
 

@@ -1,0 +1,107 @@
+#include "panels/scene_matrices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace pliant::viewer {
+namespace {
+
+// A matrix as words, and the space that they take.
+struct Block {
+    std::vector<std::string> entries;
+    std::string before, behind;  // "F =", "10⁶ Pa"
+    int rows = 0, columns = 0;
+    Ink ink = Ink::text;
+    float column_width = 0, before_width = 0;
+    ImVec2 size{};
+};
+
+constexpr const char* superscripts[]{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+
+std::string raised(int exponent) {
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char digit : fmt::format("{}", std::abs(exponent))) text += superscripts[digit - '0'];
+    return text;
+}
+
+// A multiple of three, so that the largest number has one to three digits before its point; 0 for numbers that read well as they
+// are.
+int common_exponent(const MatrixMark& m) {
+    Real largest = 0;
+    for (const Real x : m.entries) largest = std::max(largest, std::abs(x));
+    if (largest == 0 || (largest >= 1e-2 && largest < 1e3)) return 0;
+    return 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-12));
+}
+
+std::string entry_text(Real x, int decimals) {
+    if (!std::isfinite(x)) return "–";
+    const std::string text = fmt::format("{:.{}f}", x, decimals);
+    // No minus sign on what is 0 to the digits shown; a plain 0 shows where nothing is.
+    return std::stod(text) == 0 ? (x == 0 ? "0" : text.substr(text.front() == '-')) : text;
+}
+
+Block measured(LabState& lab, const MatrixMark& m) {
+    const int exponent = common_exponent(m);
+    Block b{.entries = {}, .before = m.name + " =", .behind = m.unit, .rows = m.rows, .columns = m.columns, .ink = m.ink};
+    if (exponent) b.behind = fmt::format("10{}{}{}", raised(exponent), m.unit.empty() ? "" : " ", m.unit);
+    Real largest = 0;
+    for (const Real x : m.entries) largest = std::max(largest, std::abs(x) * std::pow(10.0, -exponent));
+    const int decimals = largest >= 100 ? 1 : largest >= 10 ? 2 : 3;
+    for (const Real x : m.entries) {
+        b.entries.push_back(entry_text(x * std::pow(10.0, -exponent), decimals));
+        b.column_width = std::max(b.column_width, ImGui::CalcTextSize(b.entries.back().c_str()).x);
+    }
+    b.before_width = ImGui::CalcTextSize(b.before.c_str()).x;
+    const auto columns = static_cast<float>(m.columns);
+    const float behind = ImGui::CalcTextSize(b.behind.c_str()).x;
+    b.size = {b.before_width + columns * (b.column_width + lab.px(9)) + behind + lab.px(20),
+              static_cast<float>(m.rows) * ImGui::GetTextLineHeight() + lab.px(6)};
+    return b;
+}
+
+void draw_block(LabState& lab, const Block& b, ImVec2 at) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const unsigned ink = lab.ink(b.ink);
+    const float line = ImGui::GetTextLineHeight(), pad = lab.px(4), tick = lab.px(4);
+    draw->AddRectFilled({at.x - pad, at.y - pad}, {at.x + b.size.x + pad, at.y + b.size.y + pad},
+                        ImGui::GetColorU32(ImGuiCol_WindowBg, 0.82f), lab.px(4));
+    const float middle = at.y + (b.size.y - line) / 2;
+    draw->AddText({at.x, middle}, ink, b.before.c_str());
+    const float left = at.x + b.before_width + lab.px(5), cell = b.column_width + lab.px(9);
+    const float right = left + static_cast<float>(b.columns) * cell + lab.px(5);
+    for (const auto& [x, inward] : {std::pair{left, tick}, {right, -tick}}) {
+        draw->AddLine({x, at.y}, {x, at.y + b.size.y}, ink, std::max(1.f, lab.px(1.5f)));
+        draw->AddLine({x, at.y}, {x + inward, at.y}, ink, std::max(1.f, lab.px(1.5f)));
+        draw->AddLine({x, at.y + b.size.y}, {x + inward, at.y + b.size.y}, ink, std::max(1.f, lab.px(1.5f)));
+    }
+    for (std::size_t k = 0; k < b.entries.size(); ++k) {
+        const auto row = static_cast<float>(static_cast<int>(k) / b.columns),
+                   column = static_cast<float>(static_cast<int>(k) % b.columns);
+        const float x = left + (column + 1) * cell - ImGui::CalcTextSize(b.entries[k].c_str()).x;
+        draw->AddText({x, at.y + lab.px(3) + row * line}, ink, b.entries[k].c_str());
+    }
+    draw->AddText({right + lab.px(5), middle}, ink, b.behind.c_str());
+}
+
+}  // namespace
+
+void draw_matrices(LabState& lab, const std::vector<MatrixMark>& matrices, const Rectangle& place) {
+    if (matrices.empty()) return;
+    ImGui::PushFont(lab.fonts.small);
+    const float gap = lab.px(16), left = place.x + lab.px(14);
+    float x = left, bottom = place.y + place.height - lab.px(14), tallest = 0;
+    for (const MatrixMark& m : matrices) {
+        const Block b = measured(lab, m);
+        if (x > left && x + b.size.x > place.x + place.width - lab.px(14)) x = left, bottom -= tallest + gap, tallest = 0;
+        if (bottom - b.size.y < place.y || b.size.x > place.width) break;
+        draw_block(lab, b, {x, bottom - b.size.y});
+        x += b.size.x + gap;
+        tallest = std::max(tallest, b.size.y);
+    }
+    ImGui::PopFont();
+}
+
+}  // namespace pliant::viewer
