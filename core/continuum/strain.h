@@ -10,6 +10,19 @@ Mat<Dim> cauchy_strain(const Mat<Dim>& displacement_gradient) {
     return 0.5 * (displacement_gradient + displacement_gradient.transpose());
 }
 
+// Green-Lagrange strain: (H + H^T + H^T H) / 2 = (F^T F - I) / 2. It is 0 exactly for rigid motions.
+template <int Dim>
+Mat<Dim> green_strain(const Mat<Dim>& displacement_gradient) {
+    return 0.5 * (displacement_gradient + displacement_gradient.transpose() +
+                  displacement_gradient.transpose() * displacement_gradient);
+}
+
+// Right Cauchy-Green tensor C = F^T F, with F = I + H: the squared stretch of a unit direction v at rest is v^T C v.
+template <int Dim>
+Mat<Dim> right_cauchy_green(const Mat<Dim>& deformation_gradient) {
+    return deformation_gradient.transpose() * deformation_gradient;
+}
+
 // Number of different components of a symmetric tensor: 3 in the plane, 6 in space.
 template <int Dim>
 inline constexpr int voigt_size = Dim*(Dim + 1) / 2;
