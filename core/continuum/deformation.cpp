@@ -1,8 +1,10 @@
 #include <pliant/continuum/deformation.h>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pliant {
