@@ -1,5 +1,6 @@
 // Virtual tension, shear and pressure tests that measure the three moduli of a soft block.
 #pragma once
+#include "../linear_body/linear_body_why.h"
 #include "specimen.h"
 
 #include <pliant/lesson/registry.h>
@@ -63,17 +64,10 @@ private:
 
     // --- why a number is what it is (moduli_why.cpp) ---
     Input applied_stress() const;
-    Input lame_lambda() const;
-    Input lame_mu() const;
     Explanation why_load(Index node, int component) const;
     std::optional<Explanation> why_solved(const Question& q) const;
-    Explanation why_displacement(Index node, int component) const;
-    Explanation why_residual(Index node, int component) const;
-    Explanation why_reaction(Index node, int component) const;
     Explanation why_strain_or_stress(const Question& q) const;
-    Explanation why_strain(Index element, int row, int column) const;
-    Explanation why_stress(Index element, int row, int column, bool from_displacement = false) const;
-    Input element_force(Index element, int corner, int component) const;
+    linear_body::Hooke hooke() const;
     // --- (moduli_why_probes.cpp) ---
     void explain_probes();
     Explanation why_force() const;

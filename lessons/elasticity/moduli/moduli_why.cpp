@@ -1,43 +1,9 @@
-// Why nodes, supports and elements have the numbers that they have: one row of K u = f, Hooke's law.
+// Why nodes, supports and elements have the numbers that they have.
 #include "moduli.h"
 
-#include <fmt/format.h>
-
 namespace pliant::moduli {
-namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
-std::string displacement_of(Index node, Index component) {
-    return fmt::format("u{}_{}", axis[static_cast<std::size_t>(component)], node);
-}
-
-// The row of K u that belongs to an unknown, appended as pairs of an entry and a displacement. Supports hold nodes at 0: what
-// they hold adds nothing. without: an unknown that is left out, or -1.
-void append_row(std::vector<Input>& inputs, const StaticProblem<3>& problem, Index row, Index without) {
-    const SparseMatrix& K = problem.body().stiffness();
-    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry) {
-        const Index node = entry.row() / 3, component = entry.row() % 3;
-        if (entry.row() == without || entry.value() == 0) continue;
-        if (problem.constraints().prescribed(node, static_cast<int>(component))) continue;
-        inputs.push_back(
-            Input::constant(fmt::format("K_{}", fmt::format("{}{}", axis[static_cast<std::size_t>(component)], node)),
-                            entry.value(), "N/m", "entry of the stiffness matrix"));
-        inputs.push_back(Input::now(displacement_of(node, component), "displacement", node, static_cast<int>(component)));
-    }
-}
-
-Real products(std::span<const Real> x) {
-    Real sum = 0;
-    for (std::size_t k = 0; k + 1 < x.size(); k += 2) sum += x[k] * x[k + 1];
-    return sum;
-}
-
-Explanation nothing(std::string formula) {
-    return {.formula = std::move(formula), .inputs = {}, .evaluate = [](std::span<const Real>) { return Real{0}; }};
-}
-
-}  // namespace
+using linear_body::nothing;
 
 // --------------------------------------------------------------------------------------------------------------- load
 
@@ -64,135 +30,22 @@ std::optional<Explanation> ModuliLesson::why_solved(const Question& q) const {
     // A test that is over changes nothing; the supports are looked at when the solver has ended.
     const bool of_reaction = q.field == "reaction";
     if (!advancing_ || (of_reaction && solver_->running())) return std::nullopt;
-    if (of_reaction) return why_reaction(q.index, q.component);
-    return q.field == "residual" ? why_residual(q.index, q.component) : why_displacement(q.index, q.component);
-}
-
-// What the solver has not balanced stands in the row as the residual.
-Explanation ModuliLesson::why_displacement(Index node, int component) const {
-    const StaticProblem<3>& problem = specimen_->problem();
-    if (problem.constraints().prescribed(node, component)) return nothing("u = 0: held by the support");
-    const Index row = 3 * node + component;
-    Explanation e{.formula = "u_a = (f_a − r_a − Σ K_ab u_b) / K_aa", .inputs = {}, .evaluate = {}};
-    e.inputs = {Input::now("f_a", "load", node, component), Input::now("r_a", "residual", node, component),
-                Input::constant("K_aa", problem.body().stiffness().coeff(row, row), "N/m", "diagonal of the stiffness matrix")};
-    append_row(e.inputs, problem, row, row);
-    e.evaluate = [](std::span<const Real> x) { return (x[0] - x[1] - products(x.subspan(3))) / x[2]; };
-    e.substitute = [](std::span<const Real> x) {
-        return fmt::format("({} − ({})) / {}", sum_text(std::array{x[0], -x[1]}), products_text(x.subspan(3)),
-                           sum_text(x.subspan(2, 1)));
-    };
-    return e;
-}
-
-Explanation ModuliLesson::why_residual(Index node, int component) const {
-    const StaticProblem<3>& problem = specimen_->problem();
-    if (problem.constraints().prescribed(node, component)) return nothing("r = 0: the support takes what is left");
-    Explanation e{.formula = "r_a = f_a − Σ K_ab u_b", .inputs = {Input::now("f_a", "load", node, component)}, .evaluate = {}};
-    append_row(e.inputs, problem, 3 * node + component, -1);
-    e.evaluate = [](std::span<const Real> x) { return x[0] - products(x.subspan(1)); };
-    e.substitute = [](std::span<const Real> x) {
-        return fmt::format("{} − ({})", sum_text(x.first(1)), products_text(x.subspan(1)));
-    };
-    return e;
-}
-
-// Summed over the elements of the node, each of which takes its stress times the slope of the node's shape function.
-Explanation ModuliLesson::why_reaction(Index node, int component) const {
-    if (!specimen_->problem().constraints().prescribed(node, component)) return nothing("r = 0: no support here");
-    Explanation e{.formula = "r = Σ V σ·∇N − f", .inputs = {Input::now("f", "load", node, component)}, .evaluate = {}};
-    const auto& simplices = specimen_->mesh().simplices();
-    for (Index k = 0; k < simplices.cols(); ++k)
-        for (int corner = 0; corner < 4; ++corner)
-            if (simplices(corner, k) == node) e.inputs.push_back(element_force(k, corner, component));
-    const auto sum = [](std::span<const Real> x) {
-        Real total = 0;
-        for (const Real force : x.subspan(1)) total += force;
-        return total;
-    };
-    e.evaluate = [sum](std::span<const Real> x) { return sum(x) - x[0]; };
-    e.substitute = [](std::span<const Real> x) { return fmt::format("{} − {}", sum_text(x.subspan(1)), as_factor(x[0])); };
-    return e;
-}
-
-Input ModuliLesson::element_force(Index element, int corner, int component) const {
-    const SimplexMesh<3>& mesh = specimen_->mesh();
-    const std::string symbol = fmt::format("F_{}", element);
-    const char row = axis[static_cast<std::size_t>(component)];
-    Explanation e{.formula = fmt::format("{0} = V (σ_{1}x ∂N/∂x + σ_{1}y ∂N/∂y + σ_{1}z ∂N/∂z)", symbol, row),
-                  .inputs = {Input::constant("V", mesh.volumes()[element], "m³", "volume of the element")},
-                  .evaluate = [](std::span<const Real> x) { return x[0] * products(x.subspan(1)); }};
-    for (int c = 0; c < 3; ++c) {
-        const char column = axis[static_cast<std::size_t>(c)];
-        e.inputs.push_back(Input::part(fmt::format("σ_{}{}", row, column), "Pa", why_stress(element, component, c, true)));
-        e.inputs.push_back(Input::constant(fmt::format("∂N/∂{}", column), mesh.gradients(element)(c, corner), "1/m",
-                                           "slope of the node's shape function"));
-    }
-    return Input::part(symbol, "N", std::move(e));
+    if (of_reaction) return linear_body::why_reaction(specimen_->problem(), hooke(), q.index, q.component);
+    return q.field == "residual" ? linear_body::why_residual(specimen_->problem(), q.index, q.component)
+                                 : linear_body::why_displacement(specimen_->problem(), q.index, q.component, true);
 }
 
 // ------------------------------------------------------------------------------------------------- strain and stress
 
+linear_body::Hooke ModuliLesson::hooke() const {
+    return {&specimen_->mesh(), linear_body::lame_lambda(youngs_modulus, poisson_ratio),
+            linear_body::lame_mu(youngs_modulus, poisson_ratio)};
+}
+
 Explanation ModuliLesson::why_strain_or_stress(const Question& q) const {
-    return q.field == "strain" ? why_strain(q.index, q.component / 3, q.component % 3)
-                               : why_stress(q.index, q.component / 3, q.component % 3);
-}
-
-// From the corners' displacements and the slopes of the corners' shape functions.
-Explanation ModuliLesson::why_strain(Index element, int row, int column) const {
-    const SimplexMesh<3>& mesh = specimen_->mesh();
-    const auto g = mesh.gradients(element);
-    const char r = axis[static_cast<std::size_t>(row)], c = axis[static_cast<std::size_t>(column)];
-    const bool normal = row == column;
-    std::vector<std::pair<Input, Input>> terms;
-    const auto add = [&](int corner, int along, int component) {
-        const Index node = mesh.simplices()(corner, element);
-        const char letter = axis[static_cast<std::size_t>(along)];
-        terms.emplace_back(
-            Input::constant(normal ? fmt::format("∂N_{}/∂{}", node, letter) : fmt::format("½ ∂N_{}/∂{}", node, letter),
-                            (normal ? 1 : 0.5) * g(along, corner), "1/m", "slope of the corner's shape function"),
-            Input::now(displacement_of(node, component), "displacement", node, component));
-    };
-    for (int a = 0; a < 4; ++a) {
-        add(a, column, row);
-        if (!normal) add(a, row, column);
-    }
-    return weighted_sum(normal ? fmt::format("ε_{0}{0} = Σ ∂N_a/∂{0} u{0}_a", r)
-                               : fmt::format("ε_{0}{1} = ½ Σ (∂N_a/∂{1} u{0}_a + ∂N_a/∂{0} u{1}_a)", r, c),
-                        terms);
-}
-
-Input ModuliLesson::lame_lambda() const {
-    return Input::part("λ", "Pa",
-                       {.formula = "λ = Y ν / ((1 + ν) (1 − 2 ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / ((1 + x[1]) * (1 - 2 * x[1])); }});
-}
-
-Input ModuliLesson::lame_mu() const {
-    return Input::part("μ", "Pa",
-                       {.formula = "μ = Y / (2 (1 + ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] / (2 * (1 + x[1])); }});
-}
-
-// from_displacement: where the strain is not evaluated yet.
-Explanation ModuliLesson::why_stress(Index element, int row, int column, bool from_displacement) const {
-    const auto strain = [&](int i, int j) {
-        const std::string symbol = fmt::format("ε_{}{}", axis[static_cast<std::size_t>(i)], axis[static_cast<std::size_t>(j)]);
-        return from_displacement ? Input::part(symbol, "", why_strain(element, i, j))
-                                 : Input::now(symbol, "strain", element, 3 * i + j);
-    };
-    const std::string name{axis[static_cast<std::size_t>(row)], axis[static_cast<std::size_t>(column)]};
-    if (row != column)
-        return {.formula = fmt::format("σ_{0} = 2 μ ε_{0}", name),
-                .inputs = {lame_mu(), strain(row, column)},
-                .evaluate = [](std::span<const Real> x) { return 2 * x[0] * x[1]; }};
-    return {.formula = fmt::format("σ_{0} = λ (ε_xx + ε_yy + ε_zz) + 2 μ ε_{0}", name),
-            .inputs = {lame_lambda(), lame_mu(), strain(0, 0), strain(1, 1), strain(2, 2)},
-            .evaluate = [row](std::span<const Real> x) {
-                return x[0] * (x[2] + x[3] + x[4]) + 2 * x[1] * x[2 + static_cast<std::size_t>(row)];
-            }};
+    const int row = q.component / 3, column = q.component % 3;
+    return q.field == "strain" ? linear_body::why_strain(specimen_->mesh(), q.index, row, column)
+                               : hooke().why_stress(q.index, row, column);
 }
 
 }  // namespace pliant::moduli

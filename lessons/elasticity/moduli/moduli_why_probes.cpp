@@ -132,7 +132,7 @@ Explanation ModuliLesson::why_modulus() const {
 
 Explanation ModuliLesson::why_strain_energy() const {
     const SimplexMesh<3>& mesh = specimen_->mesh();
-    Explanation e{.formula = "E = ½ λ Σ V tr(ε)² + μ Σ V ε:ε", .inputs = {lame_lambda(), lame_mu()}, .evaluate = {}};
+    Explanation e{.formula = "E = ½ λ Σ V tr(ε)² + μ Σ V ε:ε", .inputs = {hooke().lambda, hooke().mu}, .evaluate = {}};
     for (Index n = 0; n < mesh.node_count(); ++n)
         for (int c = 0; c < 3; ++c)
             e.inputs.push_back(Input::now(fmt::format("u{}_{}", axis[static_cast<std::size_t>(c)], n), "displacement", n, c));

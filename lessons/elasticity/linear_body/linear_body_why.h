@@ -1,0 +1,38 @@
+// Why nodes, supports and elements of a linear elastic body have the numbers that they have: one row of K u = f, the strain of an
+// element, Hooke's law. For lessons whose fields are called displacement, load, residual, strain and stress.
+#pragma once
+#include <pliant/lesson/explanation.h>
+#include <pliant/solids/linear_fem_static.h>
+
+#include <array>
+#include <functional>
+
+namespace pliant::linear_body {
+
+inline constexpr std::array<char, 3> axis{'x', 'y', 'z'};
+
+// A number that is 0 for the reason that the formula tells.
+Explanation nothing(std::string formula);
+
+// From Young's modulus and Poisson's ratio.
+Input lame_lambda(const Parameter& youngs_modulus, const Parameter& poisson_ratio);
+Input lame_mu(const Parameter& youngs_modulus, const Parameter& poisson_ratio);
+
+// What the solver has not balanced stands in the row as the residual, if the lesson has it.
+Explanation why_displacement(const StaticProblem<3>& problem, Index node, int component, bool has_residual);
+Explanation why_residual(const StaticProblem<3>& problem, Index node, int component);
+
+// From the corners' displacements and the slopes of the corners' shape functions.
+Explanation why_strain(const SimplexMesh<3>& mesh, Index element, int row, int column);
+
+// Hooke's law; from_displacement: where the field of strains is not evaluated yet.
+struct Hooke {
+    const SimplexMesh<3>* mesh;
+    Input lambda, mu;
+    Explanation why_stress(Index element, int row, int column, bool from_displacement = false) const;
+};
+
+// Summed over the elements of the node, each of which takes its stress times the slope of the node's shape function.
+Explanation why_reaction(const StaticProblem<3>& problem, const Hooke& hooke, Index node, int component);
+
+}  // namespace pliant::linear_body
