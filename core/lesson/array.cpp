@@ -22,6 +22,8 @@ std::string_view name_of(On on) {
             return "x_face";
         case On::y_face:
             return "y_face";
+        case On::handle:
+            return "handle";
     }
     return "";
 }

@@ -12,8 +12,9 @@
 
 namespace pliant {
 
-// What the entries of an array belong to. x_face and y_face: the faces of a staggered grid across that axis.
-enum class On { node, edge, face, cell, element, particle, x_face, y_face };
+// What the entries of an array belong to. x_face and y_face: the faces of a staggered grid across that axis. handle: what a
+// person may take hold of, no field.
+enum class On { node, edge, face, cell, element, particle, x_face, y_face, handle };
 enum class Rank { scalar, vector, tensor };
 
 std::string_view name_of(On on);

@@ -83,6 +83,7 @@ void draw_notes(LabState& lab, const View& view) {
 
 // The thing under the pointer, with all that is known of it.
 void read_out(LabState& lab, const Lesson& lesson, const Picked& picked) {
+    if (picked.on == On::handle) return ImGui::SetTooltip("Drag me");
     std::string text = fmt::format("{} {}\n", name_of(picked.on), picked.index);
     for (const Field& f : lesson.fields) {
         if (!f.in_use() || f.on != picked.on || picked.index >= f.size()) continue;
@@ -153,7 +154,7 @@ void go_on_dragging(LabState& lab, const View& view) {
 
 // A press that did not move picks what lies there.
 void end_drag(LabState& lab) {
-    if (lab.clicked_only && lab.hovered && lab.layout == Layout::lab) {
+    if (lab.clicked_only && lab.hovered && lab.hovered->on != On::handle && lab.layout == Layout::lab) {
         lab.session.inspector.thing = Thing{lab.hovered->on, lab.hovered->index};
         lab.choose_inspector = true;
     }

@@ -1,6 +1,6 @@
 // Virtual tension, shear and pressure tests that measure the three moduli of a soft block.
 #pragma once
-#include "../linear_body/linear_body_why.h"
+#include "elasticity/linear_body/linear_body_why.h"
 #include "specimen.h"
 
 #include <pliant/lesson/registry.h>

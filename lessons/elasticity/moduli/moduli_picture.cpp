@@ -1,4 +1,5 @@
 // The figure: the block at rest as an outline, the deformed one coloured by a field, its supports, loads and measures.
+#include "elasticity/linear_body/linear_body_picture.h"
 #include "moduli.h"
 
 #include <pliant/lesson/format.h>
@@ -10,13 +11,6 @@
 
 namespace pliant::moduli {
 namespace {
-
-// Largest of 1, 2, 5, 10, 20, ... (or 0.5, 0.2, ...) that is not above the value.
-Real round_down(Real value) {
-    const Real decade = std::pow(10.0, std::floor(std::log10(value)));
-    const Real lead = value / decade;
-    return decade * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
-}
 
 // A bar that is longer than this many widths is drawn thicker than it is, a plate longer, so that it can be seen.
 constexpr Real drawn_slenderness = 6;
@@ -31,9 +25,7 @@ Real ModuliLesson::drawn_magnification() const {
     const Vec<3> u = specimen_->exact_displacement(load, {length, width, width});
     const Vec<3> along(test == Test::shear ? width : length, width, width);
     const Real full = u.cwiseQuotient(along).cwiseAbs().maxCoeff();
-    if (full == 0) return 1;
-    const Real wanted = round_down(0.3 / full);
-    return wanted < 1 && full < 0.6 ? 1 : wanted;
+    return linear_body::magnification_for(full);
 }
 
 // Scale of the drawn block along each axis; 1 unless the block is very long or very flat. In shear it would change the angle.
@@ -72,25 +64,9 @@ void ModuliLesson::draw(Scene& scene) const {
     scene.frame(at({-0.25 * w, -0.3 * w, -0.1 * w}), at({L + 0.8 * w, 1.3 * w, 1.1 * w}));
 }
 
-// The deformed surface; a field of elements colours each facet by the element that it bounds.
 void ModuliLesson::draw_body(Scene& scene) const {
     const SimplexMesh<3>& mesh = specimen_->mesh();
-    TriangleMarks surface{.corners = {}, .triangles = {}, .ink = Ink::body, .edges = true};
-    const std::vector<float> on_nodes = scene.values(*this, On::node), on_elements = scene.values(*this, On::element);
-    for (Index f = 0; f < mesh.facet_count(); ++f) {
-        const int first = static_cast<int>(surface.corners.size());
-        surface.triangles.push_back({first, first + 1, first + 2});
-        for (int a = 0; a < 3; ++a) {
-            const Index n = mesh.facets()(a, f);
-            surface.corners.push_back(position<3>(drawn(mesh.points().col(n), displacement_.col(n))));
-            if (!on_nodes.empty()) surface.values.push_back(on_nodes[static_cast<std::size_t>(n)]);
-            if (!on_elements.empty()) surface.values.push_back(on_elements[static_cast<std::size_t>(mesh.facet_simplex(f))]);
-        }
-        surface.pick.ids.push_back(mesh.facet_simplex(f));
-    }
-    surface.pick.pickable = true;
-    surface.pick.on = On::element;
-    scene.triangles.push_back(std::move(surface));
+    linear_body::draw_surface(scene, *this, mesh, [&](Index n) { return drawn(mesh.points().col(n), displacement_.col(n)); });
     const auto [L, w] = drawn_size();
     scene.box(at(Vec<3>::Zero()), at({L, w, w}), Ink::rest, 2, true);
 }

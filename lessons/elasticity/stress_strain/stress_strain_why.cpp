@@ -1,0 +1,136 @@
+// Why the loaded bodies have the numbers that they have.
+#include "stress_strain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pliant::stress_strain {
+namespace {
+
+using linear_body::axis;
+
+std::string name(int row, int column) {
+    return fmt::format("{}{}", axis[static_cast<std::size_t>(row)], axis[static_cast<std::size_t>(column)]);
+}
+
+}  // namespace
+
+linear_body::Hooke StressStrainLesson::hooke() const {
+    return {&body_->mesh(), linear_body::lame_lambda(youngs_modulus, poisson_ratio),
+            linear_body::lame_mu(youngs_modulus, poisson_ratio)};
+}
+
+// --------------------------------------------------------------------------------------------------------------- load
+
+Input StressStrainLesson::applied_stress_input(int row, int column) const {
+    if (loading == Load::cut) return Input::of(row != column ? sigma_xy : row == 0 ? sigma_xx : sigma_yy);
+    if (loading == Load::rod)
+        return Input::part("σ_xx", "Pa",
+                           {.formula = "σ_xx = F / (w w)",
+                            .inputs = {Input::of(force), Input::of(width)},
+                            .evaluate = [](std::span<const Real> x) { return x[0] / (x[1] * x[1]); }});
+    return Input::part("σ_yy", "Pa",
+                       {.formula = "σ_yy = − m g / (π r²)",
+                        .inputs = {Input::of(mass), Input::of(gravity), Input::of(radius)},
+                        .evaluate = [](std::span<const Real> x) { return -x[0] * x[1] / (std::numbers::pi * x[2] * x[2]); }});
+}
+
+// The stress on the faces of the body times the node's share of them.
+Explanation StressStrainLesson::why_load(const Question& q) const {
+    const Mat<3> stress = applied_stress();
+    std::vector<std::pair<Input, Input>> terms;
+    for (int j = 0; j < 3; ++j) {
+        const Real share = body_->loaded_area()(j, q.index);
+        if (stress(q.component, j) == 0 || share == 0) continue;
+        terms.emplace_back(applied_stress_input(q.component, j),
+                           Input::constant(fmt::format("A_{}", axis[static_cast<std::size_t>(j)]), share, "m²",
+                                           "the node's share of the loaded faces, outward"));
+    }
+    if (terms.empty()) return linear_body::nothing("f = 0: no load acts here");
+    return weighted_sum(fmt::format("f_{0} = Σ σ_{0}j A_j", axis[static_cast<std::size_t>(q.component)]), terms);
+}
+
+// ---------------------------------------------------------------------------------------------------------------- cut
+
+Input StressStrainLesson::normal_input(int k) const {
+    const std::string symbol = fmt::format("n_{}", axis[static_cast<std::size_t>(k)]);
+    return Input::part(symbol, "",
+                       {.formula = fmt::format("{} = {}(θ)", symbol, k == 0 ? "cos" : "sin"),
+                        .inputs = {Input::of(angle)},
+                        .evaluate = [k](std::span<const Real> x) {
+                            const Real a = x[0] * std::numbers::pi / 180;
+                            return k == 0 ? std::cos(a) : std::sin(a);
+                        }});
+}
+
+Explanation StressStrainLesson::why_traction(const Question& q) const {
+    const char i = axis[static_cast<std::size_t>(q.component)];
+    const auto now = [&](std::string symbol, std::string_view field, int component) {
+        return Input::now(std::move(symbol), field, q.index, component);
+    };
+    if (q.field == "traction")
+        return {.formula = fmt::format("t_{0} = σ_{0}x n_x + σ_{0}y n_y", i),
+                .inputs = {now("σ_" + name(q.component, 0), "stress", 3 * q.component),
+                           now("σ_" + name(q.component, 1), "stress", 3 * q.component + 1), normal_input(0), normal_input(1)},
+                .evaluate = [](std::span<const Real> x) { return x[0] * x[2] + x[1] * x[3]; }};
+    if (q.field == "shear_part")
+        return {.formula = fmt::format("τ_{0} = t_{0} − N_{0}", i),
+                .inputs = {now(fmt::format("t_{}", i), "traction", q.component),
+                           now(fmt::format("N_{}", i), "normal_part", q.component)},
+                .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+    if (q.component == 2) return linear_body::nothing("N_z = 0: the normal lies in the plane of x and y");
+    const auto k = static_cast<std::size_t>(q.component);
+    return {.formula = fmt::format("N_{0} = (t_x n_x + t_y n_y) n_{0}", i),
+            .inputs = {now("t_x", "traction", 0), now("t_y", "traction", 1), normal_input(0), normal_input(1)},
+            .evaluate = [k](std::span<const Real> x) { return (x[0] * x[2] + x[1] * x[3]) * x[2 + k]; }};
+}
+
+// ------------------------------------------------------------------------------------------------------------- probes
+
+void StressStrainLesson::explain_probes() {
+    const auto give = [this](std::string_view probe, std::function<Explanation()> why) {
+        std::ranges::find(probes, probe, &Probe::name)->explain = std::move(why);
+    };
+    give("force", [this] {
+        std::vector<Input> reactions;
+        for (const Index n : body_->mesh().nodes(body_->held_face()))
+            reactions.push_back(Input::now(fmt::format("r_{}", n), "reaction", n, body_->axis()));
+        const bool upward = loading == Load::disc;
+        Explanation e = sum_of(upward ? "F = Σ r_y" : "F = − Σ r_x", std::move(reactions));
+        if (upward) return e;
+        e.evaluate = [sum = e.evaluate](std::span<const Real> x) { return -sum(x); };
+        e.substitute = [](std::span<const Real> x) { return fmt::format("−({})", sum_text(x)); };
+        return e;
+    });
+    give("area", [this] {
+        std::vector<Input> areas;
+        for (const Index f : body_->mesh().facets(body_->held_face()))
+            areas.push_back(
+                Input::constant(fmt::format("A_{}", f), body_->mesh().facet_areas().col(f).norm(), "m²", "area of a facet"));
+        return sum_of("A = Σ A_facet", std::move(areas));
+    });
+    give("stress", [] {
+        return Explanation{.formula = "σ = F / A",
+                           .inputs = {Input::now("F", "force", 0), Input::now("A", "area", 0)},
+                           .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+    });
+    give("strain", [this] {
+        return Explanation{.formula = "ε = ΔL / L",
+                           .inputs = {Input::now("ΔL", "lengthening", 0), Input::of(length)},
+                           .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+    });
+    give("traction", [] {
+        return Explanation{.formula = "|t| = √(σ_n² + τ²)",
+                           .inputs = {Input::now("σ_n", "normal_stress", 0), Input::now("τ", "shear_stress", 0)},
+                           .evaluate = [](std::span<const Real> x) { return std::hypot(x[0], x[1]); },
+                           .substitute =
+                               [](std::span<const Real> x) {
+                                   return fmt::format("√({}² + {}²)", as_factor(x[0], true), as_factor(x[1], true));
+                               }};
+    });
+}
+
+}  // namespace pliant::stress_strain
