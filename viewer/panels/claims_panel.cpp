@@ -1,0 +1,224 @@
+// The claims of the lectures as cards: predict, measure, compare, and open as a scene.
+#include <pliant/lesson/registry.h>
+
+#include "panels/flowing_text.h"
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace pliant::viewer {
+namespace {
+
+using Stage = ClaimBook::Stage;
+
+constexpr Rgba8 qualified_colour{214, 150, 40};
+
+// How a claim stands, by a shape and a word as well as by a colour.
+struct Mark {
+    const char* shape;
+    std::string word;
+    Rgba8 colour;
+};
+
+Mark mark_of(const ClaimBook& book, const Claim& c) {
+    switch (book.stage(c)) {
+        case Stage::asked:
+            return {"○", "not measured", quiet_colour};
+        case Stage::predicted:
+            return {"◔", "predicted", quiet_colour};
+        case Stage::waiting:
+            return {"…", "waiting", quiet_colour};
+        case Stage::measuring:
+            return {"▷", "measuring", quiet_colour};
+        case Stage::failed:
+            return {"■", "failed", bad_colour};
+        case Stage::measured:
+            break;
+    }
+    const Verdict verdict = book.result(c)->finding->verdict;
+    const std::string word(name_of(verdict));
+    return verdict == Verdict::reproduced  ? Mark{"✓", word, good_colour}
+           : verdict == Verdict::qualified ? Mark{"◐", word, qualified_colour}
+                                           : Mark{"✗", word, bad_colour};
+}
+
+void words_here(const std::string& text) {
+    ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
+}
+
+void quiet_words(LabState& lab, const std::string& text) {
+    ImGui::PushFont(lab.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    words_here(text);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void heading(LabState& lab, const char* text, Ink role) {
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(role));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void marked_word(const Mark& m) {
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(m.colour));
+    ImGui::TextUnformatted(m.shape);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    ImGui::TextUnformatted(m.word.c_str());
+}
+
+// A button as wide as the panel whose words flow into lines.
+bool wide_button(const std::string& label, const char* id) {
+    const float width = ImGui::GetContentRegionAvail().x, inner = width - 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5f});
+    const bool pressed =
+        ImGui::Button(fmt::format("{}###{}", flowing_text(label, ImGui::GetFont(), inner), id).c_str(), {width, 0});
+    ImGui::PopStyleVar();
+    return pressed;
+}
+
+// --- the top: whose claims ---
+
+void choose_claims(LabState& lab) {
+    ClaimBook& book = lab.claims;
+    const auto choice = [&](const char* label, bool all, const char* name, const char* help) {
+        if (ImGui::RadioButton(label, book.all == all)) book.all = all;
+        lab.note_control(name);
+        tooltip(help, lab.scale);
+    };
+    const auto here = claims_of(lab.session.entry().info.id).size();
+    choice(fmt::format("this lesson ({})", here).c_str(), false, "claims of lesson",
+           "What the lectures say of this lesson's methods");
+    ImGui::SameLine();
+    choice(fmt::format("all ({})", claims().size()).c_str(), true, "claims of all", "The claims of every lesson");
+}
+
+// --- a card ---
+
+// Its first line and the statement: one control, which unfolds the card.
+void head(LabState& lab, const Claim& c, bool open) {
+    const Mark mark = mark_of(lab.claims, c);
+    const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeightWithSpacing();
+    const std::string statement = flowing_text(std::string(c.statement), ImGui::GetFont(), width);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = line + ImGui::CalcTextSize(statement.c_str()).y;
+    if (ImGui::Selectable("##head", open, 0, {width, height})) lab.claims.unfold(c);
+    lab.note_control(fmt::format("claim {}", c.id));
+    tooltip(fmt::format("{} of {}, {}. Click to unfold", c.id, c.lesson, mark.word), lab.scale);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const unsigned text = ImGui::GetColorU32(ImGuiCol_Text);
+    draw->AddText(at, text, fmt::format("{} {}", open ? "▾" : "▸", c.id).c_str());
+    const float word_width = ImGui::CalcTextSize(mark.word.c_str()).x, shape_width = ImGui::CalcTextSize(mark.shape).x;
+    const float right = at.x + width - word_width;
+    draw->AddText({right, at.y}, text, mark.word.c_str());
+    draw->AddText({right - shape_width - lab.px(5), at.y}, packed(mark.colour), mark.shape);
+    draw->AddText({at.x, at.y + line}, text, statement.c_str());
+}
+
+void question(LabState& lab, const Claim& c) {
+    ClaimBook& book = lab.claims;
+    const bool over = book.result(c) != nullptr;
+    const auto predicted = book.prediction(c);
+    heading(lab, "Predict", Ink::accent);
+    words_here(std::string(c.question));
+    ImGui::BeginDisabled(over || book.stage(c) == Stage::measuring || book.stage(c) == Stage::waiting);
+    for (int k = 0; k < static_cast<int>(c.answers.size()); ++k) {
+        const char* shape = over && k == c.right_answer ? "✓" : over && predicted == k ? "✗" : predicted == k ? "●" : "○";
+        if (wide_button(fmt::format("{} {}", shape, c.answers[static_cast<std::size_t>(k)]), fmt::format("answer {}", k).c_str()))
+            book.predict(c, k);
+        lab.note_control(fmt::format("claim answer {}", k));
+        tooltip(over ? "Ask again to choose anew" : "Choose this answer before the experiment is made", lab.scale);
+    }
+    ImGui::EndDisabled();
+}
+
+void buttons(LabState& lab, const Claim& c) {
+    ClaimBook& book = lab.claims;
+    ImGui::Spacing();
+    const Stage stage = book.stage(c);
+    const bool over = stage == Stage::measured || stage == Stage::failed,
+               busy = stage == Stage::measuring || stage == Stage::waiting;
+    ImGui::BeginDisabled(busy);
+    if (!over && flowing_button(lab, busy ? "Measuring…" : "Measure", "claim run",
+                                fmt::format("Makes the experiment now. {}", c.experiment), true))
+        book.measure(c);
+    if (over && flowing_button(lab, "Ask again", "claim again", "Forgets the answer and the figure", true)) book.forget(c);
+    ImGui::EndDisabled();
+    if (flowing_button(lab, "Open as scene", "claim scene",
+                       fmt::format("Opens {} with the parameters that show this claim", c.lesson)))
+        open_as_scene(lab.session, c);
+}
+
+void outcome(LabState& lab, const Claim& c) {
+    const ClaimResult& r = *lab.claims.result(c);
+    heading(lab, "Measured", Ink::velocity);
+    if (!r.finding) return words_here(r.failure);
+    ImGui::PushFont(lab.fonts.large);
+    words_here(figure_text(r));
+    ImGui::PopFont();
+    quiet_words(lab, fmt::format("{}; criterion {}", c.figure, c.criterion));
+    ImGui::PushFont(lab.fonts.medium);
+    marked_word(mark_of(lab.claims, c));
+    ImGui::PopFont();
+    words_here(r.finding->text);
+    if (!r.finding->condition.empty()) {
+        heading(lab, "Condition", Ink::force);
+        words_here(r.finding->condition);
+    }
+    const auto right = lab.claims.was_right(c);
+    if (!right) return;
+    ImGui::Spacing();
+    marked_word({*right ? "✓" : "✗", *right ? "Your prediction was right." : "Your prediction was wrong.",
+                 *right ? good_colour : bad_colour});
+}
+
+void body(LabState& lab, const Claim& c) {
+    quiet_words(lab, lab.claims.all ? fmt::format("{} · {}", c.source, c.lesson) : std::string(c.source));
+    if (lab.claims.result(c)) outcome(lab, c);
+    question(lab, c);
+    if (!lab.claims.result(c)) {
+        heading(lab, "Experiment", Ink::velocity);
+        words_here(std::string(c.experiment));
+    }
+    buttons(lab, c);
+}
+
+void card(LabState& lab, const Claim& c, bool open) {
+    ImGui::PushID(c.id.data(), c.id.data() + c.id.size());
+    if (open && std::exchange(lab.reveal_claim, false)) {
+        ImGui::SetScrollHereY(0);
+        head(lab, c, open);
+        if (std::exchange(lab.focus_claim, false)) focus_last_item();
+    } else {
+        head(lab, c, open);
+    }
+    if (open) body(lab, c);
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_claims(LabState& lab) {
+    choose_claims(lab);
+    const std::string_view lesson = lab.session.entry().info.id;
+    const auto list = lab.claims.listed(lesson);
+    if (list.empty()) {
+        lab.reveal_claim = lab.focus_claim = false;
+        return words_here("No claim stands beside this lesson; those of the others are under “all”.");
+    }
+    ImGui::BeginChild("cards", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
+    const Claim* open = lab.claims.unfolded(lesson);
+    for (const Claim* c : list) card(lab, *c, c == open);
+    ImGui::EndChild();
+}
+
+}  // namespace pliant::viewer
