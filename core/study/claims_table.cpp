@@ -1,11 +1,11 @@
 // The table that `pliant claims` prints.
+#include <pliant/lesson/flowing_lines.h>
 #include <pliant/study/claims_report.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace pliant {
 namespace {
@@ -15,25 +15,8 @@ constexpr std::size_t line_width = 100, gap = 2, indent = 7;
 constexpr std::array<std::size_t, 5> widths{5, 42, 17, 18, 10};
 using Row = std::array<std::string, 5>;
 
-// Columns of a terminal that the text takes; accents that combine take none.
-std::size_t columns_of(std::string_view text) {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool continues = (byte & 0xc0) == 0x80, combines = byte == 0xcc;
-        n += !continues && !combines;
-    }
-    return n;
-}
-
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
-    std::vector<std::string> lines{""};
-    std::istringstream in(text);
-    for (std::string word; in >> word;) {
-        if (!lines.back().empty() && columns_of(lines.back()) + 1 + columns_of(word) > width) lines.emplace_back();
-        lines.back() += lines.back().empty() ? word : fmt::format(" {}", word);
-    }
-    return lines;
+    return flowing_lines(text, static_cast<double>(width), columns_of);
 }
 
 std::string row_text(const Row& row) {
@@ -48,7 +31,7 @@ std::string row_text(const Row& row) {
         std::string whole;
         for (std::size_t c = 0; c < row.size(); ++c) {
             const std::string part = line < cells[c].size() ? cells[c][line] : "";
-            const std::size_t room = widths[c] + gap, taken = columns_of(part);
+            const std::size_t room = widths[c] + gap, taken = static_cast<std::size_t>(columns_of(part));
             whole += part + std::string(room > taken ? room - taken : 1, ' ');
         }
         whole.erase(whole.find_last_not_of(' ') + 1);

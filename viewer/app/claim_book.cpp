@@ -18,12 +18,12 @@ const ClaimBook::Card& ClaimBook::card(const Claim& claim) const {
     return found == cards_.end() ? untouched : found->second;
 }
 
-ClaimBook::Stage ClaimBook::stage(const Claim& claim) const {
+ClaimBook::Phase ClaimBook::phase(const Claim& claim) const {
     const Card& c = card(claim);
-    if (c.result) return c.result->finding ? Stage::measured : Stage::failed;
-    if (measuring_ == &claim) return Stage::measuring;
-    if (std::ranges::find(waiting_, &claim) != waiting_.end()) return Stage::waiting;
-    return c.prediction ? Stage::predicted : Stage::asked;
+    if (c.result) return c.result->finding ? Phase::measured : Phase::failed;
+    if (measuring_ == &claim) return Phase::measuring;
+    if (std::ranges::find(waiting_, &claim) != waiting_.end()) return Phase::waiting;
+    return c.prediction ? Phase::predicted : Phase::asked;
 }
 
 std::optional<int> ClaimBook::prediction(const Claim& claim) const { return card(claim).prediction; }
@@ -42,11 +42,11 @@ std::optional<bool> ClaimBook::was_right(const Claim& claim) const {
 void ClaimBook::predict(const Claim& claim, int answer) {
     if (answer < 0 || answer >= static_cast<int>(claim.answers.size()))
         throw Refused(fmt::format("{} has no answer {}: give 0 to {}", claim.id, answer, claim.answers.size() - 1));
-    if (stage(claim) == Stage::asked || stage(claim) == Stage::predicted) cards_[claim.id].prediction = answer;
+    if (phase(claim) == Phase::asked || phase(claim) == Phase::predicted) cards_[claim.id].prediction = answer;
 }
 
 void ClaimBook::measure(const Claim& claim) {
-    if (stage(claim) != Stage::asked && stage(claim) != Stage::predicted) return;
+    if (phase(claim) != Phase::asked && phase(claim) != Phase::predicted) return;
     waiting_.push_back(&claim);
     update();
 }
@@ -54,7 +54,7 @@ void ClaimBook::measure(const Claim& claim) {
 void ClaimBook::measure_now(const Claim& claim) { cards_[claim.id].result = measured(claim); }
 
 void ClaimBook::forget(const Claim& claim) {
-    if (stage(claim) == Stage::measuring) return;
+    if (phase(claim) == Phase::measuring) return;
     std::erase(waiting_, &claim);
     cards_.erase(claim.id);
 }
@@ -83,19 +83,19 @@ const Claim* ClaimBook::unfolded(std::string_view lesson) const {
     return found != list.end() ? *found : list.empty() ? nullptr : list.front();
 }
 
-std::string_view name_of(ClaimBook::Stage stage) {
-    switch (stage) {
-        case ClaimBook::Stage::asked:
+std::string_view name_of(ClaimBook::Phase phase) {
+    switch (phase) {
+        case ClaimBook::Phase::asked:
             return "asked";
-        case ClaimBook::Stage::predicted:
+        case ClaimBook::Phase::predicted:
             return "predicted";
-        case ClaimBook::Stage::waiting:
+        case ClaimBook::Phase::waiting:
             return "waiting";
-        case ClaimBook::Stage::measuring:
+        case ClaimBook::Phase::measuring:
             return "measuring";
-        case ClaimBook::Stage::measured:
+        case ClaimBook::Phase::measured:
             return "measured";
-        case ClaimBook::Stage::failed:
+        case ClaimBook::Phase::failed:
             return "failed";
     }
     return "";

@@ -17,7 +17,7 @@ class Session;
 
 class ClaimBook {
 public:
-    enum class Stage { asked, predicted, waiting, measuring, measured, failed };
+    enum class Phase { asked, predicted, waiting, measuring, measured, failed };
 
     ClaimBook() = default;
     ClaimBook(const ClaimBook&) = delete;
@@ -25,7 +25,7 @@ public:
     // An experiment that is under way is waited for; those that wait for it are not made.
     ~ClaimBook() = default;
 
-    Stage stage(const Claim& claim) const;
+    Phase phase(const Claim& claim) const;
     std::optional<int> prediction(const Claim& claim) const;  // the number of the answer, from 0
     const ClaimResult* result(const Claim& claim) const;      // null until it is measured
     // Was the prediction right? Empty without one, and until the claim is measured.
@@ -64,7 +64,7 @@ private:
     std::future<ClaimResult> under_way_;
 };
 
-std::string_view name_of(ClaimBook::Stage stage);
+std::string_view name_of(ClaimBook::Phase phase);
 
 // The lesson of a claim with the parameters that show it; a static one is run at once. A refusal becomes a message.
 void open_as_scene(Session& session, const Claim& claim);

@@ -35,7 +35,7 @@ nlohmann::ordered_json claims_json(const LabState& lab) {
                              {"unfolded", open ? open->id : ""},
                              {"cards", nlohmann::ordered_json::object()}};
     for (const Claim* c : lab.claims.listed(lesson)) {
-        auto& card = j["cards"][std::string(c->id)] = {{"stage", name_of(lab.claims.stage(*c))}};
+        auto& card = j["cards"][std::string(c->id)] = {{"stage", name_of(lab.claims.phase(*c))}};
         if (const auto answer = lab.claims.prediction(*c)) card["prediction"] = *answer;
         if (const auto right = lab.claims.was_right(*c)) card["right"] = *right;
         if (const ClaimResult* r = lab.claims.result(*c)) card["verdict"] = outcome_of(*r), card["figure"] = figure_text(*r);

@@ -14,7 +14,7 @@
 namespace pliant::viewer {
 namespace {
 
-using Stage = ClaimBook::Stage;
+using Phase = ClaimBook::Phase;
 
 constexpr Rgba8 qualified_colour{214, 150, 40};
 
@@ -26,18 +26,18 @@ struct Mark {
 };
 
 Mark mark_of(const ClaimBook& book, const Claim& c) {
-    switch (book.stage(c)) {
-        case Stage::asked:
+    switch (book.phase(c)) {
+        case Phase::asked:
             return {"○", "not measured", quiet_colour};
-        case Stage::predicted:
+        case Phase::predicted:
             return {"◔", "predicted", quiet_colour};
-        case Stage::waiting:
+        case Phase::waiting:
             return {"…", "waiting", quiet_colour};
-        case Stage::measuring:
+        case Phase::measuring:
             return {"▷", "measuring", quiet_colour};
-        case Stage::failed:
+        case Phase::failed:
             return {"■", "failed", bad_colour};
-        case Stage::measured:
+        case Phase::measured:
             break;
     }
     const Verdict verdict = book.result(c)->finding->verdict;
@@ -128,7 +128,7 @@ void question(LabState& lab, const Claim& c) {
     const auto predicted = book.prediction(c);
     heading(lab, "Predict", Ink::accent);
     words_here(std::string(c.question));
-    ImGui::BeginDisabled(over || book.stage(c) == Stage::measuring || book.stage(c) == Stage::waiting);
+    ImGui::BeginDisabled(over || book.phase(c) == Phase::measuring || book.phase(c) == Phase::waiting);
     for (int k = 0; k < static_cast<int>(c.answers.size()); ++k) {
         const char* shape = over && k == c.right_answer ? "✓" : over && predicted == k ? "✗" : predicted == k ? "●" : "○";
         if (wide_button(fmt::format("{} {}", shape, c.answers[static_cast<std::size_t>(k)]), fmt::format("answer {}", k).c_str()))
@@ -142,9 +142,9 @@ void question(LabState& lab, const Claim& c) {
 void buttons(LabState& lab, const Claim& c) {
     ClaimBook& book = lab.claims;
     ImGui::Spacing();
-    const Stage stage = book.stage(c);
-    const bool over = stage == Stage::measured || stage == Stage::failed,
-               busy = stage == Stage::measuring || stage == Stage::waiting;
+    const Phase phase = book.phase(c);
+    const bool over = phase == Phase::measured || phase == Phase::failed,
+               busy = phase == Phase::measuring || phase == Phase::waiting;
     ImGui::BeginDisabled(busy);
     if (!over && flowing_button(lab, busy ? "Measuring…" : "Measure", "claim run",
                                 fmt::format("Makes the experiment now. {}", c.experiment), true))
@@ -159,6 +159,9 @@ void buttons(LabState& lab, const Claim& c) {
 void outcome(LabState& lab, const Claim& c) {
     const ClaimResult& r = *lab.claims.result(c);
     heading(lab, "Measured", Ink::velocity);
+    if (const auto right = lab.claims.was_right(c))
+        marked_word({*right ? "✓" : "✗", *right ? "Your prediction was right." : "Your prediction was wrong.",
+                     *right ? good_colour : bad_colour});
     if (!r.finding) return words_here(r.failure);
     ImGui::PushFont(lab.fonts.large);
     words_here(figure_text(r));
@@ -172,22 +175,15 @@ void outcome(LabState& lab, const Claim& c) {
         heading(lab, "Condition", Ink::force);
         words_here(r.finding->condition);
     }
-    const auto right = lab.claims.was_right(c);
-    if (!right) return;
-    ImGui::Spacing();
-    marked_word({*right ? "✓" : "✗", *right ? "Your prediction was right." : "Your prediction was wrong.",
-                 *right ? good_colour : bad_colour});
 }
 
 void body(LabState& lab, const Claim& c) {
     quiet_words(lab, lab.claims.all ? fmt::format("{} · {}", c.source, c.lesson) : std::string(c.source));
-    if (lab.claims.result(c)) outcome(lab, c);
     question(lab, c);
-    if (!lab.claims.result(c)) {
-        heading(lab, "Experiment", Ink::velocity);
-        words_here(std::string(c.experiment));
-    }
     buttons(lab, c);
+    if (lab.claims.result(c)) outcome(lab, c);
+    heading(lab, "Experiment", Ink::velocity);
+    words_here(std::string(c.experiment));
 }
 
 void card(LabState& lab, const Claim& c, bool open) {

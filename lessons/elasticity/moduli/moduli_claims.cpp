@@ -63,7 +63,7 @@ Finding measure_young() {
         const Material& m = materials[1];
         shape_difference = std::max(shape_difference, std::abs(slope("tension", m, shape) - m.Y) / m.Y);
     }
-    f.text += fmt::format(" Rubber blocks of three lengths differ by {}.", steady_figure(shape_difference));
+    f.text += fmt::format(" Over three lengths of a rubber block it is {}.", steady_figure(shape_difference));
     f.figure = std::max(f.figure, shape_difference);
     if (f.figure > enough) f.verdict = Verdict::refuted;
     return f;
@@ -72,7 +72,7 @@ Finding measure_young() {
 const ClaimRegistration e3{
     {.id = "E3",
      .lesson = "elasticity/moduli",
-     .statement = "Young's modulus is stress over strain in tension, Y = (F/A) / (ΔL/L), a number of the material alone.",
+     .statement = "Young's modulus is stress over strain in tension, Y = (F/A)/(ΔL/L), a number of the material alone.",
      .source = "U, T: Young's modulus",
      .experiment =
          "Pull blocks of five materials and of three lengths in the virtual tensile test, and compare the slope of stress over "
@@ -88,11 +88,11 @@ const ClaimRegistration e3{
 const ClaimRegistration e4{
     {.id = "E4",
      .lesson = "elasticity/moduli",
-     .statement = "The shear modulus is shear stress over shear strain, and follows from Y and ν: G = Y / (2 (1 + ν)).",
+     .statement = "The shear modulus is shear stress over shear strain, and follows from Y and ν: G = Y/(2(1+ν)).",
      .source = "U, T: shear modulus",
      .experiment =
          "Shear blocks of five materials, ν from −0.5 to 0.49, in the virtual shear test, and compare the slope of stress over "
-         "strain with Y / (2 (1 + ν)).",
+         "strain with Y/(2(1+ν)).",
      .figure = "largest |slope − G| / G",
      .criterion = "≤ 10⁻⁹",
      .question = "Y stays, and ν is raised from 0 to 0.49. What becomes of the resistance to shear?",
@@ -104,12 +104,11 @@ const ClaimRegistration e4{
 const ClaimRegistration e5{
     {.id = "E5",
      .lesson = "elasticity/moduli",
-     .statement =
-         "The bulk modulus is pressure over loss of volume, B = −ΔP / (ΔV/V), and follows from Y and ν: B = Y / (3 (1 − 2ν)).",
+     .statement = "The bulk modulus is pressure over loss of volume, B = −ΔP/(ΔV/V), and follows from Y and ν: B = Y/(3(1−2ν)).",
      .source = "U, T: bulk modulus",
      .experiment =
          "Squeeze blocks of five materials, ν from −0.5 to 0.49, from all sides in the virtual pressure test, and compare the "
-         "slope with Y / (3 (1 − 2ν)).",
+         "slope with Y/(3(1−2ν)).",
      .figure = "largest |slope − B| / B",
      .criterion = "≤ 10⁻⁹",
      .question = "Steel has Y = 200 GPa, rubber 1 MPa. Y of rubber stays, and its ν goes to ½. What becomes of its bulk modulus?",
