@@ -104,7 +104,7 @@ std::string_view name_of(ClaimBook::Phase phase) {
 void open_as_scene(Session& session, const Claim& claim) {
     try {
         session.open(find_lesson(claim.lesson), claim.scene);
-        session.playing = session.runner().is_static();
+        if (session.runner().is_static()) session.step();
     } catch (const Error& e) {
         session.say(Session::Message::Kind::refused, e.what());
     }

@@ -66,7 +66,7 @@ private:
 
 std::string_view name_of(ClaimBook::Phase phase);
 
-// The lesson of a claim with the parameters that show it; a static one is run at once. A refusal becomes a message.
+// The lesson of a claim with the parameters that show it; a static one is solved at once. A refusal becomes a message.
 void open_as_scene(Session& session, const Claim& claim);
 
 }  // namespace pliant::viewer

@@ -1,0 +1,275 @@
+// Extremes that a person may ask for on the command line: other units, materials at the ends of what is possible, long time
+// steps. Each is refused with the name of the parameter, or gives finite numbers, or is reported with the limit that was
+// exceeded.
+#include "pliant.h"
+#include "units.h"
+
+#include <cmath>
+
+using namespace pliant::test;
+
+namespace {
+
+constexpr int refused = 2, diverged = 3;
+
+// Settings as options of a run.
+Arguments with(Arguments run, const std::vector<std::string>& settings) {
+    for (const std::string& s : settings) run.insert(run.end(), {"--set", s});
+    return run;
+}
+
+const Json* parameter_named(const Json& parameters, const std::string& key) {
+    for (const Json& p : parameters)
+        if (p["key"] == key) return &p;
+    return nullptr;
+}
+
+bool accepts(const Json& parameter, double value) {
+    const Json& a = parameter["accepted"];
+    const double low = a["min"], high = a["max"];
+    return (a["open_min"] ? value > low : value >= low) && (a["open_max"] ? value < high : value <= high);
+}
+
+// No probe, and no assumption, is other than a number or undefined, and it went on to the end.
+void check_finite(const Arguments& arguments) {
+    const Outcome outcome = call(arguments);
+    INFO(sentence(arguments) << "\n" << outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const Json run = Json::parse(outcome.out);
+    for (const auto& [name, probe] : run["probes"].items()) {
+        INFO(name);
+        CHECK((probe["value"].is_null() || std::isfinite(probe["value"].get<double>())));
+    }
+    for (const auto& [name, assumption] : run["assumptions"].items()) {
+        INFO(name);
+        CHECK_FALSE(assumption["value"].is_null());
+    }
+}
+
+// Refused in one line that names the parameter and what is accepted.
+void check_refused(const Arguments& arguments, const std::string& key) {
+    const Outcome outcome = call(arguments);
+    INFO(sentence(arguments) << "\n" << outcome.out << outcome.err);
+    CHECK(outcome.exit_code == refused);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome.err, key + " = "));
+}
+
+// Finite to the end, or reported: with a limit that has a number, and no other number that is not finite.
+void check_finite_or_reported(const Arguments& arguments) {
+    const Outcome outcome = call(arguments);
+    INFO(sentence(arguments) << "\n" << outcome.err);
+    if (outcome.exit_code == 0) return check_finite(arguments);
+    REQUIRE(outcome.exit_code == diverged);
+    const Json failure = Json::parse(outcome.out)["failure"];
+    for (const char* key : {"stage", "what", "limit"}) CHECK_FALSE(failure[key].get<std::string>().empty());
+    CHECK(failure["limit"].get<std::string>().find_first_of("0123456789") != std::string::npos);
+}
+
+std::vector<std::string> lessons_with(const std::string& key) {
+    auto names = lesson_names();
+    std::erase_if(names, [&](const std::string& lesson) { return !parameter_named(parameters_of(lesson), key); });
+    REQUIRE_FALSE(names.empty());
+    return names;
+}
+
+double measured(const std::string& test, const std::string& nu) {
+    const Json run = json_of(with({"run", "elasticity/moduli"},
+                                  {"test=" + test, "poisson_ratio=" + nu, "youngs_modulus=1e6", "load=1e3", "resolution=2"}));
+    return run["probes"]["measured_modulus"]["value"];
+}
+
+bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)); }
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------------------- time steps
+
+TEST_CASE("a time step that is none is refused by every lesson that has one", "[process]") {
+    for (const std::string& lesson : lessons_with("time_step"))
+        for (const char* dt : {"0", "-0", "-1e-3"})
+            check_refused({"run", lesson, "--steps", "1", "--set", std::string("time_step=") + dt}, "time_step");
+}
+
+TEST_CASE("a time step of a second, or of ten, is finite or reported with its limit", "[process][slow]") {
+    for (const std::string& lesson : lessons_with("time_step")) {
+        const Json parameters = parameters_of(lesson);
+        for (const char* dt : {"1", "10"})
+            if (accepts(*parameter_named(parameters, "time_step"), std::stod(dt)))
+                check_finite_or_reported({"run", lesson, "--steps", "20", "--json", "--set", std::string("time_step=") + dt});
+    }
+}
+
+TEST_CASE("stiff springs in a step of a second: implicit is finite, the others report their limit", "[process]") {
+    const Arguments stiff = with({"run", "mesh/mass_spring", "--steps", "50", "--json"}, {"time_step=1", "k_structural=1e6"});
+    check_finite(with(stiff, {"integrator=implicit_euler"}));
+    for (const char* method : {"explicit_euler", "semi_implicit_euler"}) {
+        const Outcome outcome = call(with(stiff, {std::string("integrator=") + method}));
+        INFO(method << "\n" << outcome.err);
+        REQUIRE(outcome.exit_code == diverged);
+        CHECK(contains(outcome.err, "time_step"));
+        CHECK(contains(outcome.err, "limit"));
+    }
+}
+
+TEST_CASE("a thick fluid: implicit viscosity is finite, explicit viscosity is refused with its limit", "[process]") {
+    const Arguments thick = with({"run", "fluids/navier_stokes", "--steps", "50", "--json"}, {"viscosity=1e6", "resolution=16"});
+    check_finite(with(thick, {"viscosity_scheme=implicit"}));
+    const Arguments explicit_run = with(thick, {"viscosity_scheme=explicit"});
+    check_refused(explicit_run, "time_step");
+    CHECK(contains(call(explicit_run).err, "Δx²/(4ν)"));
+    check_finite(with({"run", "fluids/navier_stokes", "--steps", "3", "--json"}, {"viscosity=0", "resolution=16"}));
+}
+
+// ----------------------------------------------------------------------------------------------------------- materials
+
+TEST_CASE("a material without stiffness, or with less, is refused", "[process]") {
+    for (const std::string& lesson : lessons_with("youngs_modulus"))
+        for (const char* Y : {"0", "-1", "-1e6"})
+            check_refused({"run", lesson, "--steps", "1", "--set", std::string("youngs_modulus=") + Y}, "youngs_modulus");
+}
+
+TEST_CASE("a body without mass, or with less, is refused", "[process]") {
+    int found = 0;
+    for (const std::string& lesson : lesson_names())
+        for (const Json& p : parameters_of(lesson)) {
+            const std::string unit = p["unit"];
+            if (unit != "kg" && unit != "kg/m³" && unit != "kg/m²") continue;
+            ++found;
+            for (const char* mass : {"=0", "=-1"})
+                check_refused({"run", lesson, "--steps", "1", "--set", p["key"].get<std::string>() + mass}, p["key"]);
+        }
+    CHECK(found > 0);
+}
+
+TEST_CASE("Poisson's ratio is refused where the material is impossible, and finite up to there", "[process]") {
+    for (const std::string& lesson : lessons_with("poisson_ratio")) {
+        const Json parameters = parameters_of(lesson);
+        const Json& nu = *parameter_named(parameters, "poisson_ratio");
+        for (const char* value : {"0.5", "0.6", "-1", "-1.2", "0.4999", "-0.9", "0"}) {
+            const Arguments run{"run", lesson, "--steps", "1", "--json", "--set", std::string("poisson_ratio=") + value};
+            accepts(nu, std::stod(value)) ? check_finite(run) : check_refused(run, "poisson_ratio");
+        }
+    }
+}
+
+TEST_CASE("moduli near the ends of Poisson's ratio are those of the closed forms", "[process]") {
+    // K/G = (2/3)(1 + ν)/(1 − 2ν)
+    CHECK(close(measured("pressure", "0.4999") / measured("shear", "0.4999"), 4999.0 + 2.0 / 3, 1e-6));
+    CHECK(close(measured("shear", "-0.9"), 5e6, 1e-9));
+    CHECK(close(measured("pressure", "-0.9"), 1e6 / 8.4, 1e-9));
+    const Json cork = json_of(with({"run", "elasticity/moduli"}, {"poisson_ratio=0", "resolution=2"}));
+    CHECK(std::abs(cork["probes"]["transverse_strain"]["value"].get<double>()) <
+          1e-12 * cork["probes"]["strain"]["value"].get<double>());
+    const Json foam = json_of(with({"run", "elasticity/moduli"}, {"poisson_ratio=-0.9", "resolution=2"}));
+    CHECK(foam["probes"]["transverse_strain"]["value"].get<double>() > 0);  // pulled, it widens
+}
+
+TEST_CASE("a material that is almost incompressible breaks the assumption that says so", "[process]") {
+    const auto holds = [](const char* nu) {
+        const Json run =
+            json_of({"run", "elasticity/moduli", "--set", std::string("poisson_ratio=") + nu, "--set", "resolution=2"});
+        return run["assumptions"]["compressible enough"]["holds"].get<bool>();
+    };
+    CHECK(holds("0.3"));
+    CHECK_FALSE(holds("0.4999"));
+}
+
+// ------------------------------------------------------------------------------------------------------- repeated runs
+
+TEST_CASE("no step of any preset leaves the initial state, and the same preset twice gives the same bits", "[process][slow]") {
+    const Json list = json_of({"list"});
+    for (const Json& entry : list)
+        for (const Json& preset : entry["presets"]) {
+            const std::string lesson = entry["lesson"], name = preset;
+            CAPTURE(lesson, name);
+            const auto run = [&](const char* steps) {
+                return without_cost(json_of({"run", lesson, "--preset", name, "--steps", steps}));
+            };
+            CHECK(run("2").dump() == run("2").dump());
+            CHECK(run("0")["steps"] == 0);
+            CHECK(run("0").dump() == run("0").dump());
+        }
+}
+
+// --------------------------------------------------------------------------------------------------------- other units
+
+namespace {
+
+struct UnitChange {
+    std::string lesson;
+    std::vector<std::string> settings;
+    std::string steps;
+    char base;      // 'm', 's' or 'k' for kg
+    double factor;  // units of the new kind in one of the old: 1e6 turns metres into micrometres
+};
+
+void check_same_in_other_units(const UnitChange& c) {
+    const Arguments run = with({"run", c.lesson, "--steps", c.steps}, c.settings);
+    const Json parameters = parameters_of(c.lesson), here = json_of(run);
+    std::vector<std::string> scaled = c.settings;
+    for (const Json& p : parameters) {
+        const int power = power_of(c.base, p["unit"]);
+        if (p["kind"] != "number" || power == 0) continue;
+        const double value = here["parameters"][p["key"].get<std::string>()].get<double>() * std::pow(c.factor, power);
+        scaled.push_back(p["key"].get<std::string>() + "=" + exactly(value));
+    }
+    REQUIRE(scaled.size() > c.settings.size());
+    const Json there = json_of(with({"run", c.lesson, "--steps", c.steps}, scaled));
+    INFO(c.lesson << " with " << c.base << " × " << c.factor);
+    // What is 0 but for rounding is small against other numbers of its unit, or, where there are none, against 1.
+    std::map<std::string, double> largest;
+    for (const auto& [name, probe] : here["probes"].items())
+        if (!probe["value"].is_null()) {
+            double& size = largest[probe["unit"]];
+            size = std::max(size, std::abs(probe["value"].get<double>()));
+        }
+    for (const auto& [name, probe] : here["probes"].items()) {
+        if (contains(name, "iterations")) continue;  // a pass more or less is a matter of rounding
+        INFO(name);
+        const Json& other = there["probes"][name]["value"];
+        REQUIRE(other.is_null() == probe["value"].is_null());
+        if (other.is_null()) continue;
+        const std::string unit = probe["unit"];
+        const double value = probe["value"], expected = other.get<double>() / std::pow(c.factor, power_of(c.base, unit));
+        INFO(value << " and " << expected << " " << unit);
+        CHECK(std::abs(value - expected) <= 1e-6 * std::abs(value) + 1e-9 * largest[unit] + 1e-12);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("units are counted in powers of metre, second and kilogram", "[process]") {
+    CHECK(power_of('m', "m") == 1);
+    CHECK(power_of('m', "Pa") == -1);
+    CHECK(power_of('s', "Pa") == -2);
+    CHECK(power_of('k', "Pa") == 1);
+    CHECK(power_of('s', "N s/m") == -1);
+    CHECK(power_of('m', "N s/m") == 0);
+    CHECK(power_of('m', "kg m²/s") == 2);
+    CHECK(power_of('s', "kg m²/s") == -1);
+    CHECK(power_of('m', "J/kg") == 2);
+    CHECK(power_of('k', "J/kg") == 0);
+    CHECK(power_of('s', "rad/s") == -1);
+    CHECK(power_of('s', "1/s") == -1);
+    CHECK(power_of('m', "") == 0);
+    CHECK(power_of('m', "°") == 0);
+    CHECK(power_of('k', "kg/m³") == 1);
+    CHECK(power_of('m', "kg/m³") == -3);
+}
+
+TEST_CASE("the same scene in other units gives the same numbers", "[process]") {
+    for (const char* test : {"test=tension", "test=shear", "test=pressure"})
+        for (const auto& [base, factor] : {std::pair{'m', 1e6}, {'m', 1e-6}, {'k', 1e6}, {'k', 1e-6}, {'s', 1e5}, {'s', 1e-5}})
+            check_same_in_other_units({"elasticity/moduli", {test, "resolution=2"}, "1", base, factor});
+    for (const double factor : {1e5, 1e-5})
+        for (const char* integrator : {"integrator=semi_implicit_euler", "integrator=implicit_euler"})
+            for (const char base : {'m', 'k'})
+                check_same_in_other_units({"mesh/mass_spring", {integrator, "scene=hang"}, "60", base, factor});
+    for (const double factor : {1e2, 1e-2}) {
+        check_same_in_other_units({"mesh/mass_spring", {"scene=hang"}, "60", 's', factor});
+        // The stirrer of the box has a period of its own.
+        for (const char* scene : {"scene=cavity", "scene=taylor_green"})
+            check_same_in_other_units({"fluids/navier_stokes", {scene, "resolution=24"}, "8", 's', factor});
+    }
+}
