@@ -128,6 +128,7 @@ void question(LabState& lab, const Claim& c) {
     const auto predicted = book.prediction(c);
     heading(lab, "Predict", Ink::accent);
     words_here(std::string(c.question));
+    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, over ? 0.9f : ImGui::GetStyle().DisabledAlpha);  // still to be read
     ImGui::BeginDisabled(over || book.phase(c) == Phase::measuring || book.phase(c) == Phase::waiting);
     for (int k = 0; k < static_cast<int>(c.answers.size()); ++k) {
         const char* shape = over && k == c.right_answer ? "✓" : over && predicted == k ? "✗" : predicted == k ? "●" : "○";
@@ -137,6 +138,7 @@ void question(LabState& lab, const Claim& c) {
         tooltip(over ? "Ask again to choose anew" : "Choose this answer before the experiment is made", lab.scale);
     }
     ImGui::EndDisabled();
+    ImGui::PopStyleVar();
 }
 
 void buttons(LabState& lab, const Claim& c) {
@@ -189,7 +191,7 @@ void body(LabState& lab, const Claim& c) {
 void card(LabState& lab, const Claim& c, bool open) {
     ImGui::PushID(c.id.data(), c.id.data() + c.id.size());
     if (open && std::exchange(lab.reveal_claim, false)) {
-        ImGui::SetScrollHereY(0);
+        ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() - lab.px(4), 0);
         head(lab, c, open);
         if (std::exchange(lab.focus_claim, false)) focus_last_item();
     } else {
@@ -211,9 +213,16 @@ void draw_claims(LabState& lab) {
         lab.reveal_claim = lab.focus_claim = false;
         return words_here("No claim stands beside this lesson; those of the others are under “all”.");
     }
-    ImGui::BeginChild("cards", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {lab.px(4), lab.px(4)});
+    ImGui::BeginChild("cards", {0, 0}, ImGuiChildFlags_AlwaysUseWindowPadding, ImGuiWindowFlags_NavFlattened);
+    ImGui::PopStyleVar();
     const Claim* open = lab.claims.unfolded(lesson);
-    for (const Claim* c : list) card(lab, *c, c == open);
+    std::string_view chapter;
+    for (const Claim* c : list) {
+        if (lab.claims.all && std::exchange(chapter, chapter_of(*c)) != chapter_of(*c))
+            heading(lab, std::string(chapter).c_str(), Ink::accent);
+        card(lab, *c, c == open);
+    }
     ImGui::EndChild();
 }
 
