@@ -8,9 +8,24 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace pliant::viewer {
+namespace {
+
+// In a thread of its own; where the system has none to give, here and now.
+std::future<ClaimResult> begin(const Claim& claim) {
+    try {
+        return std::async(std::launch::async, [&claim] { return measured(claim); });
+    } catch (const std::system_error&) {
+        std::promise<ClaimResult> done;
+        done.set_value(measured(claim));
+        return done.get_future();
+    }
+}
+
+}  // namespace
 
 const ClaimBook::Card& ClaimBook::card(const Claim& claim) const {
     static const Card untouched;
@@ -67,7 +82,7 @@ void ClaimBook::update() {
     if (under_way_.valid() || waiting_.empty()) return;
     measuring_ = waiting_.front();
     waiting_.pop_front();
-    under_way_ = std::async(std::launch::async, [claim = measuring_] { return measured(*claim); });
+    under_way_ = begin(*measuring_);
 }
 
 std::vector<const Claim*> ClaimBook::listed(std::string_view lesson) const {

@@ -86,18 +86,20 @@ bool wide_button(const std::string& label, const char* id) {
 
 // --- the top: whose claims ---
 
+void choice(LabState& lab, const std::string& label, bool all, const char* name, const char* help) {
+    if (ImGui::RadioButton(label.c_str(), lab.claims.all == all)) lab.claims.all = all;
+    lab.note_control(name);
+    tooltip(help, lab.scale);
+}
+
 void choose_claims(LabState& lab) {
-    ClaimBook& book = lab.claims;
-    const auto choice = [&](const char* label, bool all, const char* name, const char* help) {
-        if (ImGui::RadioButton(label, book.all == all)) book.all = all;
-        lab.note_control(name);
-        tooltip(help, lab.scale);
-    };
-    const auto here = claims_of(lab.session.entry().info.id).size();
-    choice(fmt::format("this lesson ({})", here).c_str(), false, "claims of lesson",
-           "What the lectures say of this lesson's methods");
+    const std::string here = fmt::format("this lesson ({})", claims_of(lab.session.entry().info.id).size()),
+                      everywhere = fmt::format("all ({})", claims().size());
+    choice(lab, here, false, "claims of lesson", "What the lectures say of this lesson's methods");
     ImGui::SameLine();
-    choice(fmt::format("all ({})", claims().size()).c_str(), true, "claims of all", "The claims of every lesson");
+    const float room = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(everywhere.c_str()).x;
+    if (ImGui::GetContentRegionAvail().x < room) ImGui::NewLine();
+    choice(lab, everywhere, true, "claims of all", "The claims of every lesson");
 }
 
 // --- a card ---
