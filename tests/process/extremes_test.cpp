@@ -30,10 +30,8 @@ bool accepts(const Json& parameter, double value) {
     return (a["open_min"] ? value > low : value >= low) && (a["open_max"] ? value < high : value <= high);
 }
 
-// No probe, and no assumption, is other than a number or undefined, and it went on to the end.
-void check_finite(const Arguments& arguments) {
-    const Outcome outcome = call(arguments);
-    INFO(sentence(arguments) << "\n" << outcome.err);
+// No probe, and no assumption, is other than a number or undefined.
+void check_finite(const Outcome& outcome) {
     REQUIRE(outcome.exit_code == 0);
     const Json run = Json::parse(outcome.out);
     for (const auto& [name, probe] : run["probes"].items()) {
@@ -46,6 +44,12 @@ void check_finite(const Arguments& arguments) {
     }
 }
 
+void check_finite(const Arguments& arguments) {
+    const Outcome outcome = call(arguments);
+    INFO(sentence(arguments) << "\n" << outcome.err);
+    check_finite(outcome);
+}
+
 // Refused in one line that names the parameter and what is accepted.
 void check_refused(const Arguments& arguments, const std::string& key) {
     const Outcome outcome = call(arguments);
@@ -55,15 +59,25 @@ void check_refused(const Arguments& arguments, const std::string& key) {
     CHECK(contains(outcome.err, key + " = "));
 }
 
-// Finite to the end, or reported: with a limit that has a number, and no other number that is not finite.
+// Finite to the end, or reported, with a limit that has a number in it.
 void check_finite_or_reported(const Arguments& arguments) {
     const Outcome outcome = call(arguments);
     INFO(sentence(arguments) << "\n" << outcome.err);
-    if (outcome.exit_code == 0) return check_finite(arguments);
+    if (outcome.exit_code == 0) return check_finite(outcome);
     REQUIRE(outcome.exit_code == diverged);
     const Json failure = Json::parse(outcome.out)["failure"];
     for (const char* key : {"stage", "what", "limit"}) CHECK_FALSE(failure[key].get<std::string>().empty());
     CHECK(failure["limit"].get<std::string>().find_first_of("0123456789") != std::string::npos);
+}
+
+// Or refused, since two values do not go together: then the message names this parameter or another.
+void check_finite_reported_or_refused(const Arguments& arguments) {
+    const Outcome outcome = call(arguments);
+    INFO(sentence(arguments) << "\n" << outcome.err);
+    if (outcome.exit_code == 0) return check_finite(outcome);
+    REQUIRE((outcome.exit_code == refused || outcome.exit_code == diverged));
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    CHECK(outcome.err.find_first_of("0123456789") != std::string::npos);
 }
 
 std::vector<std::string> lessons_with(const std::string& key) {
@@ -119,6 +133,44 @@ TEST_CASE("a thick fluid: implicit viscosity is finite, explicit viscosity is re
     check_refused(explicit_run, "time_step");
     CHECK(contains(call(explicit_run).err, "Δx²/(4ν)"));
     check_finite(with({"run", "fluids/navier_stokes", "--steps", "3", "--json"}, {"viscosity=0", "resolution=16"}));
+}
+
+TEST_CASE("a solver that is stopped early says so, with its residual", "[process]") {
+    const Json run = json_of({"run", "elasticity/moduli", "--set", "max_iterations=1", "--set", "resolution=2"});
+    CHECK_FALSE(run["assumptions"]["solver converged"]["holds"].get<bool>());
+    CHECK(run["assumptions"]["solver converged"]["value"].get<double>() > 1e-3);
+    const Outcome outcome = call(with({"run", "mesh/mass_spring", "--steps", "50"},
+                                      {"integrator=implicit_euler", "newton_iterations=1", "newton_tolerance=1e-14"}));
+    CHECK(outcome.exit_code == diverged);
+    CHECK(contains(outcome.err, "did not converge after 1 iterations: residual"));
+}
+
+// ---------------------------------------------------------------------------------------------------------- every end
+
+TEST_CASE("every number at either end of what is accepted is finite, reported or refused", "[process][slow]") {
+    for (const std::string& lesson : lesson_names())
+        for (const Json& p : parameters_of(lesson)) {
+            if (p["kind"] != "number") continue;
+            const Json& a = p["accepted"];
+            const double low = a["min"], high = a["max"];
+            for (const double end :
+                 {a["open_min"] ? std::nextafter(low, high) : low, a["open_max"] ? std::nextafter(high, low) : high})
+                check_finite_reported_or_refused(
+                    {"run", lesson, "--steps", "3", "--json", "--set", p["key"].get<std::string>() + "=" + exactly(end)});
+        }
+}
+
+TEST_CASE("the least of everything that is counted is enough: one cell, one load, one iteration", "[process]") {
+    for (const std::string& lesson : lesson_names()) {
+        Arguments all{"run", lesson, "--steps", "3", "--json"};
+        for (const Json& p : parameters_of(lesson))
+            if (p["kind"] == "whole number") {
+                const std::string least = p["key"].get<std::string>() + "=" + exactly(p["accepted"]["min"]);
+                check_finite_reported_or_refused({"run", lesson, "--steps", "3", "--json", "--set", least});
+                all.insert(all.end(), {"--set", least});
+            }
+        check_finite_reported_or_refused(all);
+    }
 }
 
 // ----------------------------------------------------------------------------------------------------------- materials
