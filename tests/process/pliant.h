@@ -59,6 +59,12 @@ inline std::string exactly(double value) {
     return text;
 }
 
+// Settings as options of a run.
+inline Arguments with(Arguments run, const std::vector<std::string>& settings) {
+    for (const std::string& s : settings) run.insert(run.end(), {"--set", s});
+    return run;
+}
+
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // What a run found, without what it cost.
