@@ -112,6 +112,9 @@ TEST_CASE("a picture of a claim needs the lab and a claim", "[process]") {
         CHECK_FALSE(fs::exists("x.png"));
         return outcome.err;
     };
+    const Scratch scratch;
+    output_of({"shot", "moduli", "--layout", "lab", "--claim", "e3", "--size", "1280x720", "--out", scratch.path("card.png")});
+    CHECK(contents_of(scratch.path("card.png")).size() > 20000);
     CHECK(contains(refused("slide", "E3"), "--layout lab"));
     CHECK(contains(refused("lab", "Q7"), "'Q7'"));
 }

@@ -4,6 +4,7 @@
 #include "app/claim_book.h"
 #include "app/lab.h"
 #include "app/state_report.h"
+#include "app/summary.h"
 #include "command_line/options.h"
 #include "walker.h"
 
@@ -198,6 +199,21 @@ TEST_CASE("the key for claims brings their tab to the front with the keys on the
     for (const char* control :
          {"claim E3", "claim E4", "claim answer 0", "claims of all", "claim run", "claim scene", "tab claims"})
         CHECK(state["controls"].contains(control));
+}
+
+TEST_CASE("the summary tells the claim, and what was measured", "[session]") {
+    const auto context = open_headless({1280, 720});
+    Lab lab(*context, "elasticity/moduli");
+    CHECK_THAT(summary_of(lab.state()), !ContainsSubstring("Claim E3"));
+    lab.perform(Action::claims);
+    for (int i = 0; i < 4; ++i) lab.frame(1.0 / 60);
+    CHECK_THAT(summary_of(lab.state()), ContainsSubstring("Claim E3: Young's modulus") && ContainsSubstring("2: the same.") &&
+                                            ContainsSubstring("It is not measured yet."));
+    const Claim& c = find_claim("E3");
+    lab.state().claims.predict(c, 1);
+    lab.state().claims.measure_now(c);
+    CHECK_THAT(summary_of(lab.state()), ContainsSubstring("You chose 2.") && ContainsSubstring("It is reproduced: largest") &&
+                                            ContainsSubstring("criterion ≤ 10⁻⁹") && ContainsSubstring("The right answer is 2."));
 }
 
 TEST_CASE("the command fails when a claim does", "[session]") {
