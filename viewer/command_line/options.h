@@ -32,7 +32,7 @@ struct PictureOptions {
     Real seconds = 0;  // of an animation; 0: one picture
     int frames_per_second = 20;
     std::vector<std::string> beside;  // "key=value" of a second run
-    std::string claim;  // whose card the lab shows, measured; "" for none
+    std::string claim;                // whose card the lab shows, measured; "" for none
     bool difference = false;
 };
 
