@@ -1,4 +1,5 @@
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/markdown.h>
 #include <pliant/lesson/report.h>
 #include <pliant/lesson/report_json.h>
 #include <pliant/lesson/texts.h>
@@ -55,13 +56,6 @@ std::string range_text(const Parameter& p) {
     std::string keys;
     for (const Option& o : p.info.options) keys += (keys.empty() ? "" : ", ") + std::string(o.key);
     return keys;
-}
-
-// Text for a cell of a Markdown table, where | ends the cell.
-std::string cell(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
-    return escaped;
 }
 
 std::string names(const std::vector<std::string_view>& list) { return fmt::format("{}", fmt::join(list, ", ")); }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <tuple>
@@ -11,7 +12,18 @@
 namespace pliant {
 namespace {
 
-constexpr std::string_view chapters = "EIMPRF";
+struct Chapter {
+    char letter;
+    std::string_view title;
+};
+constexpr std::array<Chapter, 6> chapters{{{'E', "Elasticity"},
+                                           {'I', "Time integration"},
+                                           {'M', "Mesh-based Lagrangian methods"},
+                                           {'P', "Mesh-free Lagrangian methods"},
+                                           {'R', "Reduced models"},
+                                           {'F', "Eulerian and hybrid fluids"}}};
+
+const Chapter* chapter_with(char letter) { return std::ranges::find(chapters, letter, &Chapter::letter); }
 
 std::vector<Claim>& registered() {
     static std::vector<Claim> all;
@@ -19,10 +31,10 @@ std::vector<Claim>& registered() {
 }
 
 // Place of a claim in the order of the lectures.
-std::tuple<std::size_t, int> place_of(const Claim& c) {
+std::tuple<const Chapter*, int> place_of(const Claim& c) {
     int number = 0;
     std::from_chars(c.id.data() + 1, c.id.data() + c.id.size(), number);
-    return {chapters.find(c.id.front()), number};
+    return {chapter_with(c.id.front()), number};
 }
 
 bool same_id(std::string_view a, std::string_view b) {
@@ -46,6 +58,18 @@ std::string_view name_of(Verdict verdict) {
 }
 
 const std::vector<Claim>& claims() { return registered(); }
+
+std::vector<const Claim*> claims_of(std::string_view lesson) {
+    std::vector<const Claim*> found;
+    for (const Claim& c : claims())
+        if (c.lesson == lesson) found.push_back(&c);
+    return found;
+}
+
+std::string_view chapter_of(const Claim& claim) {
+    const Chapter* found = chapter_with(claim.id.front());
+    return found == chapters.end() ? "" : found->title;
+}
 
 const Claim& find_claim(std::string_view id) {
     const auto& all = claims();

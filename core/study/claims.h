@@ -50,8 +50,14 @@ struct Claim {
 // All claims, chapter by chapter in the order of the lectures (E, I, M, P, R, F), then by number.
 const std::vector<Claim>& claims();
 
+// Those of one lesson ("elasticity/moduli"), in the same order.
+std::vector<const Claim*> claims_of(std::string_view lesson);
+
 // By id, in either case. Throws Refused with the ids there are.
 const Claim& find_claim(std::string_view id);
+
+// What the letter of its id stands for: "Elasticity".
+std::string_view chapter_of(const Claim& claim);
 
 void register_claim(const Claim& claim);
 

@@ -1,7 +1,7 @@
 // The generated pages are those that the lessons declare now.
 #include <fmt/format.h>
 #include <pliant/lesson/file.h>
-#include <pliant/lesson/report.h>
+#include <pliant/study/lesson_page.h>
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -14,6 +14,6 @@ TEST_CASE("documentation: the page of every lesson is up to date; scripts/docs m
         std::string name(entry.info.id);
         std::ranges::replace(name, '/', '_');
         const std::string page = read_file(fmt::format("{}/docs/lessons/{}.md", PLIANT_SOURCE_DIR, name));
-        CHECK(page == describe_markdown(entry));
+        CHECK(page == lesson_markdown(entry));
     }
 }

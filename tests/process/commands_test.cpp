@@ -26,7 +26,7 @@ std::set<std::string> keys_of(const Json& object) {
 TEST_CASE("help and version need nothing", "[process]") {
     CHECK(output_of({"--version"}).starts_with("pliant "));
     const std::string help = output_of({"--help"});
-    for (const std::string command : {"list", "describe", "run", "shot", "tour", "walkthrough"}) {
+    for (const std::string command : {"list", "describe", "run", "shot", "tour", "claims", "walkthrough"}) {
         CHECK(contains(help, command));
         CHECK(contains(output_of({command, "--help"}), "--help"));
     }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,19 @@ inline Json parameters_of(const std::string& lesson) {
     Json parameters = json_of({"describe", lesson})["parameters"];
     REQUIRE_FALSE(parameters.empty());
     return parameters;
+}
+
+// A number that reads back as it was.
+inline std::string exactly(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return text;
+}
+
+// Settings as options of a run.
+inline Arguments with(Arguments run, const std::vector<std::string>& settings) {
+    for (const std::string& s : settings) run.insert(run.end(), {"--set", s});
+    return run;
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -30,12 +30,6 @@ std::string refusal(const Arguments& arguments, const std::vector<std::string>& 
     return outcome.err;
 }
 
-std::string text_of(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
-}
-
 bool is_numeric(const Json& parameter) { return parameter["kind"] == "number" || parameter["kind"] == "whole number"; }
 
 // Does the message tell the range in which this parameter is accepted, as "(-1, 0.5]"?
@@ -139,9 +133,9 @@ TEST_CASE("infinite numbers, and numbers just outside the range, are refused for
             check_refused(lesson, p, "1e999");
             const double low = p["accepted"]["min"], high = p["accepted"]["max"];
             const bool whole = p["kind"] == "whole number";
-            check_refused(lesson, p, text_of(p["accepted"]["open_min"] ? low : whole ? low - 1 : std::nextafter(low, -infinity)));
+            check_refused(lesson, p, exactly(p["accepted"]["open_min"] ? low : whole ? low - 1 : std::nextafter(low, -infinity)));
             check_refused(lesson, p,
-                          text_of(p["accepted"]["open_max"] ? high
+                          exactly(p["accepted"]["open_max"] ? high
                                   : whole                   ? high + 1
                                                             : std::nextafter(high, infinity)));
         }

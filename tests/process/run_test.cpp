@@ -54,12 +54,6 @@ void check_row(const std::vector<std::string>& row, const Json& run, const Json&
     }
 }
 
-std::string exactly(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
-}
-
 // s; 0 for a static lesson.
 double step_of(const std::string& lesson) { return json_of({"run", lesson, "--steps", "1"})["time"]; }
 

@@ -16,6 +16,7 @@ enum class Action {
     stops,
     compare,
     inspect,
+    claims,
     why_back,
     reset,
     previous_lesson,

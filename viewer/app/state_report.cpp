@@ -27,6 +27,22 @@ nlohmann::ordered_json inspector_json(const LabState& lab) {
     return j;
 }
 
+nlohmann::ordered_json claims_json(const LabState& lab) {
+    const std::string_view lesson = lab.session.entry().info.id;
+    const Claim* open = lab.claims.unfolded(lesson);
+    nlohmann::ordered_json j{{"shown", lab.show_claims},
+                             {"all", lab.claims.all},
+                             {"unfolded", open ? open->id : ""},
+                             {"cards", nlohmann::ordered_json::object()}};
+    for (const Claim* c : lab.claims.listed(lesson)) {
+        auto& card = j["cards"][std::string(c->id)] = {{"stage", name_of(lab.claims.phase(*c))}};
+        if (const auto answer = lab.claims.prediction(*c)) card["prediction"] = *answer;
+        if (const auto right = lab.claims.was_right(*c)) card["right"] = *right;
+        if (const ClaimResult* r = lab.claims.result(*c)) card["verdict"] = outcome_of(*r), card["figure"] = figure_text(*r);
+    }
+    return j;
+}
+
 nlohmann::ordered_json companion_json(const Session& s) {
     if (!s.companion()) return nullptr;
     const Runner& b = s.companion()->runner();
@@ -84,6 +100,7 @@ std::string state_json(const LabState& lab) {
     j["unlocked"] = lab.session.unlocked;
     j["notes"] = lab.notes_shown;
     j["inspector"] = inspector_json(lab);
+    j["claims"] = claims_json(lab);
     j["theme"] = lab.theme == Theme::dark ? "dark" : "projector";
     j["dialog"] = lab.files.asking() ? lab.files.title() : "";
     j["complaint"] = lab.files.complaint();

@@ -10,7 +10,8 @@ namespace pliant::viewer {
 // {"lesson", "step", "passes", "stage", "time", "playing", "parameters": {...}, "probes": {...}, "pulling", "message",
 // "autopsy" (the words of its card), "summary" (while it is shown), "patterns", "focus": {"control", "place"} (what the keys act
 // on), "layout", "slide" (from 1; 0 without a walkthrough), "revealed", "unlocked", "notes", "companion" (of run B; null without
-// one), "pinned", "cost_shown", "inspector": {...}, "controls": {name: [x, y, width,
+// one), "pinned", "cost_shown", "inspector": {...}, "claims": {"shown", "all", "unfolded", "cards": {id: {"stage", "prediction",
+// "right", "verdict", "figure"}}}, "controls": {name: [x, y, width,
 // height]}}
 std::string state_json(const LabState& lab);
 

@@ -35,6 +35,23 @@ std::string thing_sentences(const Session& s) {
     return text;
 }
 
+// The unfolded card, while the claims are in front.
+std::string claim_sentences(const LabState& lab) {
+    const Claim* c = lab.show_claims ? lab.claims.unfolded(lab.session.entry().info.id) : nullptr;
+    if (!c) return "";
+    std::string text = fmt::format("Claim {}: {}\nThe question: {}", c->id, c->statement, c->question);
+    for (std::size_t k = 0; k < c->answers.size(); ++k) text += fmt::format(" {}: {}.", k + 1, c->answers[k]);
+    if (const auto chosen = lab.claims.prediction(*c)) text += fmt::format(" You chose {}.", *chosen + 1);
+    text += "\n";
+    const ClaimResult* r = lab.claims.result(*c);
+    if (!r) return text + "It is not measured yet.\n";
+    if (!r->finding) return text + r->failure + "\n";
+    text += fmt::format("It is {}: {} is {}, criterion {}. {}\n", outcome_of(*r), c->figure, figure_text(*r), c->criterion,
+                        r->finding->text);
+    if (!r->finding->condition.empty()) text += fmt::format("Condition: {}\n", r->finding->condition);
+    return text + fmt::format("The right answer is {}.\n", c->right_answer + 1);
+}
+
 }  // namespace
 
 std::string summary_of(const LabState& lab) {
@@ -44,6 +61,7 @@ std::string summary_of(const LabState& lab) {
     if (!s.inspector.stopped.empty()) text += fmt::format("It was stopped: {}.\n", s.inspector.stopped);
     text += colours_sentence(s);
     text += thing_sentences(s);
+    text += claim_sentences(lab);
     if (s.walkthrough)
         text += fmt::format("Walkthrough, slide {} of {}: {}.\n", s.walkthrough->slide_number() + 1,
                             s.walkthrough->walkthrough().slides.size(), without_marks(s.walkthrough->slide().title));

@@ -6,8 +6,8 @@
 
 namespace pliant::viewer {
 
-// The summary of the run, and what the person looks at: the colours of the picture, the picked thing with its numbers, the slide
-// and the last message.
+// The summary of the run, and what the person looks at: the colours of the picture, the picked thing with its numbers, the
+// claim, the slide and the last message.
 std::string summary_of(const LabState& lab);
 
 }  // namespace pliant::viewer

@@ -50,6 +50,7 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
     command.add_option("--beside", o.beside, "KEY=VALUE: a second run, B, with this change, beside the first; may be repeated")
         ->allow_extra_args(false);
     command.add_flag("--difference", o.difference, "with --beside: the difference of the two runs in one picture");
+    command.add_option("--claim", o.claim, "with --layout lab: the card of this claim, such as E3, measured");
     command.add_option("--backend", o.backend, "any, osmesa or egl")->capture_default_str();
 }
 
@@ -61,6 +62,14 @@ void add_window_options(CLI::App& command, WindowOptions& o) {
     command.add_flag("--no-settings", o.no_settings, "neither read nor keep what was set in earlier windows");
     command.add_option("--frames", o.frames, "close after so many frames");
     command.add_option("--state", o.state_path, "keep the state of the lab in this JSON file, for tests and screen readers");
+}
+
+void add_claims_command(CLI::App& app, ClaimsOptions& o, std::function<int()>& action) {
+    CLI::App* command = app.add_subcommand("claims", "what the lectures say of each method, measured now");
+    command->add_option("id", o.ids, "such as E3; all when none is given");
+    CLI::Option* json = command->add_flag("--json", o.json, "print one JSON object");
+    command->add_flag("--markdown", o.markdown, "as the page of the documentation")->excludes(json);
+    command->callback([&] { action = [&] { return claims(o); }; });
 }
 
 // CLI11 would take a mistyped command for a stray argument.
@@ -83,6 +92,7 @@ int dispatch(int argc, const char* const* argv) {
     PictureOptions picture_options;
     WindowOptions window_options;
     WhyOptions why_options;
+    ClaimsOptions claims_options;
     std::string lesson, folder = "out/tour";
     bool json = false, markdown = false, check = false;
 
@@ -94,7 +104,7 @@ int dispatch(int argc, const char* const* argv) {
     list->add_flag("--json", json, "as JSON");
     list->callback([&] { action = [&] { return list_lessons(json); }; });
 
-    CLI::App* describe_command = app.add_subcommand("describe", "parameters, stages, fields and probes of a lesson");
+    CLI::App* describe_command = app.add_subcommand("describe", "parameters, stages, fields, probes and claims of a lesson");
     describe_command->add_option("lesson", lesson)->required();
     describe_command->add_flag("--json", json, "as JSON");
     describe_command->add_flag("--markdown", markdown, "as the page of the documentation");
@@ -117,6 +127,7 @@ int dispatch(int argc, const char* const* argv) {
     why_command->add_option("--depth", why_options.depth, "how many levels of inputs to ask in turn")->capture_default_str();
     why_command->add_flag("--json", run_options.json, "print one JSON object");
     why_command->callback([&] { action = [&] { return why(run_options, why_options); }; });
+    add_claims_command(app, claims_options, action);
     CLI::App* share_command = app.add_subcommand("share", "print a scene as one line of text, for a chat");
     add_scene_options(*share_command, run_options);
     share_command->callback([&] { action = [&] { return share(run_options); }; });

@@ -32,6 +32,7 @@ struct PictureOptions {
     Real seconds = 0;  // of an animation; 0: one picture
     int frames_per_second = 20;
     std::vector<std::string> beside;  // "key=value" of a second run
+    std::string claim;                // whose card the lab shows, measured; "" for none
     bool difference = false;
 };
 
@@ -67,6 +68,12 @@ struct WhyOptions {
     int component = -1, depth = 1;
 };
 int why(const RunOptions& run, const WhyOptions& options);
+struct ClaimsOptions {
+    std::vector<std::string> ids;  // all claims when empty
+    bool json = false, markdown = false;
+};
+// Throws CheckFailed when a claim is refuted, or has another verdict than it expects.
+int claims(const ClaimsOptions& options);
 int share(const RunOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
 int tour(const std::string& folder);

@@ -83,6 +83,21 @@ void show_slide(Session& s, const PictureOptions& o) {
     if (s.message() && !s.autopsy()) throw Refused(s.message()->text);
 }
 
+// The card of a claim, measured.
+void check_claim(const PictureOptions& o, Layout layout) {
+    if (o.claim.empty()) return;
+    find_claim(o.claim);
+    if (layout != Layout::lab) throw Refused("--claim shows a card of the lab: give --layout lab as well");
+}
+
+void show_claim(LabState& lab, const std::string& id) {
+    const Claim& c = find_claim(id);
+    lab.claims.all = c.lesson != lab.session.entry().info.id;
+    lab.claims.unfold(c);
+    lab.claims.measure_now(c);
+    lab.choose_claims = lab.reveal_claim = true;
+}
+
 bool is_gif(const std::string& path) { return path.ends_with(".gif"); }
 
 void check_writable_picture(const PictureOptions& o) {
@@ -157,6 +172,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     if (layout == Layout::deck) check_deck(options, picture);
     if (layout != Layout::deck && (picture.slide || picture.revealed))
         throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck as well");
+    check_claim(picture, layout);
     const float scale = ui_scale_from(picture.ui_scale);
     if (layout == Layout::deck && !picture.beside.empty())
         throw Refused("--beside shows two runs, and a slide of the walkthrough has one: leave out --layout deck");
@@ -175,6 +191,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     s.open_scene(scene);
     if (!picture.beside.empty()) s.open_companion(assignments_from(picture.beside, "--beside"));
     s.patterns = picture.patterns;
+    if (!picture.claim.empty()) show_claim(lab.state(), picture.claim);
     const bool from_start = animation && !options.steps && !options.time && !options.rest;
     std::optional<Diverged> divergence;
     try {

@@ -5,6 +5,7 @@
 #include <pliant/lesson/share.h>
 #include <pliant/lesson/summary.h>
 #include <pliant/lesson/walkthrough.h>
+#include <pliant/study/lesson_page.h>
 
 #include "command_line/options.h"
 
@@ -42,7 +43,7 @@ int list_lessons(bool json) {
 
 int describe(const std::string& lesson, bool json, bool markdown) {
     const LessonEntry& entry = find_lesson(lesson);
-    print(json ? describe_json(entry) : markdown ? describe_markdown(entry) : describe_text(entry));
+    print(json ? lesson_json(entry) : markdown ? lesson_markdown(entry) : lesson_text(entry));
     return 0;
 }
 

@@ -1,6 +1,4 @@
 // The card of a run that broke down: where, by how much, and the buttons that go on from there.
-#include <imgui_internal.h>
-
 #include "panels/lab_state.h"
 
 #include <fmt/format.h>
@@ -13,27 +11,12 @@ namespace {
 
 constexpr Rgba8 card_colour{142, 32, 26};  // white words and the ring of the focus stand out from it
 
-// A button on the line of the one before, or on the next where it does not fit.
-bool flowing_button(LabState& lab, const std::string& label, const std::string& name, const std::string& help,
-                    bool first = false) {
-    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (!first) {
-        ImGui::SameLine();
-        if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
-    }
-    const bool pressed = ImGui::Button(label.c_str());
-    lab.note_control(name);
-    tooltip(help, lab.scale);
-    return pressed;
-}
-
 // Once for each card the keys go to its first button, the last item, unless a hand is on something else.
 void take_focus(LabState& lab) {
     const int card = lab.session.run_count() * 1000003 + static_cast<int>(lab.session.runner().place().step % 1000003);
     if (lab.focused_card == card || ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput) return;
     lab.focused_card = card;
-    ImGui::SetFocusID(ImGui::GetItemID(), ImGui::GetCurrentWindow());
-    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+    focus_last_item();
 }
 
 std::string fix_label(const Autopsy& a) { return fmt::format("Set {} and {}", a.fix->label, a.restarts ? "restart" : "go on"); }

@@ -53,6 +53,18 @@ void tooltip(const std::string& text, float scale) {
     ImGui::EndTooltip();
 }
 
+bool flowing_button(LabState& lab, const std::string& label, const std::string& name, const std::string& help, bool first) {
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (!first) {
+        ImGui::SameLine();
+        if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+    }
+    const bool pressed = ImGui::Button(label.c_str());
+    lab.note_control(name);
+    tooltip(help, lab.scale);
+    return pressed;
+}
+
 std::string without_marks(const std::string& text) {
     std::string plain;
     for (const char c : text)

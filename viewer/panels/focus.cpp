@@ -39,6 +39,11 @@ void focus_panel(int direction) {
     g.NavDisableMouseHover = true;
 }
 
+void focus_last_item() {
+    ImGui::SetFocusID(ImGui::GetItemID(), ImGui::GetCurrentWindow());
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+}
+
 void draw_focus(LabState& lab) {
     ImGuiContext& g = *ImGui::GetCurrentContext();
     lab.focus.reset();

@@ -270,24 +270,4 @@ void draw_inspector(LabState& lab) {
     ImGui::EndChild();
 }
 
-void draw_side(LabState& lab) {
-    if (!ImGui::BeginTabBar("side")) return;
-    if (ImGui::BeginTabItem("Plots")) {
-        lab.show_inspector = false;
-        draw_plots(lab);
-        ImGui::EndTabItem();
-    }
-    lab.note_control("tab plots");
-    const bool choose = std::exchange(lab.choose_inspector, false);
-    const bool open = ImGui::BeginTabItem("Inspect", nullptr, choose ? ImGuiTabItemFlags_SetSelected : 0);
-    lab.note_control("tab inspect");
-    tooltip("All numbers of the picked thing, and why they are what they are (I)", lab.scale);
-    if (open) {
-        lab.show_inspector = true;
-        draw_inspector(lab);
-        ImGui::EndTabItem();
-    }
-    ImGui::EndTabBar();
-}
-
 }  // namespace pliant::viewer

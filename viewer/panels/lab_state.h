@@ -1,5 +1,6 @@
 // What the panels of the lab share from frame to frame.
 #pragma once
+#include "app/claim_book.h"
 #include "app/keys.h"
 #include "app/live_error.h"
 #include "app/session.h"
@@ -69,6 +70,11 @@ struct LabState {
     std::string condition_text{};
     std::string condition_refused{};  // why the text above is none
 
+    // the claims
+    ClaimBook claims{};
+    bool show_claims = false, choose_claims = false;
+    bool reveal_claim = false, focus_claim = false;  // the unfolded card is scrolled to; the keys go to it
+
     // For those who do not see the picture: the summary, while it is shown, and who else takes it (standard output).
     std::string summary{};
     std::function<void(const std::string&)> speak{};
@@ -112,6 +118,9 @@ void fitted_text(const std::string& text, float width);
 void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text);
 // A tooltip for the last item, wrapped.
 void tooltip(const std::string& text, float scale);
+// A button on the line of the one before, or on the next where it does not fit.
+bool flowing_button(LabState& lab, const std::string& label, const std::string& name, const std::string& help,
+                    bool first = false);
 // Without Markdown's marks of emphasis; the words stay.
 std::string without_marks(const std::string& text);
 // "youngs_modulus" as words.
@@ -129,9 +138,10 @@ void draw_transport(LabState& lab);
 void draw_stage_bar(LabState& lab);
 void draw_scene(LabState& lab, SceneRenderer& renderer);
 void draw_timeline(LabState& lab);
-// Plots and inspector, one behind the other.
+// Plots, inspector and claims, one behind the other.
 void draw_side(LabState& lab);
 void draw_inspector(LabState& lab);
+void draw_claims(LabState& lab);
 void draw_plots(LabState& lab);
 void draw_status_line(LabState& lab);
 void draw_walkthrough(LabState& lab);
@@ -150,6 +160,8 @@ void draw_autopsy(LabState& lab, const Rectangle& picture);
 void draw_summary(LabState& lab);
 // A thick ring around the control that the keys act on.
 void draw_focus(LabState& lab);
+// The keys go to the item that was drawn last, and it shows.
+void focus_last_item();
 // The keys go to the next panel, or the one before.
 void focus_panel(int direction);
 void draw_headline(LabState& lab);

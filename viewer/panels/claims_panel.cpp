@@ -1,0 +1,231 @@
+// The claims of the lectures as cards: predict, measure, compare, and open as a scene.
+#include <pliant/lesson/registry.h>
+
+#include "panels/flowing_text.h"
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace pliant::viewer {
+namespace {
+
+using Phase = ClaimBook::Phase;
+
+constexpr Rgba8 qualified_colour{214, 150, 40};
+
+// How a claim stands, by a shape and a word as well as by a colour.
+struct Mark {
+    const char* shape;
+    std::string word;
+    Rgba8 colour;
+};
+
+Mark mark_of(const ClaimBook& book, const Claim& c) {
+    switch (book.phase(c)) {
+        case Phase::asked:
+            return {"○", "not measured", quiet_colour};
+        case Phase::predicted:
+            return {"◔", "predicted", quiet_colour};
+        case Phase::waiting:
+            return {"…", "waiting", quiet_colour};
+        case Phase::measuring:
+            return {"▷", "measuring", quiet_colour};
+        case Phase::failed:
+            return {"■", "failed", bad_colour};
+        case Phase::measured:
+            break;
+    }
+    const Verdict verdict = book.result(c)->finding->verdict;
+    const std::string word(name_of(verdict));
+    return verdict == Verdict::reproduced  ? Mark{"✓", word, good_colour}
+           : verdict == Verdict::qualified ? Mark{"◐", word, qualified_colour}
+                                           : Mark{"✗", word, bad_colour};
+}
+
+void words_here(const std::string& text) {
+    ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
+}
+
+void quiet_words(LabState& lab, const std::string& text) {
+    ImGui::PushFont(lab.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    words_here(text);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void heading(LabState& lab, const char* text, Ink role) {
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(role));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void marked_word(const Mark& m) {
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(m.colour));
+    ImGui::TextUnformatted(m.shape);
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    ImGui::TextUnformatted(m.word.c_str());
+}
+
+// A button as wide as the panel whose words flow into lines.
+bool wide_button(const std::string& label, const char* id) {
+    const float width = ImGui::GetContentRegionAvail().x, inner = width - 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5f});
+    const bool pressed =
+        ImGui::Button(fmt::format("{}###{}", flowing_text(label, ImGui::GetFont(), inner), id).c_str(), {width, 0});
+    ImGui::PopStyleVar();
+    return pressed;
+}
+
+// --- the top: whose claims ---
+
+void choice(LabState& lab, const std::string& label, bool all, const char* name, const char* help) {
+    if (ImGui::RadioButton(label.c_str(), lab.claims.all == all)) lab.claims.all = all;
+    lab.note_control(name);
+    tooltip(help, lab.scale);
+}
+
+void choose_claims(LabState& lab) {
+    const std::string here = fmt::format("this lesson ({})", claims_of(lab.session.entry().info.id).size()),
+                      everywhere = fmt::format("all ({})", claims().size());
+    choice(lab, here, false, "claims of lesson", "What the lectures say of this lesson's methods");
+    ImGui::SameLine();
+    const float room = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(everywhere.c_str()).x;
+    if (ImGui::GetContentRegionAvail().x < room) ImGui::NewLine();
+    choice(lab, everywhere, true, "claims of all", "The claims of every lesson");
+}
+
+// --- a card ---
+
+// Its first line and the statement: one control, which unfolds the card.
+void head(LabState& lab, const Claim& c, bool open) {
+    const Mark mark = mark_of(lab.claims, c);
+    const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeightWithSpacing();
+    const std::string statement = flowing_text(std::string(c.statement), ImGui::GetFont(), width);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = line + ImGui::CalcTextSize(statement.c_str()).y;
+    if (ImGui::Selectable("##head", open, 0, {width, height})) lab.claims.unfold(c);
+    lab.note_control(fmt::format("claim {}", c.id));
+    tooltip(fmt::format("{} of {}, {}. Click to unfold", c.id, c.lesson, mark.word), lab.scale);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const unsigned text = ImGui::GetColorU32(ImGuiCol_Text);
+    draw->AddText(at, text, fmt::format("{} {}", open ? "▾" : "▸", c.id).c_str());
+    const float word_width = ImGui::CalcTextSize(mark.word.c_str()).x, shape_width = ImGui::CalcTextSize(mark.shape).x;
+    const float right = at.x + width - word_width;
+    draw->AddText({right, at.y}, text, mark.word.c_str());
+    draw->AddText({right - shape_width - lab.px(5), at.y}, packed(mark.colour), mark.shape);
+    draw->AddText({at.x, at.y + line}, text, statement.c_str());
+}
+
+void question(LabState& lab, const Claim& c) {
+    ClaimBook& book = lab.claims;
+    const bool over = book.result(c) != nullptr;
+    const auto predicted = book.prediction(c);
+    heading(lab, "Predict", Ink::accent);
+    words_here(std::string(c.question));
+    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, over ? 0.9f : ImGui::GetStyle().DisabledAlpha);  // still to be read
+    ImGui::BeginDisabled(over || book.phase(c) == Phase::measuring || book.phase(c) == Phase::waiting);
+    for (int k = 0; k < static_cast<int>(c.answers.size()); ++k) {
+        const char* shape = over && k == c.right_answer ? "✓" : over && predicted == k ? "✗" : predicted == k ? "●" : "○";
+        if (wide_button(fmt::format("{} {}", shape, c.answers[static_cast<std::size_t>(k)]), fmt::format("answer {}", k).c_str()))
+            book.predict(c, k);
+        lab.note_control(fmt::format("claim answer {}", k));
+        tooltip(over ? "Ask again to choose anew" : "Choose this answer before the experiment is made", lab.scale);
+    }
+    ImGui::EndDisabled();
+    ImGui::PopStyleVar();
+}
+
+void buttons(LabState& lab, const Claim& c) {
+    ClaimBook& book = lab.claims;
+    ImGui::Spacing();
+    const Phase phase = book.phase(c);
+    const bool over = phase == Phase::measured || phase == Phase::failed,
+               busy = phase == Phase::measuring || phase == Phase::waiting;
+    ImGui::BeginDisabled(busy);
+    if (!over && flowing_button(lab, busy ? "Measuring…" : "Measure", "claim run",
+                                fmt::format("Makes the experiment now. {}", c.experiment), true))
+        book.measure(c);
+    if (over && flowing_button(lab, "Ask again", "claim again", "Forgets the answer and the figure", true)) book.forget(c);
+    ImGui::EndDisabled();
+    if (flowing_button(lab, "Open as scene", "claim scene",
+                       fmt::format("Opens {} with the parameters that show this claim", c.lesson)))
+        open_as_scene(lab.session, c);
+}
+
+void outcome(LabState& lab, const Claim& c) {
+    const ClaimResult& r = *lab.claims.result(c);
+    heading(lab, "Measured", Ink::velocity);
+    if (const auto right = lab.claims.was_right(c))
+        marked_word({*right ? "✓" : "✗", *right ? "Your prediction was right." : "Your prediction was wrong.",
+                     *right ? good_colour : bad_colour});
+    if (!r.finding) return words_here(r.failure);
+    ImGui::PushFont(lab.fonts.large);
+    words_here(figure_text(r));
+    ImGui::PopFont();
+    quiet_words(lab, fmt::format("{}; criterion {}", c.figure, c.criterion));
+    ImGui::PushFont(lab.fonts.medium);
+    marked_word(mark_of(lab.claims, c));
+    ImGui::PopFont();
+    words_here(r.finding->text);
+    if (!r.finding->condition.empty()) {
+        heading(lab, "Condition", Ink::force);
+        words_here(r.finding->condition);
+    }
+}
+
+void body(LabState& lab, const Claim& c) {
+    quiet_words(lab, lab.claims.all ? fmt::format("{} · {}", c.source, c.lesson) : std::string(c.source));
+    question(lab, c);
+    buttons(lab, c);
+    if (lab.claims.result(c)) outcome(lab, c);
+    heading(lab, "Experiment", Ink::velocity);
+    words_here(std::string(c.experiment));
+}
+
+void card(LabState& lab, const Claim& c, bool open) {
+    ImGui::PushID(c.id.data(), c.id.data() + c.id.size());
+    if (open && std::exchange(lab.reveal_claim, false)) {
+        ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() - lab.px(4), 0);
+        head(lab, c, open);
+        if (std::exchange(lab.focus_claim, false)) focus_last_item();
+    } else {
+        head(lab, c, open);
+    }
+    if (open) body(lab, c);
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_claims(LabState& lab) {
+    choose_claims(lab);
+    const std::string_view lesson = lab.session.entry().info.id;
+    const auto list = lab.claims.listed(lesson);
+    if (list.empty()) {
+        lab.reveal_claim = lab.focus_claim = false;
+        return words_here("No claim stands beside this lesson; those of the others are under “all”.");
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {lab.px(4), lab.px(4)});
+    ImGui::BeginChild("cards", {0, 0}, ImGuiChildFlags_AlwaysUseWindowPadding, ImGuiWindowFlags_NavFlattened);
+    ImGui::PopStyleVar();
+    const Claim* open = lab.claims.unfolded(lesson);
+    std::string_view chapter;
+    for (const Claim* c : list) {
+        if (lab.claims.all && std::exchange(chapter, chapter_of(*c)) != chapter_of(*c))
+            heading(lab, std::string(chapter).c_str(), Ink::accent);
+        card(lab, *c, c == open);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace pliant::viewer
