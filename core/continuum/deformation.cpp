@@ -2,14 +2,13 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pliant {
 namespace {
 
-// Of tr S about its largest value; below it the formula from the invariants loses more than a few digits.
-constexpr Real well_conditioned = 1e-2;
+// The slope of q at its largest root f, over f^3. Rounding in R grows as its inverse squared: here to less than 1e-12.
+constexpr Real well_conditioned = 0.2;
 
 // The rotation U D V^T nearest to F = U Sigma V^T: D turns the direction that is stretched least where U V^T is a reflection.
 template <int Dim>
@@ -94,16 +93,8 @@ Mat<3> rotation_differential<3>(const PolarDecomposition<3>& polar, const Mat<3>
 template <int Dim>
 PrincipalStretches<Dim> principal_stretches(const Mat<Dim>& F) {
     const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(polar_decomposition<Dim>(F).S);
-    // Descending by magnitude, so that the one that an inversion makes negative comes last.
-    std::array<int, Dim> order;
-    for (int i = 0; i < Dim; ++i) order[static_cast<std::size_t>(i)] = i;
-    std::ranges::sort(order, [&](int a, int b) { return std::abs(eigen.eigenvalues()[a]) > std::abs(eigen.eigenvalues()[b]); });
-    PrincipalStretches<Dim> p;
-    for (int i = 0; i < Dim; ++i) {
-        p.stretches[i] = eigen.eigenvalues()[order[static_cast<std::size_t>(i)]];
-        p.directions.col(i) = eigen.eigenvectors().col(order[static_cast<std::size_t>(i)]);
-    }
-    return p;
+    // Ascending; the one that an inversion makes negative is the least in size too.
+    return {eigen.eigenvalues().reverse(), eigen.eigenvectors().rowwise().reverse()};
 }
 
 #define PLIANT_INSTANTIATE(Dim)                                            \

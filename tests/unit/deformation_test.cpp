@@ -211,3 +211,12 @@ TEST_CASE("the tensor case of the catalogue, and rotations by 90 and 30 degrees"
         CHECK_THAT(cauchy_strain<3>(slope)(1, 1), WithinAbs(std::cos(a) - 1, 1e-15));
     }
 }
+
+TEST_CASE("principal stretches: the negative one comes last, also where another has its size", "[deformation]") {
+    Draw draw;
+    for (int k = 0; k < 200; ++k) {
+        const auto s = principal_stretches<3>(with_stretches<3>(draw, {1.9, 1, -1})).stretches;
+        CHECK((s - Vec<3>(1.9, 1, -1)).norm() < 1e-12);
+        CHECK((principal_stretches<2>(with_stretches<2>(draw, {1, -1})).stretches - Vec<2>(1, -1)).norm() < 1e-12);
+    }
+}

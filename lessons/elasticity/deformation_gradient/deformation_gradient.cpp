@@ -30,9 +30,10 @@ void declare_point(Lesson& owner, std::deque<Number>& point, const std::array<st
 }  // namespace
 
 DeformationGradientLesson::DeformationGradientLesson()
-    : controls(*this, MapControls::Offer::all, MapKind::bend, Vec<3>(1.6, 0.1, 0)), body_(body_size, body_cells) {
+    : controls(*this, MapControls::Offer::all, MapKind::bend, Vec<3>(1.3, 0.1, 0)), body_(body_size, body_cells) {
     declare_point(*this, P, P_keys, P_symbols, P_initial, "of the material point P at rest; drag P in the picture");
     declare_point(*this, Q, Q_keys, Q_symbols, Q_initial, "of its neighbour Q at rest; drag Q in the picture");
+    controls.add_entries(*this);
     declare_fields();
     declare_state();
     declare_stages();
@@ -195,7 +196,7 @@ std::vector<std::pair<std::string, Real>> DeformationGradientLesson::dragged(con
 
 const Registration<DeformationGradientLesson> registration{
     {.id = "elasticity/deformation_gradient",
-     .title = "Displacement and deformation gradient",
+     .title = "Deformation gradient",
      .summary = "Follow a point and its neighbour through a map: u, ∇u, F, the error of dx ≈ F dX, and F = R S.",
      .demo_steps = 1}};
 

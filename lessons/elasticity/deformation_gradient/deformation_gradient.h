@@ -26,7 +26,7 @@ public:
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     ColourBy first_colours() const override { return {"volume_ratio", -1}; }
-    std::vector<std::string_view> first_plots() const override { return {"taylor_error_line"}; }
+    std::vector<std::string_view> first_plots() const override { return {"taylor_error_over_distance"}; }
     std::vector<std::string_view> key_numbers() const override { return {"det_F", "taylor_error", "rotation_angle"}; }
 
 private:

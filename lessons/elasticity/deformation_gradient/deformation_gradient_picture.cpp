@@ -11,7 +11,7 @@
 namespace pliant::deformation {
 namespace {
 
-constexpr Real sphere_radius = 0.1;  // m
+constexpr Real sphere_radius = 0.13;  // m
 // Shorter vectors are not told apart in the picture, m.
 constexpr Real seen = 0.01;
 
@@ -53,7 +53,7 @@ void DeformationGradientLesson::draw(Scene& scene) const {
 // The body at rest as an outline; the deformed one can be looked through.
 void DeformationGradientLesson::draw_body(Scene& scene) const {
     scene.box(at(-body_.half()), at(body_.half()), Ink::rest, 2, true);
-    TriangleMarks surface{.corners = {}, .triangles = {}, .ink = Ink::body, .opacity = 0.6f};
+    TriangleMarks surface{.corners = {}, .triangles = {}, .ink = Ink::body, .opacity = 0.8f};
     LineMarks mesh{.ends = {}, .ink = Ink::edge, .width = 1};
     const std::vector<float> values = scene.values(*this, On::node);
     for (const auto& face : body_.faces()) {

@@ -179,7 +179,7 @@ void DeformationGradientLesson::declare_lines() {
         for (int k = -24; k <= 0; ++k) all.push_back(std::pow(10.0, k / 6.0));
         return all;
     };
-    lines = {{.name = "taylor_error_line",
+    lines = {{.name = "taylor_error_over_distance",
               .unit = "m",
               .position_name = "distance |dX|",
               .position_unit = "m",

@@ -66,15 +66,6 @@ MapControls::MapControls(Lesson& owner, Offer offer, MapKind initial, const Vec<
                                                      .accepted = Interval{-100, 100},
                                                      .effect = Effect::rebuild,
                                                      .used = [this] { return is(MapKind::stretch); }});
-    for (std::size_t k = 0; k < 9; ++k)
-        entries_.emplace_back(owner, ParameterInfo{.key = entry_keys[k],
-                                                   .symbol = entry_symbols[k],
-                                                   .help = "entry of the deformation gradient: row, then column",
-                                                   .initial = entry_values[k],
-                                                   .useful = {-2, 2},
-                                                   .accepted = Interval{-100, 100},
-                                                   .effect = Effect::rebuild,
-                                                   .used = [this] { return is(MapKind::free); }});
     if (offer == Offer::homogeneous) return;
     bending_.emplace_back(owner, ParameterInfo{.key = "bend_curvature",
                                                .symbol = "κ",
@@ -106,6 +97,18 @@ MapControls::MapControls(Lesson& owner, Offer offer, MapKind initial, const Vec<
                                                  .useful = {-2, 2},
                                                  .accepted = Interval{-100, 100},
                                                  .effect = Effect::rebuild});
+}
+
+void MapControls::add_entries(Lesson& owner) {
+    for (std::size_t k = 0; k < 9; ++k)
+        entries_.emplace_back(owner, ParameterInfo{.key = entry_keys[k],
+                                                   .symbol = entry_symbols[k],
+                                                   .help = "entry of the deformation gradient: row, then column",
+                                                   .initial = entry_values[k],
+                                                   .useful = {-2, 2},
+                                                   .accepted = Interval{-100, 100},
+                                                   .effect = Effect::rebuild,
+                                                   .used = [this] { return is(MapKind::free); }});
 }
 
 int MapControls::turning_axis() const {

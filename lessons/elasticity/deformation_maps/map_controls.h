@@ -11,9 +11,13 @@ class MapControls {
 public:
     enum class Offer { all, homogeneous };
 
-    // The parameters join the lesson: map, angle (°), axis, stretch_x, stretch_y, stretch_z, shear, F11 ... F33, bend_curvature
-    // (1/m), twist_rate (°/m), and with a translation shift_x, shift_y, shift_z (m), whose initial value is given.
+    // The parameters join the lesson: map, angle (°), axis, stretch_x, stretch_y, stretch_z, shear, and where all maps are
+    // offered bend_curvature (1/m), twist_rate (°/m), shift_x, shift_y, shift_z (m), whose initial values are given.
     MapControls(Lesson& owner, Offer offer, MapKind initial, const Vec<3>& shift);
+
+    // The nine entries F11 ... F33 of the free map join here, so that a lesson may put its own parameters before them. To be
+    // called once.
+    void add_entries(Lesson& owner);
 
     DeformationMap map() const;
     MapKind kind() const { return kind_; }

@@ -54,6 +54,7 @@ StrainMeasuresLesson::StrainMeasuresLesson()
                             .accepted = Interval{-1, 0.5, true, true},
                             .effect = Effect::rebuild}),
       operations_(count_operations()) {
+    controls.add_entries(*this);
     declare_fields();
     declare_state();
     declare_stages();

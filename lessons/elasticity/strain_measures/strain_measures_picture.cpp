@@ -21,12 +21,13 @@ Vec<2> seen(const Vec<3>& v) { return v.head<2>(); }
 // The image of a circle under A, about `middle`.
 LineMarks closed_curve(const Vec<2>& middle, const Mat<2>& A, Ink ink, float width, bool dashed = false) {
     constexpr int pieces = 72;
-    LineMarks marks{.ends = {}, .ink = ink, .width = width, .dashed = dashed};
+    LineMarks marks{.ends = {}, .ink = ink, .width = width};
     const auto place = [&](int k) {
         const Real angle = 2 * std::numbers::pi * k / pieces;
         return at(middle + A * Vec<2>(std::cos(angle), std::sin(angle)));
     };
-    for (int k = 0; k < pieces; ++k) marks.ends.push_back(place(k)), marks.ends.push_back(place(k + 1));
+    // The pieces are too short to be dashed one by one.
+    for (int k = 0; k < pieces; k += dashed ? 2 : 1) marks.ends.push_back(place(k)), marks.ends.push_back(place(k + 1));
     return marks;
 }
 
@@ -45,6 +46,18 @@ void draw_ellipse(Scene& scene, const Vec<2>& middle, Real scale, const Mat<2>& 
             scene.arrows.push_back(std::move(arrow));
         }
     }
+}
+
+// "F = [1.2 0.3 0; 0 0.9 0.1; 0.05 0 1.1]"
+std::string row_by_row(std::string_view name, const Mat<3>& m) {
+    std::string text = fmt::format("{} = [", name);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            text += fmt::format("{}{}", format_quantity(std::abs(m(i, j)) < 5e-13 ? 0 : m(i, j), "", 3),
+                                j < 2   ? "  "
+                                : i < 2 ? " ;  "
+                                        : "]");
+    return text;
 }
 
 std::string principal_values(const Mat<2>& tensor) {
@@ -68,7 +81,7 @@ void StrainMeasuresLesson::draw(Scene& scene) const {
     write_numbers(scene);
     // Words above and matrices below take the room that is left to them.
     const Real r = reach();
-    scene.frame(position(-r, -2.1 * r), position(2.9 * r, 1.15 * r));
+    scene.frame(position(-r, -2.3 * r), position(2.9 * r, 1.15 * r));
 }
 
 void StrainMeasuresLesson::draw_circle(Scene& scene) const {
@@ -96,13 +109,15 @@ void StrainMeasuresLesson::draw_direction(Scene& scene) const {
     handle.pick = {true, On::particle, 0, {}};
     scene.points.push_back(std::move(handle));
     const bool apart = (v_ - deformed_v_).head<2>().norm() > 0.15;
-    if (apart) scene.labels.push_back({.at = head, .text = "v", .ink = Ink::accent, .offset_y = 14, .away_from = middle});
+    // On the side where v′ is not.
+    const float side = v_[0] * deformed_v_[1] > v_[1] * deformed_v_[0] ? 16.f : -16.f;
+    if (apart) scene.label(head, "v", Ink::accent, side * static_cast<float>(v_[1]), side * static_cast<float>(v_[0]));
     scene.labels.push_back({.at = deformed, .text = apart ? "v′ = F v" : "v, v′", .ink = Ink::force, .away_from = middle});
 }
 
 // The part of each tensor in the plane of the picture. The two strains share a scale.
 void StrainMeasuresLesson::draw_ellipses(Scene& scene) const {
-    const Real r = reach(), size = 0.36 * r, across = 2.05 * r;
+    const Real r = reach(), size = 0.32 * r, across = 2.05 * r;
     const Mat<2> C = of(C_).topLeftCorner<2, 2>(), green = of(green_).topLeftCorner<2, 2>(),
                  small = of(cauchy_).topLeftCorner<2, 2>();
     const auto largest = [](const Mat<2>& m) { return Symmetric(m).eigenvalues().cwiseAbs().maxCoeff(); };
@@ -113,21 +128,24 @@ void StrainMeasuresLesson::draw_ellipses(Scene& scene) const {
         scene.label(position(across + size, up), fmt::format("{}", name), ink, 70, -10);
         scene.label(position(across + size, up), principal_values(tensor), ink, 70, 10);
     };
-    scene.lines.push_back(closed_curve({across, 0.75 * r}, size / squares * Mat<2>::Identity(), Ink::rest, 1.5f, true));
-    one(0.75 * r, "C = FᵀF", C, size / squares, Ink::text);
-    one(-0.05 * r, "Green E", green, size / strains, Ink::velocity);
-    one(-0.85 * r, "Cauchy ε", small, size / strains, Ink::force);
+    scene.lines.push_back(closed_curve({across, 0.8 * r}, size / squares * Mat<2>::Identity(), Ink::rest, 1.5f, true));
+    one(0.8 * r, "C = FᵀF", C, size / squares, Ink::text);
+    one(0.1 * r, "Green E", green, size / strains, Ink::velocity);
+    one(-0.6 * r, "Cauchy ε", small, size / strains, Ink::force);
 }
 
 void StrainMeasuresLesson::write_numbers(Scene& scene) const {
-    scene.matrix("F", of(deformation_));
     scene.matrix("C", of(C_));
     scene.matrix("E", of(green_), "", Ink::velocity);
     scene.matrix("ε", of(cauchy_), "", Ink::force);
     if (done_[0] == 0) return;
     scene.matrix("D", elasticity_matrix(material()), "Pa");
-    scene.matrix("σ of E", of(stress_green_), "Pa", Ink::velocity);
-    scene.matrix("σ of ε", of(stress_cauchy_), "Pa", Ink::force);
+    // As columns, in the order of D: xx, yy, zz, yz, xz, xy.
+    const auto column = [](const Mat<3>& s) -> Vec<6> { return {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)}; };
+    Eigen::Matrix<Real, 6, 2> stresses;
+    stresses << column(of(stress_green_)), column(of(stress_cauchy_));
+    scene.matrix("σ of E, ε", stresses, "Pa");
+    scene.notes.push_back(row_by_row("F", of(deformation_)));
     const auto text = [](Real x) { return format_quantity(x, "", 4); };
     scene.notes.push_back(fmt::format("|v′|² = {}² = {},  vᵀC v = {}", text(deformed_v_.norm()), text(deformed_v_.squaredNorm()),
                                       text(v_.dot(of(C_) * v_))));

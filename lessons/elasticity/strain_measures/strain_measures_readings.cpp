@@ -48,18 +48,18 @@ void StrainMeasuresLesson::declare_fields() {
         return Field{
             .name = name, .symbol = symbol, .on = On::edge, .view = view_of(s), .help = help, .bound = [] { return largest; }};
     };
-    fields = {around("stretch", "|F n|", stretch_, "length now over length at rest of each direction n of the circle"),
-              around("cauchy_stretch", "1 + n·ε n", cauchy_stretch_, "what Cauchy's strain takes for it"),
-              tensor("deformation_gradient", "F", deformation_, "of the map, followed by the turn"),
-              tensor("displacement_gradient", "∇u", slope_, "F − I"),
-              tensor("right_cauchy_green", "C", C_, "squared stretches: vᵀC v = |F v|²"),
-              tensor("green_strain", "E", green_, "Green's strain: 0 exactly for rigid motions"),
-              tensor("cauchy_strain", "ε", cauchy_, "Cauchy's small strain: linear in u"),
-              vector("direction", "v", v_, "a unit vector at rest"),
-              vector("deformed_direction", "v′", deformed_v_, "what F makes of it"),
-              tensor("stress_green", "σ", stress_green_,
-                     "Hooke's law of Green's strain (the second Piola–Kirchhoff stress of St. Venant and Kirchhoff)", "Pa"),
-              tensor("stress_cauchy", "σ", stress_cauchy_, "Hooke's law of Cauchy's strain", "Pa")};
+    fields = {
+        around("stretch", "|F n|", stretch_, "length now over length at rest of each direction n of the circle"),
+        around("cauchy_stretch", "1 + n·ε n", cauchy_stretch_, "what Cauchy's strain takes for it"),
+        tensor("deformation_gradient", "F", deformation_, "of the map, followed by the turn"),
+        tensor("displacement_gradient", "∇u", slope_, "F − I"),
+        tensor("right_cauchy_green", "C", C_, "squared stretches: vᵀC v = |F v|²"),
+        tensor("green_strain", "E", green_, "Green's strain: 0 exactly for rigid motions"),
+        tensor("cauchy_strain", "ε", cauchy_, "Cauchy's small strain: linear in u"),
+        vector("direction", "v", v_, "a unit vector at rest"),
+        vector("deformed_direction", "v′", deformed_v_, "what F makes of it"),
+        tensor("stress_green", "σ", stress_green_, "Hooke's law of Green's strain: the second Piola–Kirchhoff stress", "Pa"),
+        tensor("stress_cauchy", "σ", stress_cauchy_, "Hooke's law of Cauchy's strain", "Pa")};
 }
 
 void StrainMeasuresLesson::declare_state() {
