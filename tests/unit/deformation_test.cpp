@@ -59,7 +59,7 @@ void check_polar(const Mat<Dim>& F) {
     CHECK((F - R * S).cwiseAbs().maxCoeff() <= 1e-12 * size);
     CHECK((S - S.transpose()).cwiseAbs().maxCoeff() <= 1e-15 * size);
     // No rotation is nearer: tr S is the sum of the singular values, the least with the sign of det F.
-    const Eigen::JacobiSVD<Mat<Dim>> svd(size > 0 ? Mat<Dim>(F / size) : F);
+    const Eigen::JacobiSVD<MatX> svd(MatX(size > 0 ? Mat<Dim>(F / size) : F));
     const Real sum = svd.singularValues().sum(), least = svd.singularValues()[Dim - 1];
     const Real best = size * ((F / (size > 0 ? size : 1)).determinant() < 0 ? sum - 2 * least : sum);
     CHECK_THAT(S.trace(), WithinAbs(best, 1e-11 * size));

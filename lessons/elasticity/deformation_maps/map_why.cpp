@@ -105,19 +105,17 @@ Explanation MapControls::why_turned(int i, const std::array<Input, 3>& X) const 
 Explanation MapControls::why_bent(int i, const std::array<Input, 3>& X) const {
     if (i == 2) return why_moved(i, "Z", {X[2]}, [](std::span<const Real> x) { return x[0]; });
     const Input a = turning_angle(X);
-    const Real curvature = bending_[0];
-    // Without curvature the formula divides by 0.
-    if (curvature * X[0].value == 0 || std::abs(curvature) < 1e-6)
+    // The same as (1/κ − Y) sin(α) and 1/κ − (1/κ − Y) cos(α), without the difference of large numbers.
+    if (bending_[0] * X[0].value == 0)
         return i == 0 ? why_moved(i, "X − Y sin(α)", {X[0], X[1], a},
                                   [](std::span<const Real> x) { return x[0] - x[1] * std::sin(x[2]); })
-                      : why_moved(i, "Y cos(α) + ½ X α", {X[1], a, X[0]},
-                                  [](std::span<const Real> x) { return x[0] * std::cos(x[1]) + 0.5 * x[2] * x[1]; });
-    const Input k = Input::of(bending_[0]);
+                      : why_moved(i, "Y cos(α)", {X[1], a}, [](std::span<const Real> x) { return x[0] * std::cos(x[1]); });
     if (i == 0)
-        return why_moved(i, "(1/κ − Y) sin(α)", {k, X[1], a},
-                         [](std::span<const Real> x) { return (1 / x[0] - x[1]) * std::sin(x[2]); });
-    return why_moved(i, "1/κ − (1/κ − Y) cos(α)", {k, X[1], a},
-                     [](std::span<const Real> x) { return 1 / x[0] - (1 / x[0] - x[1]) * std::cos(x[2]); });
+        return why_moved(i, "X sin(α) / α − Y sin(α)", {X[0], X[1], a},
+                         [](std::span<const Real> x) { return x[0] * std::sin(x[2]) / x[2] - x[1] * std::sin(x[2]); });
+    return why_moved(i, "X (1 − cos(α)) / α + Y cos(α)", {X[0], X[1], a}, [](std::span<const Real> x) {
+        return 2 * x[0] * std::pow(std::sin(x[2] / 2), 2) / x[2] + x[1] * std::cos(x[2]);
+    });
 }
 
 // ------------------------------------------------------------------------------------------------------------ gradients
