@@ -87,7 +87,9 @@ void DeformationGradientLesson::draw_points(Scene& scene) const {
     if (apart) scene.label(at(material(1)), "Q", Ink::accent, 12, -14);
     if (point_displacement_.norm() < seen) return;
     scene.label(at(point_position_.col(0)), "p", Ink::text, -12, 14);
-    if (apart) scene.label(at(point_position_.col(1)), "q", Ink::text, 12, -16);
+    if (apart)
+        scene.labels.push_back(
+            {.at = at(point_position_.col(1)), .text = "q", .ink = Ink::text, .away_from = at(point_position_.col(0))});
 }
 
 void DeformationGradientLesson::draw_vectors(Scene& scene) const {
@@ -95,9 +97,9 @@ void DeformationGradientLesson::draw_vectors(Scene& scene) const {
     const Vec<3> from = material(0), to = material(1), p = point_position_.col(0), q = point_position_.col(1),
                  dX = rest_vector_.col(0), dx = deformed_vector_.col(0), mapped = mapped_vector_.col(0),
                  du = relative_displacement_.col(0);
-    const auto named = [&](const Vec<3>& a, const Vec<3>& b, Ink ink, const char* name, float x, float y) {
+    const auto named = [&](const Vec<3>& a, const Vec<3>& b, Ink ink, const char* name, float x, float y, Real share = 0.5) {
         scene.arrows.push_back({.from = {at(a)}, .to = {at(b)}, .ink = ink, .width = 3});
-        scene.label(at(0.5 * (a + b)), name, ink, x, y);
+        scene.label(at(a + share * (b - a)), name, ink, x, y);
     };
     // The vector from P to Q, pickable with its numbers.
     LineMarks edge{.ends = {at(from), at(to)}, .values = scene.values(*this, On::edge), .ink = Ink::text, .width = 2};
@@ -112,13 +114,14 @@ void DeformationGradientLesson::draw_vectors(Scene& scene) const {
     if (du.norm() > 3 * seen) {
         scene.line(at(p), at(p + dX), Ink::text, 2, true);
         scene.label(at(p + 0.6 * dX), "dX", Ink::text, 14, 14);
-        named(p + dX, q, Ink::velocity, "du", 20, 4);
+        scene.arrows.push_back({.from = {at(p + dX)}, .to = {at(q)}, .ink = Ink::velocity, .width = 3});
+        scene.labels.push_back({.at = at(p + dX), .text = "du", .ink = Ink::velocity, .away_from = at(q)});
     }
     const bool one = gap_.norm() < seen;
-    named(p, q, Ink::force, one ? "dx = F dX" : "dx", one ? -44.f : -16.f, -12);
+    named(p, q, Ink::force, one ? "dx = F dX" : "dx", one ? -48.f : -16.f, -14, one ? 0.75 : 0.5);
     if (one) return;
     dashed_arrow(scene, p, p + mapped, Ink::accent);
-    scene.labels.push_back({.at = at(p + mapped), .text = "F dX", .ink = Ink::accent, .away_from = at(p)});
+    scene.label(at(p + 0.65 * mapped), "F dX", Ink::accent, 0, 16);
     scene.line(at(p + mapped), at(q), Ink::accent, 4);
 }
 

@@ -146,7 +146,7 @@ void StrainMeasuresLesson::write_numbers(Scene& scene) const {
     stresses << column(of(stress_green_)), column(of(stress_cauchy_));
     scene.matrix("σ of E, ε", stresses, "Pa");
     scene.notes.push_back(row_by_row("F", of(deformation_)));
-    const auto text = [](Real x) { return format_quantity(x, "", 4); };
+    const auto text = [](Real x) { return format_quantity(x, "", 6); };
     scene.notes.push_back(fmt::format("|v′|² = {}² = {},  vᵀC v = {}", text(deformed_v_.norm()), text(deformed_v_.squaredNorm()),
                                       text(v_.dot(of(C_) * v_))));
     scene.notes.push_back(fmt::format("Cauchy foretells |v′| = 1 + vᵀε v = {}", text(1 + v_.dot(of(cauchy_) * v_))));
