@@ -60,6 +60,12 @@ std::string row_by_row(std::string_view name, const Mat<3>& m) {
     return text;
 }
 
+// Entries that are only what rounding left are drawn as 0.
+template <class Derived>
+typename Derived::PlainObject plain(const Eigen::MatrixBase<Derived>& m, Real size) {
+    return m.unaryExpr([size](Real x) { return std::abs(x) < 1e-13 * size ? Real{0} : x; });
+}
+
 std::string principal_values(const Mat<2>& tensor) {
     const Vec<2> values = Symmetric(tensor).eigenvalues();
     const auto text = [](Real x) { return format_quantity(std::abs(x) < 5e-13 ? 0 : x, "", 3); };
@@ -81,7 +87,7 @@ void StrainMeasuresLesson::draw(Scene& scene) const {
     write_numbers(scene);
     // Words above and matrices below take the room that is left to them.
     const Real r = reach();
-    scene.frame(position(-r, -2.3 * r), position(2.9 * r, 1.15 * r));
+    scene.frame(position(-r, -2.3 * r), position(3.1 * r, 1.15 * r));
 }
 
 void StrainMeasuresLesson::draw_circle(Scene& scene) const {
@@ -98,7 +104,7 @@ void StrainMeasuresLesson::draw_circle(Scene& scene) const {
     }
     curve.pick = {true, On::edge, 0, {}};
     scene.lines.push_back(std::move(curve));
-    scene.label(position(0, 0), "n → F n", Ink::rest, 0, 22);
+    scene.label(position(-0.62 * reach(), -0.95 * reach()), "circle n → F n", Ink::rest);
 }
 
 void StrainMeasuresLesson::draw_direction(Scene& scene) const {
@@ -135,24 +141,21 @@ void StrainMeasuresLesson::draw_ellipses(Scene& scene) const {
 }
 
 void StrainMeasuresLesson::write_numbers(Scene& scene) const {
-    scene.matrix("C", of(C_));
-    scene.matrix("E", of(green_), "", Ink::velocity);
-    scene.matrix("ε", of(cauchy_), "", Ink::force);
+    scene.matrix("C", plain(of(C_), 1));
+    scene.matrix("E", plain(of(green_), 1), "", Ink::velocity);
+    scene.matrix("ε", plain(of(cauchy_), 1), "", Ink::force);
     if (done_[0] == 0) return;
     scene.matrix("D", elasticity_matrix(material()), "Pa");
     // As columns, in the order of D: xx, yy, zz, yz, xz, xy.
     const auto column = [](const Mat<3>& s) -> Vec<6> { return {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)}; };
     Eigen::Matrix<Real, 6, 2> stresses;
     stresses << column(of(stress_green_)), column(of(stress_cauchy_));
-    scene.matrix("σ of E, ε", stresses, "Pa");
+    scene.matrix("σ of E, ε", plain(stresses, youngs_modulus), "Pa");
     scene.notes.push_back(row_by_row("F", of(deformation_)));
     const auto text = [](Real x) { return format_quantity(x, "", 6); };
     scene.notes.push_back(fmt::format("|v′|² = {}² = {},  vᵀC v = {}", text(deformed_v_.norm()), text(deformed_v_.squaredNorm()),
                                       text(v_.dot(of(C_) * v_))));
     scene.notes.push_back(fmt::format("Cauchy foretells |v′| = 1 + vᵀε v = {}", text(1 + v_.dot(of(cauchy_) * v_))));
-    if (turn != 0)
-        scene.notes.push_back(
-            fmt::format("after a turn by {}°:  ε_xx = {},  E_xx = {}", text(turn), text(cauchy_[0]), text(green_[0])));
 }
 
 }  // namespace pliant::strain_measures
