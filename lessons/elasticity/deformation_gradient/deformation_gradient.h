@@ -11,6 +11,9 @@
 
 namespace pliant::deformation {
 
+// Relative error at which F dX is no longer a good stand-in for dx.
+inline constexpr Real near_enough = 0.05;
+
 // A static lesson: one step goes through all stages of the lecture.
 class DeformationGradientLesson final : public Lesson {
 public:
@@ -73,6 +76,7 @@ private:
     Explanation why_polar(const Question& q) const;
     Explanation why_strain(const Question& q) const;
 
+    // --- what would mend a run (deformation_gradient_fixes.cpp) ---
     std::optional<Fix> nearer() const;
     std::optional<Fix> not_inverted() const;
 

@@ -10,6 +10,9 @@
 
 namespace pliant::strain_measures {
 
+// Relative error from which on Cauchy's strain is said to be wrong.
+inline constexpr Real tolerated = 0.01;
+
 // A static lesson: one step measures everything. F is that of the chosen map, followed by a turn about z.
 class StrainMeasuresLesson final : public Lesson {
 public:
@@ -68,6 +71,7 @@ private:
     Input map_entry(int i, int j) const;
     std::vector<Input> sampled_inputs(Index k) const;
 
+    // --- what would mend a run (strain_measures_fixes.cpp) ---
     std::optional<Fix> smaller() const;
     std::optional<Fix> not_inverted() const;
 

@@ -3,6 +3,7 @@
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/deformation_map.h>
 #include <pliant/continuum/moduli.h>
+#include <pliant/lesson/runner.h>
 #include <pliant/study/claims.h>
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -41,7 +42,6 @@ private:
     std::uniform_real_distribution<Real> spread_{-1, 1};
 };
 
-Mat<3> about_z(Real angle) { return Eigen::AngleAxis<Real>(angle, Vec<3>::UnitZ()).toRotationMatrix(); }
 Real largest(const Mat<3>& m) { return m.cwiseAbs().maxCoeff(); }
 
 Verdict held(bool so, Verdict when = Verdict::reproduced) { return so ? when : Verdict::refuted; }
@@ -60,10 +60,14 @@ Finding rotations() {
         principal = std::max(principal, (values(green(F * Q)) - values(green(F))).cwiseAbs().maxCoeff());
     }
     Real off = 0, along_axis = 0;
-    for (int angle = -180; angle <= 180; ++angle) {
-        const Mat<3> small = cauchy_strain<3>(displacement_gradient<3>(about_z(angle * degree)));
-        off = std::max({off, std::abs(small(0, 0) - (std::cos(angle * degree) - 1)), std::abs(small(1, 1) - small(0, 0))});
-        along_axis = std::max(along_axis, std::abs(small(2, 2)));
+    Runner runner(find_lesson("elasticity/strain_measures"), {{"map", "rotation"}});
+    const auto strain = [&runner](std::string_view component) { return *runner.lesson().probe(component).value(); };
+    for (int angle = -180; angle <= 180; angle += 3) {
+        runner.assign("angle", angle);
+        runner.step();
+        const Real foretold = std::cos(angle * degree) - 1;
+        off = std::max({off, std::abs(strain("cauchy_11") - foretold), std::abs(strain("cauchy_22") - foretold)});
+        along_axis = std::max(along_axis, std::abs(strain("cauchy_33")));
     }
     const Real figure = std::max(after, off);
     return {
@@ -186,13 +190,14 @@ Finding hooke() {
     }
     const Real near = 0.5 - 1e-9;
     const auto soft = IsotropicModuli::from_young_poisson(1e6, near);
-    const Real lost = differ(IsotropicModuli::from_lame(soft.lambda(), soft.mu()).bulk_modulus(), soft.bulk_modulus());
+    const Real lost = differ(0.5 - IsotropicModuli::from_lame(soft.lambda(), soft.mu()).poisson_ratio(), 0.5 - near);
     const Real figure = std::max(forms, trips);
     return {.figure = figure,
             .verdict = held(figure <= 1e-12),
             .text = fmt::format(
                 "For {} random strains and materials with ν from −0.89 to 0.49 the 6×6 form equals λ tr(ε) I + 2 μ ε to {:.0e}, "
-                "and (Y, ν) come back through (λ, μ) and (G, K) to {:.0e}; at ν = ½ − 10⁻⁹ the bulk modulus to {:.0e}.",
+                "and (Y, ν) come back through (λ, μ) and (G, K) to {:.0e}; at ν = ½ − 10⁻⁹ what is missing to ½ comes back to "
+                "{:.0e} of it.",
                 tries, forms, trips, lost),
             .condition = {}};
 }
@@ -204,7 +209,7 @@ const ClaimRegistration e10{
      .source = "S: strain measures",
      .experiment =
          "Let a rotation follow 1000 random deformations and compare Green's strain; take Cauchy's strain of rotations by "
-         "every whole degree.",
+         "every third degree.",
      .figure = "larger of |E(RF) − E(F)| and |ε_xx − (cos θ − 1)|",
      .criterion = "≤ 10⁻¹³",
      .question = "A body is only turned, by 90°. What is Cauchy's ε_xx?",
