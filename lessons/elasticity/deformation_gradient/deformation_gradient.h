@@ -4,8 +4,8 @@
 #include <pliant/continuum/deformation.h>
 #include <pliant/lesson/registry.h>
 
-#include "../deformation_maps/map_controls.h"
 #include "body_grid.h"
+#include "elasticity/deformation_maps/map_controls.h"
 
 #include <deque>
 

@@ -1,8 +1,8 @@
 // Why every number of a local deformation is what it is.
 #include <fmt/format.h>
 
-#include "../deformation_maps/tensor_why.h"
 #include "deformation_gradient.h"
+#include "elasticity/deformation_maps/tensor_why.h"
 
 #include <algorithm>
 #include <cmath>

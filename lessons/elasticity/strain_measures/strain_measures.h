@@ -5,7 +5,7 @@
 #include <pliant/continuum/strain.h>
 #include <pliant/lesson/registry.h>
 
-#include "../deformation_maps/map_controls.h"
+#include "elasticity/deformation_maps/map_controls.h"
 #include "strain_cost.h"
 
 namespace pliant::strain_measures {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
 
-#include "../deformation_maps/tensor_why.h"
+#include "elasticity/deformation_maps/tensor_why.h"
 #include "strain_measures.h"
 
 #include <algorithm>
