@@ -104,7 +104,8 @@ void StrainMeasuresLesson::draw_circle(Scene& scene) const {
     }
     curve.pick = {true, On::edge, 0, {}};
     scene.lines.push_back(std::move(curve));
-    scene.label(position(-0.62 * reach(), -0.95 * reach()), "circle n → F n", Ink::rest);
+    const Vec<2> named = seen(F * sampled(count / 8 * 3));
+    scene.labels.push_back({.at = at(named), .text = "F n", .ink = Ink::rest, .away_from = at(middle)});
 }
 
 void StrainMeasuresLesson::draw_direction(Scene& scene) const {
