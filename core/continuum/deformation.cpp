@@ -3,15 +3,13 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pliant {
 namespace {
 
-// Of tr S about its largest value; below it the formula from the invariants loses more than a few digits.
-constexpr Real well_conditioned = 1e-2;
+// Slope of q at its largest root f, over f^3: 64/27 at rest. Rounding in R grows as its inverse squared; here to 3e-13.
+constexpr Real well_conditioned = 0.3;
 // Of |F|^2: its fourth power still has all its digits.
 constexpr Real smallest_square = 1e-60;
 
@@ -55,7 +53,7 @@ Mat<3> rotation_of(const Mat<3>& F) {
         const Real value = f2 * (f2 - 2 * I1) - 8 * J * f + constant, bend = 12 * f2 - 4 * I1;
         const Real step = 2 * value * slope / (2 * slope * slope - value * bend);
         f -= step;
-        if (!(step > 1e-5 * f)) break;  // the next one would be of the size of rounding
+        if (!(step > 1e-6 * f)) break;  // the next one would be of the size of rounding
     }
     slope = f * (f * f - I1) - 2 * J;
     if (!(4 * slope > well_conditioned * f * f * f)) return rotation_by_svd<3>(F);
@@ -110,16 +108,8 @@ Mat<3> rotation_differential<3>(const PolarDecomposition<3>& polar, const Mat<3>
 template <int Dim>
 PrincipalStretches<Dim> principal_stretches(const Mat<Dim>& F) {
     const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(polar_decomposition<Dim>(F).S);
-    // Descending by magnitude, so that the one that an inversion makes negative comes last.
-    std::array<int, Dim> order;
-    for (int i = 0; i < Dim; ++i) order[static_cast<std::size_t>(i)] = i;
-    std::ranges::sort(order, [&](int a, int b) { return std::abs(eigen.eigenvalues()[a]) > std::abs(eigen.eigenvalues()[b]); });
-    PrincipalStretches<Dim> p;
-    for (int i = 0; i < Dim; ++i) {
-        p.stretches[i] = eigen.eigenvalues()[order[static_cast<std::size_t>(i)]];
-        p.directions.col(i) = eigen.eigenvectors().col(order[static_cast<std::size_t>(i)]);
-    }
-    return p;
+    // Ascending; the one that an inversion makes negative is the least in size too.
+    return {eigen.eigenvalues().reverse(), eigen.eigenvectors().rowwise().reverse()};
 }
 
 #define PLIANT_INSTANTIATE(Dim)                                            \

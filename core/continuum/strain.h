@@ -2,24 +2,30 @@
 #pragma once
 #include <pliant/math/types.h>
 
+#include <type_traits>
+
 namespace pliant {
 
+// The measures may be evaluated in another type of number, one that counts operations for example: cauchy_strain<3, Number>(H).
+template <class Scalar, int Dim>
+using MatOf = std::type_identity_t<Eigen::Matrix<Scalar, Dim, Dim>>;
+
 // Cauchy (small) strain: (H + H^T) / 2. It is linear in the displacement, and not zero for a finite rotation.
-template <int Dim>
-Mat<Dim> cauchy_strain(const Mat<Dim>& displacement_gradient) {
-    return 0.5 * (displacement_gradient + displacement_gradient.transpose());
+template <int Dim, class Scalar = Real>
+Eigen::Matrix<Scalar, Dim, Dim> cauchy_strain(const MatOf<Scalar, Dim>& displacement_gradient) {
+    return Scalar(0.5) * (displacement_gradient + displacement_gradient.transpose());
 }
 
 // Green-Lagrange strain: (H + H^T + H^T H) / 2 = (F^T F - I) / 2. It is 0 exactly for rigid motions.
-template <int Dim>
-Mat<Dim> green_strain(const Mat<Dim>& displacement_gradient) {
-    return 0.5 * (displacement_gradient + displacement_gradient.transpose() +
-                  displacement_gradient.transpose() * displacement_gradient);
+template <int Dim, class Scalar = Real>
+Eigen::Matrix<Scalar, Dim, Dim> green_strain(const MatOf<Scalar, Dim>& displacement_gradient) {
+    return Scalar(0.5) * (displacement_gradient + displacement_gradient.transpose() +
+                          displacement_gradient.transpose() * displacement_gradient);
 }
 
 // Right Cauchy-Green tensor C = F^T F, with F = I + H: the squared stretch of a unit direction v at rest is v^T C v.
-template <int Dim>
-Mat<Dim> right_cauchy_green(const Mat<Dim>& deformation_gradient) {
+template <int Dim, class Scalar = Real>
+Eigen::Matrix<Scalar, Dim, Dim> right_cauchy_green(const MatOf<Scalar, Dim>& deformation_gradient) {
     return deformation_gradient.transpose() * deformation_gradient;
 }
 

@@ -62,6 +62,7 @@ struct Line {
     std::string_view reference_name = "exact";
     std::string_view value_name = "";  // of the axis of values; the line's own name when not given
     bool reference_points = false;     // draw the reference as points (a table) rather than as a curve
+    bool log_log = false;              // both axes logarithmic at first; what is not positive is left out
     std::function<bool()> used{};
 
     bool in_use() const { return !used || used(); }

@@ -37,7 +37,11 @@ std::vector<Golden> goldens() {
     projector.theme = "projector";
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
+    PictureOptions medium, large;
+    medium.size = "720x405", large.size = "920x518";
     return {
+        {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
+        {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},

@@ -80,8 +80,10 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     Curve curve, reference;
     line.sample(curve);
     if (line.reference) line.reference(reference);
-    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit)},
-                    .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit)}};
+    const AxisScale scale = line.log_log ? AxisScale::log : AxisScale::linear;
+    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit), scale},
+                    .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit), scale},
+                    .empty_hint = line.log_log ? "nothing above 0 to show" : Axes{}.empty_hint};
     if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
     plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
     Curve of_b;

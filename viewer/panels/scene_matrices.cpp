@@ -96,7 +96,8 @@ void draw_matrices(LabState& lab, const std::vector<MatrixMark>& matrices, const
     for (const MatrixMark& m : matrices) {
         const Block b = measured(lab, m);
         if (x > left && x + b.size.x > place.x + place.width - lab.px(14)) x = left, bottom -= tallest + gap, tallest = 0;
-        if (bottom - b.size.y < place.y || b.size.x > place.width) break;
+        // The upper half is left to the picture.
+        if (bottom - b.size.y < place.y + place.height / 2 || b.size.x > place.width) break;
         draw_block(lab, b, {x, bottom - b.size.y});
         x += b.size.x + gap;
         tallest = std::max(tallest, b.size.y);

@@ -1,0 +1,151 @@
+// Why every number of a local deformation is what it is.
+#include <fmt/format.h>
+
+#include "deformation_gradient.h"
+#include "elasticity/deformation_maps/tensor_why.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pliant::deformation {
+namespace {
+
+constexpr std::array<const char*, 3> place{"x", "y", "z"}, material_letter{"X", "Y", "Z"}, displaced{"u", "v", "w"};
+constexpr std::array<const char*, 2> point{"P", "Q"};
+
+std::size_t at(int k) { return static_cast<std::size_t>(k); }
+Real length(std::span<const Real> x) { return Eigen::Map<const VecX>(x.data(), static_cast<Index>(x.size())).stableNorm(); }
+
+Explanation difference(std::string formula, Input minuend, Input subtrahend) {
+    return {.formula = std::move(formula),
+            .inputs = {std::move(minuend), std::move(subtrahend)},
+            .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+}
+
+// The length of one of the vectors from P to Q, over that of another.
+std::vector<Input> components(const char* symbol, std::string_view field) {
+    std::vector<Input> inputs;
+    for (int i = 0; i < 3; ++i) inputs.push_back(Input::now(fmt::format("{}_{}", symbol, place[at(i)]), field, 0, i));
+    return inputs;
+}
+Explanation norm(std::string_view left, const char* symbol, std::string_view field) {
+    return {.formula = fmt::format("{0} = √({1}_x² + {1}_y² + {1}_z²)", left, symbol),
+            .inputs = components(symbol, field),
+            .evaluate = [](std::span<const Real> x) { return length(x); }};
+}
+Explanation ratio(std::string_view left, const char* symbol, std::string_view field) {
+    const auto part = [](const char* s, std::string_view of) {
+        return Input::part(fmt::format("|{}|", s), "m", norm(fmt::format("|{}|", s), s, of));
+    };
+    return {.formula = fmt::format("{} = |{}| / |dX|", left, symbol),
+            .inputs = {part(symbol, field), part("dX", "rest_vector")},
+            .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+}
+
+}  // namespace
+
+// Where the point lies at rest: of the body a place of its grid, of P and Q what their sliders say.
+std::array<Input, 3> DeformationGradientLesson::coordinates(bool of_node, Index index) const {
+    const auto one = [&](int k) {
+        if (of_node)
+            return Input::constant(material_letter[at(k)], body_.points()(k, index), "m", "coordinate of the material point");
+        return Input::of((index == 0 ? P : Q)[at(k)], material_letter[at(k)]);
+    };
+    return {one(0), one(1), one(2)};
+}
+
+Explanation DeformationGradientLesson::why_map(const Question& q) const {
+    const auto k = at(q.component);
+    if (q.field == "rest_vector")
+        return difference(fmt::format("dX_{} = {} − {}", place[k], Q[k].info.symbol, P[k].info.symbol), Input::of(Q[k]),
+                          Input::of(P[k]));
+    return controls.why_position(q.component, coordinates(q.field == "position", q.index));
+}
+
+Explanation DeformationGradientLesson::why_displaced(const Question& q) const {
+    const auto k = at(q.component);
+    if (q.field == "deformed_vector")
+        return {.formula = fmt::format("dx_{0} = dX_{0} + du_{0}", place[k]),
+                .inputs = {Input::now(fmt::format("dX_{}", place[k]), "rest_vector", 0, q.component),
+                           Input::now(fmt::format("du_{}", place[k]), "relative_displacement", 0, q.component)},
+                .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
+    if (q.field == "relative_displacement")
+        return difference(fmt::format("du_{} = {}(Q) − {}(P)", place[k], displaced[k], displaced[k]),
+                          Input::now(fmt::format("{}(Q)", displaced[k]), "point_displacement", 1, q.component),
+                          Input::now(fmt::format("{}(P)", displaced[k]), "point_displacement", 0, q.component));
+    const bool of_node = q.field == "displacement";
+    return difference(fmt::format("{} = {} − {}", displaced[k], place[k], material_letter[k]),
+                      Input::now(place[k], of_node ? "position" : "point_position", q.index, q.component),
+                      coordinates(of_node, q.index)[k]);
+}
+
+Explanation DeformationGradientLesson::why_slope(const Question& q) const {
+    return controls.why_gradient(q.component / 3, q.component % 3, coordinates(q.field == "displacement_gradient", q.index));
+}
+
+Explanation DeformationGradientLesson::why_deformation(const Question& q) const {
+    if (q.field == "volume_ratio") return why::determinant("deformation_gradient", q.index);
+    const int i = q.component / 3, j = q.component % 3;
+    const std::string slope = fmt::format("∂{}/∂{}", displaced[at(i)], material_letter[at(j)]);
+    const Real one = i == j ? 1 : 0;
+    return {.formula = fmt::format("{} = {}{}", why::entry("F", i, j), i == j ? "1 + " : "", slope),
+            .inputs = {Input::now(slope, q.field == "deformation_gradient" ? "displacement_gradient" : "point_gradient", q.index,
+                                  q.component)},
+            .evaluate = [one](std::span<const Real> x) { return one + x[0]; }};
+}
+
+Explanation DeformationGradientLesson::why_compared(const Question& q) const {
+    const char* const axis = place[at(q.component)];
+    if (q.field == "taylor_gap")
+        return difference(fmt::format("gap_{0} = dx_{0} − FdX_{0}", axis),
+                          Input::now(fmt::format("dx_{}", axis), "deformed_vector", 0, q.component),
+                          Input::now(fmt::format("FdX_{}", axis), "mapped_vector", 0, q.component));
+    std::vector<std::pair<Input, Input>> terms;
+    for (int j = 0; j < 3; ++j)
+        terms.emplace_back(why::entry_now("F", "point_deformation", 0, q.component, j),
+                           Input::now(fmt::format("dX_{}", place[at(j)]), "rest_vector", 0, j));
+    return weighted_sum(fmt::format("FdX_{0} = F_{1}1 dX_x + F_{1}2 dX_y + F_{1}3 dX_z", axis, q.component + 1), terms);
+}
+
+Explanation DeformationGradientLesson::why_polar(const Question& q) const {
+    const int i = q.component / 3, j = q.component % 3;
+    if (q.field == "point_stretch")
+        return why::transposed_product("S", "R", "point_rotation", "F", "point_deformation", q.index, i, j);
+    return why::of_matrix(why::entry("R", i, j), fmt::format("entry {}{} of the rotation nearest to F =", i + 1, j + 1), "F",
+                          "point_deformation", q.index, [i, j](const Mat<3>& F) { return nearest_rotation<3>(F)(i, j); });
+}
+
+Explanation DeformationGradientLesson::why_strain(const Question& q) const {
+    return why::green("displacement_gradient", q.index, q.component / 3, q.component % 3);
+}
+
+// -------------------------------------------------------------------------------------------------------------- probes
+
+void DeformationGradientLesson::explain_probes() {
+    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
+        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
+    };
+    give("det_F", [] { return why::determinant("point_deformation", 0); });
+    give("taylor_error", [] { return norm("|gap|", "gap", "taylor_gap"); });
+    give("distance", [] { return norm("|dX|", "dX", "rest_vector"); });
+    give("length_ratio", [] { return ratio("|dx|/|dX|", "dx", "deformed_vector"); });
+    give("mapped_length_ratio", [] { return ratio("|F dX|/|dX|", "FdX", "mapped_vector"); });
+    give("rotation_angle", [] {
+        return why::of_matrix("∠R", "atan2(|axis of R − Rᵀ|, tr R − 1) in degrees, R =", "R", "point_rotation", 0,
+                              [](const Mat<3>& R) {
+                                  const Vec<3> axial(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+                                  return std::atan2(axial.norm(), R.trace() - 1) * 180 / std::numbers::pi;
+                              });
+    });
+    constexpr std::array<std::string_view, 3> names{"stretch_1", "stretch_2", "stretch_3"}, symbols{"λ₁", "λ₂", "λ₃"},
+        words{"largest singular value of F =", "middle singular value of F =",
+              "least singular value, with the sign of det F, of F ="};
+    for (std::size_t k = 0; k < 3; ++k)
+        give(names[k], [k, symbols, words] {
+            return why::of_matrix(symbols[k], words[k], "F", "point_deformation", 0,
+                                  [k](const Mat<3>& F) { return principal_stretches<3>(F).stretches[static_cast<Index>(k)]; });
+        });
+}
+
+}  // namespace pliant::deformation

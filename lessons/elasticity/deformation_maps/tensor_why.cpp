@@ -1,0 +1,91 @@
+#include "tensor_why.h"
+
+#include <fmt/format.h>
+#include <Eigen/LU>
+
+#include <numbers>
+
+namespace pliant::why {
+namespace {
+
+std::string matrix_text(std::string_view name) {
+    std::string text = "[";
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) text += fmt::format("{}{}", entry(name, i, j), j < 2 ? " | " : i < 2 ? "; " : "]");
+    return text;
+}
+
+std::string matrix_numbers(std::span<const Real> x) {
+    std::string text = "[";
+    for (std::size_t k = 0; k < 9; ++k) text += fmt::format("{}{}", as_factor(x[k]), k == 8 ? "]" : k % 3 == 2 ? "; " : " | ");
+    return text;
+}
+
+}  // namespace
+
+std::string entry(std::string_view name, int i, int j) { return fmt::format("{}_{}{}", name, i + 1, j + 1); }
+
+Input entry_now(std::string_view name, std::string_view field, Index row, int i, int j) {
+    return Input::now(entry(name, i, j), field, row, 3 * i + j);
+}
+
+std::vector<Input> all_entries(std::string_view name, std::string_view field, Index row) {
+    std::vector<Input> inputs;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) inputs.push_back(entry_now(name, field, row, i, j));
+    return inputs;
+}
+
+Mat<3> matrix(std::span<const Real> x) { return Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>(x.data()); }
+
+Explanation determinant(std::string_view field, Index row) {
+    return {.formula = "det F = F_11 (F_22 F_33 − F_23 F_32) − F_12 (F_21 F_33 − F_23 F_31) + F_13 (F_21 F_32 − F_22 F_31)",
+            .inputs = all_entries("F", field, row),
+            .evaluate = [](std::span<const Real> x) { return matrix(x).determinant(); }};
+}
+
+Explanation green(std::string_view field, Index row, int i, int j) {
+    const auto H = [&](int r, int c) { return entry_now("H", field, row, r, c); };
+    if (i == j)
+        return {.formula = fmt::format("E_{0}{0} = H_{0}{0} + ½ (H_1{0}² + H_2{0}² + H_3{0}²)   (H = ∇u)", i + 1),
+                .inputs = {H(0, i), H(1, i), H(2, i)},
+                .evaluate = [k = static_cast<std::size_t>(i)](std::span<const Real> x) {
+                    return x[k] + 0.5 * (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+                }};
+    return {.formula = fmt::format(
+                "E_{0}{1} = ½ (H_{0}{1} + H_{1}{0} + H_1{0} H_1{1} + H_2{0} H_2{1} + H_3{0} H_3{1})   (H = ∇u)", i + 1, j + 1),
+            .inputs = {H(0, i), H(1, i), H(2, i), H(0, j), H(1, j), H(2, j)},
+            .evaluate = [a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j)](std::span<const Real> x) {
+                return 0.5 * (x[3 + a] + x[b] + x[0] * x[3] + x[1] * x[4] + x[2] * x[5]);
+            }};
+}
+
+Explanation transposed_product(std::string_view name, std::string_view A, std::string_view field_A, std::string_view B,
+                               std::string_view field_B, Index row, int i, int j) {
+    std::vector<std::pair<Input, Input>> terms;
+    std::string right;
+    for (int k = 0; k < 3; ++k) {
+        terms.emplace_back(entry_now(A, field_A, row, k, i), entry_now(B, field_B, row, k, j));
+        right += fmt::format("{}{} {}", k ? " + " : "", entry(A, k, i), entry(B, k, j));
+    }
+    return weighted_sum(fmt::format("{} = {}", entry(name, i, j), right), terms);
+}
+
+Explanation of_matrix(std::string_view left, std::string_view words, std::string_view name, std::string_view field, Index row,
+                      std::function<Real(const Mat<3>&)> value) {
+    return {.formula = fmt::format("{} = {} {}", left, words, matrix_text(name)),
+            .inputs = all_entries(name, field, row),
+            .evaluate = [value = std::move(value)](std::span<const Real> x) { return value(matrix(x)); },
+            .substitute =
+                [words = std::string(words)](std::span<const Real> x) { return fmt::format("{} {}", words, matrix_numbers(x)); }};
+}
+
+Input in_radians(std::string symbol, const Parameter& degrees) {
+    const std::string given = fmt::format("{}°", degrees.info.symbol);
+    Explanation why{.formula = fmt::format("{} = {} π / 180", symbol, given),
+                    .inputs = {Input::of(degrees, given), Input::constant("π", std::numbers::pi, "", "half a turn")},
+                    .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / 180; }};
+    return Input::part(std::move(symbol), "rad", std::move(why));
+}
+
+}  // namespace pliant::why

@@ -1,0 +1,94 @@
+// Measures of one homogeneous deformation: right Cauchy-Green, Green's and Cauchy's strain, what they say of the stretch of a
+// direction, and the stress that Hooke's law makes of them.
+#pragma once
+#include <pliant/continuum/moduli.h>
+#include <pliant/continuum/strain.h>
+#include <pliant/lesson/registry.h>
+
+#include "elasticity/deformation_maps/map_controls.h"
+#include "strain_cost.h"
+
+namespace pliant::strain_measures {
+
+// Relative error from which on Cauchy's strain is said to be wrong.
+inline constexpr Real tolerated = 0.01;
+
+// A static lesson: one step measures everything. F is that of the chosen map, followed by a turn about z.
+class StrainMeasuresLesson final : public Lesson {
+public:
+    StrainMeasuresLesson();
+
+    int dimension() const override { return 2; }
+    void check() const override { material(); }
+    void reset() override;
+    Real time_step() const override { return 0; }
+    bool at_rest() const override { return done_[0] != 0; }
+    void draw(Scene& scene) const override;
+    std::optional<On> can_pull() const override { return On::particle; }
+    std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
+    std::string blow_up_hint() const override;
+    std::optional<Fix> fix(const Failure& failure) const override;
+    ColourBy first_colours() const override { return {"stretch", -1}; }
+    std::vector<std::string_view> first_plots() const override { return {"strain_over_turn", "error_over_strain"}; }
+    std::vector<std::string_view> key_numbers() const override { return {"green_11", "cauchy_11", "stretch_of_v"}; }
+
+private:
+    // One tensor, row by row, and one vector.
+    using Nine = Eigen::Matrix<Real, 9, 1>;
+    using RowMajor = Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>;
+    using One = Eigen::Matrix<Real, 1, 1>;
+
+    MapControls controls;
+    Number turn, v_angle, v_elevation;
+    Number youngs_modulus, poisson_ratio;
+
+    void declare_fields();
+    void declare_state();
+    void declare_stages();
+    void declare_probes();
+    void declare_components();
+    void declare_lines();
+    void declare_checks();
+    void explain_probes();
+
+    // --- the stages ---
+    void deform();
+    void measure_stretches();
+    void apply_hooke();
+
+    IsotropicModuli material() const { return IsotropicModuli::from_young_poisson(youngs_modulus, poisson_ratio); }
+    // F - I of the chosen map, followed by a turn by this angle [rad].
+    Mat<3> slope_after(Real angle) const;
+    Vec<3> direction() const;       // v at rest, of length 1
+    Vec<3> sampled(Index k) const;  // a direction of the plane of the picture
+    std::optional<Mat<3>> exact_C() const;
+    static Mat<3> of(const Nine& tensor) { return Eigen::Map<const RowMajor>(tensor.data()); }
+
+    // --- why a number is what it is (strain_measures_why.cpp) ---
+    Explanation why_deformation(const Question& q) const;
+    Explanation why_stretch(const Question& q) const;
+    Explanation why_stress(const Question& q) const;
+    Input map_entry(int i, int j) const;
+    std::vector<Input> sampled_inputs(Index k) const;
+
+    // --- what would mend a run (strain_measures_fixes.cpp) ---
+    std::optional<Fix> smaller() const;
+    std::optional<Fix> not_inverted() const;
+
+    // --- the picture (strain_measures_picture.cpp) ---
+    void draw_circle(Scene& scene) const;
+    void draw_direction(Scene& scene) const;
+    void draw_ellipses(Scene& scene) const;
+    void write_numbers(Scene& scene) const;
+    Real reach() const;  // half the height of the framed picture
+
+    DeformationMap map_;
+    OperationCounts operations_;
+
+    Nine deformation_, slope_, C_, green_, cauchy_, stress_green_, stress_cauchy_;
+    Vec<3> v_, deformed_v_;
+    VecX stretch_, cauchy_stretch_;  // of the sampled directions
+    One done_;
+};
+
+}  // namespace pliant::strain_measures

@@ -1,0 +1,222 @@
+// Why every tensor, stretch and stress is what it is.
+#include <fmt/format.h>
+#include <pliant/continuum/deformation.h>
+
+#include "elasticity/deformation_maps/tensor_why.h"
+#include "strain_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pliant::strain_measures {
+namespace {
+
+constexpr std::array<const char*, 3> axis{"x", "y", "z"};
+
+// v^T A v of the tensor, with the direction as the field has it now, after `first`, which is added.
+Explanation quadratic(std::string_view left, Real first, const char* name, std::string_view field,
+                      std::function<Real(Real)> outer, std::string_view outer_text) {
+    std::vector<Input> inputs = why::all_entries(name, field, 0);
+    for (int i = 0; i < 3; ++i)
+        inputs.push_back(Input::now(fmt::format("v_{}", axis[static_cast<std::size_t>(i)]), "direction", 0, i));
+    std::string sum;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            sum += fmt::format("{}v_{} {} v_{}", i + j ? " + " : "", axis[static_cast<std::size_t>(i)], why::entry(name, i, j),
+                               axis[static_cast<std::size_t>(j)]);
+    const auto value = [](std::span<const Real> x) {
+        const Vec<3> v(x[9], x[10], x[11]);
+        return v.dot(why::matrix(x.first(9)) * v);
+    };
+    return {.formula = fmt::format("{} = {}({})", left, outer_text, sum),
+            .inputs = std::move(inputs),
+            .evaluate = [=](std::span<const Real> x) { return outer(first + value(x)); }};
+}
+
+Explanation squared_length(std::string_view left, const char* symbol, std::string_view field) {
+    Explanation e{.formula = fmt::format("{0} = {1}_x² + {1}_y² + {1}_z²", left, symbol),
+                  .inputs = {},
+                  .evaluate = [](std::span<const Real> x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }};
+    for (int i = 0; i < 3; ++i)
+        e.inputs.push_back(Input::now(fmt::format("{}_{}", symbol, axis[static_cast<std::size_t>(i)]), field, 0, i));
+    return e;
+}
+
+}  // namespace
+
+// M: the gradient of the map alone.
+Input StrainMeasuresLesson::map_entry(int i, int j) const {
+    const std::string symbol = why::entry("M", i, j);
+    const std::array<Input, 3> middle{Input::constant("X", 0, "m", "middle"), Input::constant("Y", 0, "m", "middle"),
+                                      Input::constant("Z", 0, "m", "middle")};
+    Explanation slope = controls.why_gradient(i, j, middle);
+    const std::string name = slope.formula.substr(0, slope.formula.find(" ="));
+    const Real one = i == j ? 1 : 0;
+    return Input::part(symbol, "",
+                       {.formula = fmt::format("{} = {}{}   (of the map)", symbol, i == j ? "1 + " : "", name),
+                        .inputs = {Input::part(name, "", std::move(slope))},
+                        .evaluate = [one](std::span<const Real> x) { return one + x[0]; }});
+}
+
+Explanation StrainMeasuresLesson::why_deformation(const Question& q) const {
+    const int i = q.component / 3, j = q.component % 3;
+    if (q.field == "right_cauchy_green")
+        return why::transposed_product("C", "F", "deformation_gradient", "F", "deformation_gradient", 0, i, j);
+    if (q.field == "green_strain") return why::green("displacement_gradient", 0, i, j);
+    if (q.field == "displacement_gradient") {
+        const Real one = i == j ? 1 : 0;
+        return {.formula = fmt::format("H_{0}{1} = F_{0}{1}{2}   (H = ∇u)", i + 1, j + 1, i == j ? " − 1" : ""),
+                .inputs = {why::entry_now("F", "deformation_gradient", 0, i, j)},
+                .evaluate = [one](std::span<const Real> x) { return x[0] - one; }};
+    }
+    if (q.field == "cauchy_strain") {
+        const auto H = [](int r, int c) { return why::entry_now("H", "displacement_gradient", 0, r, c); };
+        if (i == j)
+            return {.formula = fmt::format("ε_{0}{0} = H_{0}{0}   (H = ∇u)", i + 1),
+                    .inputs = {H(i, i)},
+                    .evaluate = [](std::span<const Real> x) { return x[0]; }};
+        return {.formula = fmt::format("ε_{0}{1} = ½ (H_{0}{1} + H_{1}{0})   (H = ∇u)", i + 1, j + 1),
+                .inputs = {H(i, j), H(j, i)},
+                .evaluate = [](std::span<const Real> x) { return 0.5 * (x[0] + x[1]); }};
+    }
+    const std::string F = why::entry("F", i, j);
+    if (i == 2 || turn == 0)
+        return {.formula = fmt::format("{} = {}", F, why::entry("M", i, j)),
+                .inputs = {map_entry(i, j)},
+                .evaluate = [](std::span<const Real> x) { return x[0]; }};
+    const std::vector<Input> inputs{why::in_radians("θ", turn), map_entry(0, j), map_entry(1, j)};
+    if (i == 0)
+        return {.formula = fmt::format("{} = cos(θ) {} − sin(θ) {}", F, why::entry("M", 0, j), why::entry("M", 1, j)),
+                .inputs = inputs,
+                .evaluate = [](std::span<const Real> x) { return std::cos(x[0]) * x[1] - std::sin(x[0]) * x[2]; }};
+    return {.formula = fmt::format("{} = sin(θ) {} + cos(θ) {}", F, why::entry("M", 0, j), why::entry("M", 1, j)),
+            .inputs = inputs,
+            .evaluate = [](std::span<const Real> x) { return std::sin(x[0]) * x[1] + std::cos(x[0]) * x[2]; }};
+}
+
+// A direction of the circle.
+std::vector<Input> StrainMeasuresLesson::sampled_inputs(Index k) const {
+    const Vec<3> n = sampled(k);
+    return {Input::constant("n_x", n[0], "", "of the direction on the circle"),
+            Input::constant("n_y", n[1], "", "of the direction on the circle")};
+}
+
+Explanation StrainMeasuresLesson::why_stretch(const Question& q) const {
+    const int i = q.component;
+    if (q.field == "direction") {
+        const Input azimuth = why::in_radians("ψ", v_angle), up = why::in_radians("η", v_elevation);
+        if (i == 2)
+            return {
+                .formula = "v_z = sin(η)", .inputs = {up}, .evaluate = [](std::span<const Real> x) { return std::sin(x[0]); }};
+        return {.formula = i == 0 ? "v_x = cos(η) cos(ψ)" : "v_y = cos(η) sin(ψ)",
+                .inputs = {up, azimuth},
+                .evaluate = [i](std::span<const Real> x) { return std::cos(x[0]) * (i == 0 ? std::cos(x[1]) : std::sin(x[1])); }};
+    }
+    if (q.field == "deformed_direction") {
+        std::vector<std::pair<Input, Input>> terms;
+        for (int j = 0; j < 3; ++j)
+            terms.emplace_back(why::entry_now("F", "deformation_gradient", 0, i, j),
+                               Input::now(fmt::format("v_{}", axis[static_cast<std::size_t>(j)]), "direction", 0, j));
+        return weighted_sum(
+            fmt::format("v'_{0} = F_{1}1 v_x + F_{1}2 v_y + F_{1}3 v_z", axis[static_cast<std::size_t>(i)], i + 1), terms);
+    }
+    std::vector<Input> inputs = sampled_inputs(q.index);
+    if (q.field == "stretch") {
+        for (int r = 0; r < 3; ++r)
+            for (int c = 0; c < 2; ++c) inputs.push_back(why::entry_now("F", "deformation_gradient", 0, r, c));
+        return {.formula = "|F n| = √((F_11 n_x + F_12 n_y)² + (F_21 n_x + F_22 n_y)² + (F_31 n_x + F_32 n_y)²)",
+                .inputs = std::move(inputs),
+                .evaluate = [](std::span<const Real> x) {
+                    return Vec<3>(x[2] * x[0] + x[3] * x[1], x[4] * x[0] + x[5] * x[1], x[6] * x[0] + x[7] * x[1]).norm();
+                }};
+    }
+    for (const auto& [r, c] : {std::pair{0, 0}, {0, 1}, {1, 1}}) inputs.push_back(why::entry_now("ε", "cauchy_strain", 0, r, c));
+    return {
+        .formula = "1 + n·ε n = 1 + ε_11 n_x² + 2 ε_12 n_x n_y + ε_22 n_y²",
+        .inputs = std::move(inputs),
+        .evaluate = [](std::span<const Real> x) { return 1 + x[2] * x[0] * x[0] + 2 * x[3] * x[0] * x[1] + x[4] * x[1] * x[1]; }};
+}
+
+// A row of the 6 × 6 matrix.
+Explanation StrainMeasuresLesson::why_stress(const Question& q) const {
+    const int i = q.component / 3, j = q.component % 3;
+    const bool of_green = q.field == "stress_green";
+    const char* const name = of_green ? "E" : "ε";
+    const std::string_view field = of_green ? "green_strain" : "cauchy_strain";
+    const Input Y = Input::of(youngs_modulus), nu = Input::of(poisson_ratio);
+    const Input mu =
+        Input::part("μ", "Pa", {.formula = "μ = Y / (2 (1 + ν))", .inputs = {Y, nu}, .evaluate = [](std::span<const Real> x) {
+                                    return x[0] / (2 * (1 + x[1]));
+                                }});
+    const std::string sigma = why::entry("σ", i, j);
+    if (i != j) {
+        const int row = std::min(i, j), column = std::max(i, j);
+        return {.formula = fmt::format("{} = μ (2 {})   (2 {}: engineering shear)", sigma, why::entry(name, row, column),
+                                       why::entry(name, row, column)),
+                .inputs = {mu, why::entry_now(name, field, 0, row, column)},
+                .evaluate = [](std::span<const Real> x) { return x[0] * 2 * x[1]; }};
+    }
+    const Input lambda = Input::part(
+        "λ", "Pa", {.formula = "λ = Y ν / ((1 + ν) (1 − 2 ν))", .inputs = {Y, nu}, .evaluate = [](std::span<const Real> x) {
+                        return x[0] * x[1] / ((1 + x[1]) * (1 - 2 * x[1]));
+                    }});
+    std::string right;
+    for (int k = 0; k < 3; ++k)
+        right += fmt::format("{}{} {}", k ? " + " : "", k == i ? "(λ + 2 μ)" : "λ", why::entry(name, k, k));
+    return {.formula = fmt::format("{} = {}", sigma, right),
+            .inputs = {lambda, mu, why::entry_now(name, field, 0, 0, 0), why::entry_now(name, field, 0, 1, 1),
+                       why::entry_now(name, field, 0, 2, 2)},
+            .evaluate = [k = static_cast<std::size_t>(i)](std::span<const Real> x) {
+                return x[0] * (x[2] + x[3] + x[4]) + 2 * x[1] * x[2 + k];
+            }};
+}
+
+// -------------------------------------------------------------------------------------------------------------- probes
+
+void StrainMeasuresLesson::explain_probes() {
+    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
+        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
+    };
+    const auto squares = [](const char* symbol, std::string_view field) {
+        return Input::part(fmt::format("|{}|²", symbol), "", squared_length(fmt::format("|{}|²", symbol), symbol, field));
+    };
+    const auto of_C = [] {
+        return Input::part("vᵀCv", "",
+                           quadratic(
+                               "vᵀCv", 0, "C", "right_cauchy_green", [](Real x) { return x; }, ""));
+    };
+    give("stretch_of_v", [squares] {
+        return Explanation{.formula = "|v′| = √(|v'|² / |v|²)",
+                           .inputs = {squares("v'", "deformed_direction"), squares("v", "direction")},
+                           .evaluate = [](std::span<const Real> x) { return std::sqrt(x[0] / x[1]); }};
+    });
+    give("stretch_from_C", [of_C] {
+        return Explanation{.formula = "√(vᵀC v) = √(vᵀCv)", .inputs = {of_C()}, .evaluate = [](std::span<const Real> x) {
+                               return std::sqrt(std::max(Real{0}, x[0]));
+                           }};
+    });
+    give("stretch_from_cauchy", [] {
+        return quadratic(
+            "1 + vᵀε v", 1, "ε", "cauchy_strain", [](Real x) { return x; }, "1 + ");
+    });
+    give("stretch_mismatch", [squares, of_C] {
+        return Explanation{.formula = "|v′|² − vᵀC v = |v'|² − vᵀCv",
+                           .inputs = {squares("v'", "deformed_direction"), of_C()},
+                           .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+    });
+    give("volume_ratio", [] { return why::determinant("deformation_gradient", 0); });
+    give("strain_difference", [] {
+        std::vector<Input> inputs = why::all_entries("ε", "cauchy_strain", 0);
+        for (Input& of_green : why::all_entries("E", "green_strain", 0)) inputs.push_back(std::move(of_green));
+        std::string right;
+        for (int k = 0; k < 9; ++k)
+            right += fmt::format("{}({} − {})²", k ? " + " : "", why::entry("ε", k / 3, k % 3), why::entry("E", k / 3, k % 3));
+        return Explanation{
+            .formula = fmt::format("|ε − E| = √({})", right),
+            .inputs = std::move(inputs),
+            .evaluate = [](std::span<const Real> x) { return (why::matrix(x.first(9)) - why::matrix(x.subspan(9))).norm(); }};
+    });
+}
+
+}  // namespace pliant::strain_measures

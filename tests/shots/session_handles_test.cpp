@@ -1,0 +1,49 @@
+// Handles of a static lesson in the lab: what is dragged sets parameters, as a slider would, and is answered at once.
+#include "app/session.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+#include <cmath>
+
+using namespace pliant;
+using namespace pliant::viewer;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+Real value(const Session& s, std::string_view key) { return s.runner().wanted(s.lesson().parameter(key)); }
+Real probe(const Session& s, std::string_view name) { return *s.runner().value(s.lesson().probe(name)); }
+
+}  // namespace
+
+TEST_CASE("a material point that is dragged sets its coordinates, within what the sliders span", "[session]") {
+    Session s("elasticity/deformation_gradient");
+    s.step();
+    const Vec<3> Q(value(s, "Q_x"), value(s, "Q_y"), value(s, "Q_z"));
+    const Real before = probe(s, "taylor_error");
+    s.pull(Pull{1, Q, {-0.1, 0.05, 0.1}});
+    CHECK(s.lesson().at_rest());
+    CHECK(probe(s, "taylor_error") < before);
+    s.pull(Pull{1, Q, {-0.2, -0.05, 7}});
+    CHECK_THAT(value(s, "Q_x"), WithinAbs(-0.2, 1e-15));
+    CHECK_THAT(value(s, "Q_z"), WithinAbs(0.2, 1e-15));  // the body's surface
+    CHECK_FALSE(s.runner().pulled());
+    s.pull(std::nullopt);
+    // One drag is one step of undo.
+    s.undo();
+    CHECK_THAT(value(s, "Q_x"), WithinAbs(Q[0], 1e-15));
+    CHECK_THAT(value(s, "Q_z"), WithinAbs(Q[2], 1e-15));
+}
+
+TEST_CASE("the head of v turns about the middle of its circle", "[session]") {
+    Session s("elasticity/strain_measures");
+    s.step();
+    s.pull(Pull{0, {0.9, 0.5, 0}, {0, 0.4, 0}});
+    CHECK_THAT(value(s, "v_angle"), WithinAbs(90, 1e-9));
+    CHECK(s.lesson().at_rest());
+    CHECK_THAT(probe(s, "stretch_of_v"), WithinAbs(std::sqrt(0.9), 1e-12));  // √C₂₂
+    s.pull(std::nullopt);
+    s.undo();
+    CHECK(value(s, "v_angle") == 30);
+}
