@@ -1,8 +1,10 @@
 #include <pliant/continuum/deformation.h>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pliant {
@@ -10,6 +12,8 @@ namespace {
 
 // Of tr S about its largest value; below it the formula from the invariants loses more than a few digits.
 constexpr Real well_conditioned = 1e-2;
+// Of |F|^2: its fourth power still has all its digits.
+constexpr Real smallest_square = 1e-60;
 
 // The rotation U D V^T nearest to F = U Sigma V^T: D turns the direction that is stretched least where U V^T is a reflection.
 template <int Dim>
@@ -31,26 +35,38 @@ Mat<2> rotation_of(const Mat<2>& F) {
 }
 
 // The trace f of S is the largest root of q(f) = f^4 - 2 |F|^2 f^2 - 8 det(F) f + 2 |F^T F|^2 - |F|^4, and R = df/dF.
-Mat<3> rotation_of(const Mat<3>& given) {
-    const Real size = given.cwiseAbs().maxCoeff();
-    if (!(size > 0)) return Mat<3>::Identity();
-    const Mat<3> F = given * (1 / size), C = F.transpose() * F, cofactors = cofactor<3>(F);
-    const Real I1 = C.trace(), J = F.col(0).dot(cofactors.col(0)), constant = 2 * C.squaredNorm() - I1 * I1;
+Mat<3> rotation_of(const Mat<3>& F) {
+    const Vec<3> a = F.col(0), b = F.col(1), c = F.col(2), bc = b.cross(c);
+    const Real aa = a.dot(a), bb = b.dot(b), cc = c.dot(c), ab = a.dot(b), bc_ = b.dot(c), ca = c.dot(a);
+    const Real I1 = aa + bb + cc, J = a.dot(bc);
+    if (!(I1 > smallest_square && I1 < 1 / smallest_square)) {
+        const Real size = F.cwiseAbs().maxCoeff();
+        return size > 0 ? rotation_of(Mat<3>(F / size)) : Mat<3>::Identity();
+    }
+    const Real constant = 2 * (aa * aa + bb * bb + cc * cc) + 4 * (ab * ab + bc_ * bc_ + ca * ca) - I1 * I1;
 
-    // Newton's method from above, where q is convex and rises: each iterate is smaller than the one before.
+    // Halley's method from above: f^2 = I1 + 2 i2 with i2 = s1 s2 + s2 s3 + s3 s1, whose square is at most 3 |cof F|^2. All roots
+    // of q are real, so that each iterate is smaller than the one before, and above the root.
     Real f = std::sqrt(3 * I1), slope = 0;
-    for (int k = 0; k < 30; ++k) {
+    for (int k = 0; k < 20; ++k) {
         const Real f2 = f * f;
         slope = 4 * (f * (f2 - I1) - 2 * J);
-        const Real value = f2 * (f2 - 2 * I1) - 8 * J * f + constant;
         if (!(slope > well_conditioned * f * f2)) return rotation_by_svd<3>(F);
-        const Real step = value / slope;
+        const Real value = f2 * (f2 - 2 * I1) - 8 * J * f + constant, bend = 12 * f2 - 4 * I1;
+        const Real step = 2 * value * slope / (2 * slope * slope - value * bend);
         f -= step;
-        if (!(step > 1e-9 * f)) break;  // the next one would be of the size of rounding
+        if (!(step > 1e-5 * f)) break;  // the next one would be of the size of rounding
     }
-    slope = 4 * (f * (f * f - I1) - 2 * J);
-    if (!(slope > well_conditioned * f * f * f)) return rotation_by_svd<3>(F);
-    return (4 / slope) * ((f * f + I1) * F + 2 * f * cofactors - 2 * F * C);
+    slope = f * (f * f - I1) - 2 * J;
+    if (!(4 * slope > well_conditioned * f * f * f)) return rotation_by_svd<3>(F);
+    // ((f^2 + I1) F - 2 F C + 2 f cof F) / slope, two columns of it; they are orthonormal, and the third follows.
+    const Real scale = 1 / slope, diagonal = (f * f + I1) * scale, mixed = -2 * scale, cofactors = 2 * f * scale;
+    const Real off = mixed * ab;
+    Mat<3> R;
+    R.col(0) = (diagonal + mixed * aa) * a + off * b + (mixed * ca) * c + cofactors * bc;
+    R.col(1) = off * a + (diagonal + mixed * bb) * b + (mixed * bc_) * c + cofactors * c.cross(a);
+    R.col(2) = R.col(0).cross(R.col(1));
+    return R;
 }
 
 }  // namespace

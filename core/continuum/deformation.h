@@ -3,6 +3,8 @@
 #pragma once
 #include <pliant/continuum/strain.h>
 #include <pliant/math/types.h>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 namespace pliant {
 

@@ -12,7 +12,7 @@ namespace {
 
 template <int Dim>
 Real admitted_volume_ratio(const Mat<Dim>& F) {
-    const Real J = F.determinant();
+    const Real J = volume_ratio<Dim>(F);
     if (J > 0) return J;
     throw Diverged(
         Failure{.stage = "",
@@ -34,7 +34,7 @@ Mat<Dim> symmetric(const Mat<Dim>& A) {
 
 template <int Dim>
 bool EnergyDensity<Dim>::admits(const Mat<Dim>& F) const {
-    return energy_ != Energy::neo_hookean || F.determinant() > 0;
+    return energy_ != Energy::neo_hookean || volume_ratio<Dim>(F) > 0;
 }
 
 template <int Dim>
@@ -52,7 +52,7 @@ Real EnergyDensity<Dim>::psi(const Mat<Dim>& F) const {
             return hooke_energy_density<Dim>(material_, S - Mat<Dim>::Identity());
         }
         case Energy::neo_hookean: {
-            const Real J = F.determinant();
+            const Real J = volume_ratio<Dim>(F);
             if (!(J > 0)) return std::numeric_limits<Real>::infinity();
             // tr(F^T F) - Dim = 2 tr(E), which does not cancel near rest.
             const Real ln_J = std::log(J);

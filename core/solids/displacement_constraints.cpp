@@ -107,10 +107,19 @@ Index unconstrained_rigid_modes(const SimplexMesh<Dim>& mesh, const Displacement
     return count;
 }
 
-#define PLIANT_INSTANTIATE(Dim)                         \
-    template class DisplacementConstraints<Dim>;        \
-    template MatX rigid_modes<Dim>(const Points<Dim>&); \
-    template Index unconstrained_rigid_modes(const SimplexMesh<Dim>&, const DisplacementConstraints<Dim>&)
+template <int Dim>
+void require_support(const SimplexMesh<Dim>& mesh, const DisplacementConstraints<Dim>& constraints) {
+    const Index count = unconstrained_rigid_modes(mesh, constraints);
+    if (count == 0) return;
+    throw Refused(
+        fmt::format("singular: {} rigid mode{} unconstrained; prescribe more displacements", count, count == 1 ? "" : "s"));
+}
+
+#define PLIANT_INSTANTIATE(Dim)                                                                             \
+    template class DisplacementConstraints<Dim>;                                                            \
+    template MatX rigid_modes<Dim>(const Points<Dim>&);                                                     \
+    template Index unconstrained_rigid_modes(const SimplexMesh<Dim>&, const DisplacementConstraints<Dim>&); \
+    template void require_support(const SimplexMesh<Dim>&, const DisplacementConstraints<Dim>&)
 PLIANT_INSTANTIATE(2);
 PLIANT_INSTANTIATE(3);
 #undef PLIANT_INSTANTIATE

@@ -37,4 +37,8 @@ MatX rigid_modes(const Points<Dim>& points);
 template <int Dim>
 Index unconstrained_rigid_modes(const SimplexMesh<Dim>& mesh, const DisplacementConstraints<Dim>& constraints);
 
+// Throws Refused "singular: k rigid modes unconstrained" when there are any.
+template <int Dim>
+void require_support(const SimplexMesh<Dim>& mesh, const DisplacementConstraints<Dim>& constraints);
+
 }  // namespace pliant

@@ -1,18 +1,13 @@
-#include <pliant/math/error.h>
 #include <pliant/math/sparse_cholesky.h>
 #include <pliant/solids/linear_fem_static.h>
-
-#include <fmt/format.h>
 
 namespace pliant {
 namespace {
 
 template <int Dim>
 const SparseMatrix& supported_stiffness(const LinearFem<Dim>& body, const DisplacementConstraints<Dim>& constraints) {
-    const Index count = unconstrained_rigid_modes(body.mesh(), constraints);
-    if (count == 0) return body.stiffness();
-    throw Refused(
-        fmt::format("singular: {} rigid mode{} unconstrained; prescribe more displacements", count, count == 1 ? "" : "s"));
+    require_support(body.mesh(), constraints);
+    return body.stiffness();
 }
 
 // A Dim × nodes array as one vector of unknowns.
