@@ -37,6 +37,12 @@ EnergyDensityLesson::EnergyDensityLesson()
             {"volumetric", "stretch on all sides"},
             {"shear", "shear"},
             {"free", "any F"}}),
+      ends(*this,
+           {.key = "ends",
+            .help = "of the block that is pulled beside the cube: may they narrow?",
+            .effect = Effect::rebuild,
+            .used = [this] { return has_block(); }},
+           {{"sliding", "sliding: uniform"}, {"glued", "glued"}}),
       youngs_modulus(*this, {.key = "youngs_modulus",
                              .symbol = "Y",
                              .unit = "Pa",
@@ -116,8 +122,11 @@ void EnergyDensityLesson::check() const {
 void EnergyDensityLesson::reset() {
     F_.setIdentity(), rotation_.setIdentity();
     strain_.setZero(), P_.setZero(), difference_.setZero();
-    displacement_.setZero();
-    J_[0] = 1, I1_[0] = 3, ln_J_[0] = psi_[0] = done_[0] = 0;
+    J_[0] = 1, I1_[0] = 3, ln_J_[0] = psi_[0] = 0;
+    done_.setZero();
+    block_ = has_block() ? std::make_unique<StretchedBlock>(energy, material(), ends, stretch) : nullptr;
+    for (Points<3>* nodal : {&displacement_, &direction_, &unbalanced_})
+        nodal->setZero(3, corners + (block_ ? block_->mesh().node_count() : 0));
 }
 
 // ------------------------------------------------------------------------------------------------------------ stages
@@ -145,7 +154,8 @@ void EnergyDensityLesson::declare_stages() {
 
     stage("deform", "F = ∂x/∂X:  diag(s, a, a),  s I,  I + γ e₁e₂ᵀ",
           "lecture: elastic deformation; a makes the sides free of stress", &L::deform, {},
-          {"deformation_gradient", "displacement", "volume_ratio"}, [this](const Question& q) { return why_deformed(q); });
+          {"deformation_gradient", "displacement", "volume_ratio", "newton_step", "unbalanced_force"},
+          [this](const Question& q) { return why_deformed(q); });
 
     stage("small_strain", "ε = ½ (F + Fᵀ) − I", "lecture: Cauchy's strain", &L::measure_strain, {"deformation_gradient"},
           {"strain"}, strain, Energy::linear);
@@ -177,11 +187,36 @@ void EnergyDensityLesson::declare_stages() {
     stage("derivative_check", "P_ij ≈ (ψ(F + h e_i e_jᵀ) − ψ(F − h e_i e_jᵀ)) / 2h", "central difference", &L::check_derivative,
           {"deformation_gradient"}, {"difference_stress"},
           [=, this](const Question& q) -> std::optional<Explanation> { return why_difference(row(q), column(q)); });
+
+    stage("block", "K d = r,  u ← u + α d", "Newton's method with a line search on a block of tetrahedra [Nocedal2006 §3]",
+          &L::block_pass, {"displacement", "unbalanced_force"}, {"newton_step", "displacement", "unbalanced_force"},
+          [this](const Question& q) { return why_block(q); });
+    stages.back().active = [this] { return has_block(); };
+    stages.back().again = [this] { return block_->running(); };
+    stages.back().begin = [this] { begin_block(); };
+}
+
+void EnergyDensityLesson::begin_block() {
+    block_->begin();
+    done_[1] = done_[2] = done_[3] = 0;
+}
+
+void EnergyDensityLesson::block_pass() {
+    block_->iterate();
+    const Index nodes = block_->mesh().node_count();
+    displacement_.rightCols(nodes) = block_->newton().displacement();
+    direction_.rightCols(nodes) = block_->direction();
+    unbalanced_.rightCols(nodes) = block_->newton().residual_force();
+    done_[2] = static_cast<Real>(block_->newton().iterations());
+    done_[3] = block_->newton().residual();
+    if (!block_->running()) done_[1] = 1;
 }
 
 void EnergyDensityLesson::deform() {
     F_ = *way().at(density(), amount());
-    for (Index n = 0; n < 8; ++n) displacement_.col(n) = F_ * cube_corner(n) - cube_corner(n);
+    // The block starts from rest.
+    for (Points<3>* nodal : {&displacement_, &direction_, &unbalanced_}) nodal->setZero();
+    for (Index n = 0; n < corners; ++n) displacement_.col(n) = F_ * cube_corner(n) - cube_corner(n);
     J_[0] = Mat<3>(F_).determinant();
 }
 
@@ -232,13 +267,13 @@ void EnergyDensityLesson::check_derivative() {
 
 // Relative to the largest entry of P, or where there is hardly a stress, to that of a strain of 1/1000.
 std::optional<Real> EnergyDensityLesson::derivative_error() const {
-    if (!at_rest()) return std::nullopt;
+    if (done_[0] == 0) return std::nullopt;
     const Real scale = std::max(P_.cwiseAbs().maxCoeff(), 1e-3 * material().mu);
     return (P_ - difference_).cwiseAbs().maxCoeff() / scale;
 }
 
 std::vector<std::pair<std::string, Real>> EnergyDensityLesson::dragged(const Pull& pull) const {
-    if (pull.index < 0 || pull.index >= 8) return {};
+    if (pull.index < 0 || pull.index >= corners) return {};
     const Vec<3> X = cube_corner(pull.index);
     if (is(Path::shear))
         return X[1] == 0 ? std::vector<std::pair<std::string, Real>>{}

@@ -1,10 +1,12 @@
 // A cube under a deformation F: what four energy densities make of it.
 #pragma once
 #include "deformation_path.h"
+#include "stretched_block.h"
 
 #include <pliant/lesson/registry.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace pliant::energies {
@@ -18,7 +20,7 @@ public:
     void check() const override;
     void reset() override;
     Real time_step() const override { return 0; }
-    bool at_rest() const override { return done_[0] != 0; }
+    bool at_rest() const override { return done_[0] != 0 && (!has_block() || done_[1] != 0); }
     void draw(Scene& scene) const override;
     std::optional<On> can_pull() const override { return On::node; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
@@ -31,12 +33,14 @@ public:
 private:
     Choice<Energy> energy;
     Choice<Path> path;
+    Choice<Ends> ends;
     Number youngs_modulus, poisson_ratio, stretch, shear;
     Number F11, F12, F13, F21, F22, F23, F31, F32, F33;
 
     void declare_fields();
     void declare_stages();
     void declare_probes();
+    void declare_block_probes();
     void declare_lines();
     void declare_checks();
 
@@ -46,6 +50,8 @@ private:
     void evaluate_energy();
     void evaluate_stress();
     void check_derivative();
+    void begin_block();
+    void block_pass();
 
     using Rows = Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>;
     using One = Eigen::Matrix<Real, 1, 1>;
@@ -62,6 +68,9 @@ private:
     // Step of the central difference.
     Real difference_step() const;
     std::optional<Real> derivative_error() const;
+    // Along the path `uniaxial` a block is pulled beside the cube; its nodes follow the corners of the cube in the fields.
+    bool has_block() const { return is(Path::uniaxial); }
+    static constexpr Index corners = 8;
     Real stiffness() const { return way().stiffness(density(), F_); }
 
     // --- curves (energy_density_curves.cpp) ---
@@ -87,6 +96,12 @@ private:
     Input strain_stress(int row, int column) const;
     Input inverse_transposed(int row, int column) const;
     void explain_probes();
+    // --- (energy_density_why_block.cpp) ---
+    std::optional<Explanation> why_block(const Question& q) const;
+    Explanation why_direction(Index node, int component) const;
+    Explanation why_unbalanced(Index node, int component) const;
+    Explanation why_block_stress() const;
+    Explanation why_block_width() const;
 
     // --- what would mend it (energy_density_fixes.cpp) ---
     Fix towards_rest() const;
@@ -95,6 +110,7 @@ private:
     // --- the picture (energy_density_picture.cpp) ---
     void draw_cube(Scene& scene) const;
     void draw_measures(Scene& scene) const;
+    void draw_block(Scene& scene) const;
     void draw_tractions(Scene& scene) const;
     void draw_principal(Scene& scene) const;
     void write_notes(Scene& scene) const;
@@ -102,8 +118,13 @@ private:
     // What defines now.
     Rows F_ = Rows::Identity(), strain_ = Rows::Zero(), rotation_ = Rows::Identity(), P_ = Rows::Zero(),
          difference_ = Rows::Zero();
-    Points<3> displacement_ = Points<3>::Zero(3, 8);
-    One J_{1}, I1_{3}, ln_J_{0}, psi_{0}, done_{0};
+    One J_{1}, I1_{3}, ln_J_{0}, psi_{0};
+    // The corners of the cube, then the nodes of the block: displacement and Newton's direction [m], unbalanced force [N].
+    Points<3> displacement_, direction_, unbalanced_;
+    // Derivative checked; block in equilibrium or given up; iterations and relative residual of the block.
+    Eigen::Matrix<Real, 4, 1> done_;
+
+    std::unique_ptr<StretchedBlock> block_;
 };
 
 // The corner n of the unit cube, x counted fastest.

@@ -41,10 +41,12 @@ void EnergyDensityLesson::draw(Scene& scene) const {
         draw_measures(scene);
     else
         draw_principal(scene);
+    if (block_) draw_block(scene);
     write_notes(scene);
     // The same for all amounts that the slider gives, so that the picture stays in place.
     Vec<3> lower(-0.35, -0.25, -0.15), upper(2.35, 1.3, 1.15);
     if (is(Path::volumetric)) upper = Vec<3>(2.3, 2.2, 2.1);
+    if (block_) lower[1] = -1.15;
     if (!way().stretches()) lower = Vec<3>(-0.9, -0.4, -0.2);
     for (Index n = 0; n < 8; ++n) {
         const Vec<3> x = F_ * cube_corner(n);
@@ -64,7 +66,7 @@ void EnergyDensityLesson::draw_cube(Scene& scene) const {
         body.corners.push_back(p);
         handles.at.push_back(p);
     }
-    if (!on_node.empty()) body.values = on_node;
+    if (!on_node.empty()) body.values.assign(on_node.begin(), on_node.begin() + corners);
     if (!on_element.empty()) body.values.assign(8, on_element[0]);
     for (const auto& side : sides) {
         body.triangles.push_back(side);
@@ -77,6 +79,25 @@ void EnergyDensityLesson::draw_cube(Scene& scene) const {
     scene.triangles.push_back(std::move(body));
     scene.lines.push_back(std::move(outline));
     scene.points.push_back(std::move(handles));
+}
+
+// Below the cube, about its own middle.
+void EnergyDensityLesson::draw_block(Scene& scene) const {
+    const SimplexMesh<3>& mesh = block_->mesh();
+    const std::vector<float> on_node = scene.values(*this, On::node);
+    TriangleMarks surface{.corners = {}, .triangles = {}, .ink = Ink::body, .edges = true};
+    const Points<3> u = displacement_.rightCols(mesh.node_count());
+    const Real narrower = Ends(ends) == Ends::sliding ? 0.5 * StretchedBlock::width_at_rest * (1 - block_->width(u)) : 0;
+    const Vec<3> place(0, -1.05 + narrower, 0.25 + narrower);
+    for (Index n = 0; n < mesh.node_count(); ++n) {
+        surface.corners.push_back(at(place + mesh.points().col(n) + u.col(n)));
+        if (!on_node.empty()) surface.values.push_back(on_node[static_cast<std::size_t>(corners + n)]);
+    }
+    for (Index f = 0; f < mesh.facet_count(); ++f)
+        surface.triangles.push_back({mesh.facets()(0, f), mesh.facets()(1, f), mesh.facets()(2, f)});
+    scene.triangles.push_back(std::move(surface));
+    const Vec<3> low(0, -1.05, 0.25);
+    scene.box(at(low), at(low + Vec<3>(1, StretchedBlock::width_at_rest, StretchedBlock::width_at_rest)), Ink::rest, 1.5f, true);
 }
 
 // The force on each of the three faces that are seen, per area at rest: the columns of P.
@@ -130,7 +151,7 @@ void EnergyDensityLesson::draw_principal(Scene& scene) const {
 void EnergyDensityLesson::write_notes(Scene& scene) const {
     scene.matrix("F", Mat<3>(F_));
     if (is(Energy::corotated)) scene.matrix("R", Mat<3>(rotation_));
-    if (at_rest()) scene.matrix("P", Mat<3>(P_), "Pa", Ink::force);
+    if (done_[0] != 0) scene.matrix("P", Mat<3>(P_), "Pa", Ink::force);
 
     const Lame m = material();
     const std::string mu = format_quantity(m.mu, "Pa"), lambda = format_quantity(m.lambda, "Pa"),
@@ -142,7 +163,7 @@ void EnergyDensityLesson::write_notes(Scene& scene) const {
         scene.notes.push_back(fmt::format("principal stretches s₁ = {}, s₂ = {}, s₃ = {}", number(stretches[0]),
                                           number(stretches[1]), number(stretches[2])));
     }
-    if (!at_rest()) return;
+    if (done_[0] == 0) return;
     scene.notes.push_back(fmt::format("μ = {}, λ = {}", mu, lambda));
     if (is(Energy::neo_hookean)) {
         scene.notes.push_back(fmt::format("ψ = ½ μ (I₁ − 3) − μ ln J + ½ λ (ln J)²"));

@@ -13,6 +13,8 @@ constexpr Real largest_deformation = 1e6, largest_stress_over_modulus = 1e15;
 constexpr Real small_gradient = 0.05;
 // Relative error of a central difference in double precision.
 constexpr Real derivative_tolerance = 1e-6;
+// Of the forces in the block.
+constexpr Real balanced = 1e-6;
 
 }  // namespace
 
@@ -27,6 +29,8 @@ void EnergyDensityLesson::declare_fields() {
              state_array("energy_density", "J/m³", psi_),
              state_array("stress", "Pa", P_),
              state_array("difference_stress", "Pa", difference_),
+             state_array("newton_step", "m", direction_),
+             state_array("unbalanced_force", "N", unbalanced_),
              state_array("done", "", done_)};
     const auto small = [] { return largest_deformation; };
     const auto stress_bound = [this] {
@@ -63,8 +67,28 @@ void EnergyDensityLesson::declare_fields() {
                .rank = Rank::vector,
                .components = 3,
                .view = view_of(displacement_),
-               .help = "of the corners of the cube, (F − I) X",
+               .help = "of the eight corners of the cube, (F − I) X, and of the nodes of the block",
                .bound = small},
+              {.name = "newton_step",
+               .symbol = "d",
+               .unit = "m",
+               .on = On::node,
+               .rank = Rank::vector,
+               .components = 3,
+               .view = view_of(direction_),
+               .help = "Newton's direction at each node of the block, before the line search shortens it",
+               .bound = small,
+               .used = [this] { return has_block(); }},
+              {.name = "unbalanced_force",
+               .symbol = "r",
+               .unit = "N",
+               .on = On::node,
+               .rank = Rank::vector,
+               .components = 3,
+               .view = view_of(unbalanced_),
+               .help = "force that no other balances yet, at the free nodes of the block",
+               .bound = stress_bound,
+               .used = [this] { return has_block(); }},
               scalar("volume_ratio", "J", "", J_, "det F: volume now over volume at rest; below 0 inside out", small),
               tensor("strain", "ε, E, S − I", "", strain_, "the strain that this energy is made of", small),
               tensor("rotation", "R", "", rotation_, "the rotation nearest to F", small),
@@ -116,6 +140,7 @@ void EnergyDensityLesson::declare_probes() {
                           .unit = "Pa",
                           .help = "force along axis i on the face across axis j, per area at rest",
                           .value = [this, k] { return P_(k / 3, k % 3); }});
+    declare_block_probes();
     const auto exact = [this](std::string_view name, bool in_shear) {
         std::ranges::find(probes, name, &Probe::name)->exact = [this, in_shear](Real) -> std::optional<Real> {
             if (is(Path::shear) != in_shear) return std::nullopt;
@@ -123,6 +148,39 @@ void EnergyDensityLesson::declare_probes() {
         };
     };
     exact("P11", false), exact("P12", true);
+}
+
+// What the cube says is exact for a block whose ends slide, unless the material softens: then the block need not stay uniform.
+void EnergyDensityLesson::declare_block_probes() {
+    const auto known = [this] { return has_block() && Ends(ends) == Ends::sliding && stiffness() > 0 && J_[0] > 0; };
+    const auto of_block = [this](auto reading) {
+        return [this, reading]() -> std::optional<Real> {
+            if (!has_block() || done_[1] == 0) return std::nullopt;
+            return reading();
+        };
+    };
+    const auto nodes = [this] { return Points<3>(displacement_.rightCols(block_->mesh().node_count())); };
+    probes.push_back({.name = "block_stress",
+                      .symbol = "F/A",
+                      .unit = "Pa",
+                      .help = "pull on the end of the block over its area at rest",
+                      .value = of_block([=, this] { return block_->stress(nodes()); }),
+                      .exact = [=, this](Real) { return known() ? std::optional<Real>(P_(0, 0)) : std::nullopt; },
+                      .explain = [this] { return why_block_stress(); }});
+    probes.push_back({.name = "block_width",
+                      .symbol = "w/w₀",
+                      .help = "of the middle section of the block, over its width at rest",
+                      .value = of_block([=, this] { return block_->width(nodes()); }),
+                      .exact = [=, this](Real) { return known() ? std::optional<Real>(F_(1, 1)) : std::nullopt; },
+                      .explain = [this] { return why_block_width(); }});
+    probes.push_back(
+        {.name = "block_iterations", .symbol = "", .help = "of Newton's method, from rest", .value = of_block([this] {
+                                                                                                return done_[2];
+                                                                                            })});
+    probes.push_back({.name = "block_residual",
+                      .symbol = "|r|/|f|",
+                      .help = "largest unbalanced force over the largest force in the block",
+                      .value = of_block([this] { return done_[3]; })});
 }
 
 void EnergyDensityLesson::declare_checks() {
@@ -151,7 +209,16 @@ void EnergyDensityLesson::declare_checks() {
          .formula = "|F − I| ≤ 0.05",
          .broken = "the linear energy takes a rotation for a strain, and leaves out ½ ∇uᵀ∇u",
          .used = [this] { return is(Energy::linear); },
-         .fix = [this]() -> std::optional<Fix> { return another_energy(Energy::corotated); }}};
+         .fix = [this]() -> std::optional<Fix> { return another_energy(Energy::corotated); }},
+        {.name = "block in equilibrium",
+         .unit = "",
+         .value = [this] { return done_[3]; },
+         .limit = [] { return balanced; },
+         .formula = "|r| ≤ 10⁻⁶ |f|",
+         .broken =
+             "Newton's method gave up: a softening or inverted material has several equilibria, or none that can be reached",
+         .used = [this] { return has_block(); },
+         .fix = [this]() -> std::optional<Fix> { return another_energy(Energy::neo_hookean); }}};
     conserved = {{.probe = "derivative_check", .law = Law::zero, .tolerance = [] { return derivative_tolerance; }}};
 }
 

@@ -72,6 +72,8 @@ std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) 
         return Explanation{.formula = "J = F₁₁ (F₂₂ F₃₃ − F₂₃ F₃₂) − F₁₂ (F₂₁ F₃₃ − F₂₃ F₃₁) + F₁₃ (F₂₁ F₃₂ − F₂₂ F₃₁)",
                            .inputs = all_entries("F", "deformation_gradient"),
                            .evaluate = [](std::span<const Real> x) { return matrix_of(x).determinant(); }};
+    if (q.field != "displacement" || q.index >= corners)
+        return fixed_value("0: the block is at rest before the first iteration", 0);
     // A corner moves by the edges that lead to it.
     const Vec<3> X = cube_corner(q.index);
     std::vector<Input> terms;

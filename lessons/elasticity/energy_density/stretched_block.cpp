@@ -1,5 +1,7 @@
 #include "stretched_block.h"
 
+#include <pliant/math/error.h>
+
 namespace pliant::energies {
 namespace {
 
@@ -32,18 +34,24 @@ StretchedBlock::StretchedBlock(Energy energy, const Lame& material, Ends ends, R
       body_(mesh_, energy, material),
       supports_(make_supports(mesh_, ends, stretch)),
       newton_(body_, supports_, {.tolerance = 1e-9, .max_iterations = 100}),
-      before_(Points<3>::Zero(3, mesh_.node_count())) {}
+      before_(Points<3>::Zero(3, mesh_.node_count())),
+      nothing_(before_) {}
 
 void StretchedBlock::begin() {
     before_.setZero(3, mesh_.node_count());
     newton_.begin(before_, Points<3>::Zero(3, mesh_.node_count()), supports_);
     step_length_ = 0;
+    failed_ = false;
 }
 
 void StretchedBlock::iterate() {
     before_ = newton_.displacement();
     const Index iterations = newton_.iterations();
-    newton_.iterate();
+    try {
+        newton_.iterate();
+    } catch (const Diverged&) {
+        failed_ = true;
+    }
     step_length_ = newton_.iterations() > iterations ? newton_.step_length() : 0;
 }
 

@@ -28,8 +28,12 @@ public:
     // From rest; then an iteration at a time.
     void begin();
     void iterate();
-    bool running() const { return newton_.running(); }
+    bool running() const { return newton_.running() && !failed_; }
+    // No direction could be found: a tangent that no factorisation takes.
+    bool failed() const { return failed_; }
     const NewtonEquilibrium<3>& newton() const { return newton_; }
+    // Newton's direction of the latest iteration [m]; 0 when it failed.
+    const Points<3>& direction() const { return failed_ ? nothing_ : newton_.step(); }
     // Share of Newton's step that the latest iteration took; 0 when it took none.
     Real step_length() const { return step_length_; }
     // The displacements [m] that the latest iteration began with.
@@ -46,8 +50,9 @@ private:
     HyperelasticFem<3> body_;
     DisplacementConstraints<3> supports_;
     NewtonEquilibrium<3> newton_;
-    Points<3> before_;
+    Points<3> before_, nothing_;
     Real step_length_ = 0;
+    bool failed_ = false;
 };
 
 }  // namespace pliant::energies
