@@ -55,6 +55,12 @@ struct Probe {
 struct Curve {
     std::vector<Real> position, value;
 };
+// One more curve in the picture of a line: a rival model, a mark at the present value.
+struct CompareCurve {
+    std::string_view name;
+    std::function<void(Curve&)> sample;  // nothing to draw when it gives no point
+    bool points = false;                 // draw points rather than a curve
+};
 struct Line {
     std::string_view name, unit = "", position_name = "", position_unit = "", help = "";
     std::function<void(Curve&)> sample;
@@ -64,6 +70,7 @@ struct Line {
     bool reference_points = false;     // draw the reference as points (a table) rather than as a curve
     bool log_log = false;              // both axes logarithmic at first; what is not positive is left out
     std::function<bool()> used{};
+    std::vector<CompareCurve> others{};  // drawn beside both
 
     bool in_use() const { return !used || used(); }
 };

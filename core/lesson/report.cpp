@@ -29,9 +29,16 @@ Json lines_json(const Lesson& lesson) {
         Json& j = lines[std::string(line.name)] = curve_json(line, curve);
         j["position_name"] = line.position_name;
         j["position_unit"] = line.position_unit;
-        if (!line.reference) continue;
-        line.reference(reference);
-        j["reference"] = {{"name", line.reference_name}, {"position", reference.position}, {"value", reference.value}};
+        if (line.reference) {
+            line.reference(reference);
+            j["reference"] = {{"name", line.reference_name}, {"position", reference.position}, {"value", reference.value}};
+        }
+        for (const CompareCurve& other : line.others) {
+            Curve curve_beside;
+            other.sample(curve_beside);
+            if (!curve_beside.position.empty())
+                j["others"][std::string(other.name)] = {{"position", curve_beside.position}, {"value", curve_beside.value}};
+        }
     }
     return lines;
 }

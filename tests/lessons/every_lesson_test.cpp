@@ -9,6 +9,7 @@
 #include <catch2/generators/catch_generators_range.hpp>
 
 #include <cmath>
+#include <regex>
 #include <set>
 
 using namespace pliant;
@@ -261,6 +262,6 @@ TEST_CASE("every lesson: what it declares and finds can be written out") {
     for (const std::string& text :
          {describe_text(entry), describe_json(entry), describe_markdown(entry), run_json(runner), run_text(runner)}) {
         CHECK(text.size() > 200);
-        CHECK(text.find("nan") == std::string::npos);
+        CHECK_FALSE(std::regex_search(text, std::regex("\\bnan\\b")));  // a word of its own: "Venant" is a name
     }
 }

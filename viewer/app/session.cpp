@@ -277,10 +277,12 @@ bool Session::set(const Values& values) {
         assignments.emplace_back(key, p.text(value));
     }
     const bool all_was_done = lesson().at_rest() && !runner_->inside_step();
+    const int dimension = lesson().dimension();
     if (!guarded([&] { runner_->assign(assignments); })) return false;
     dismiss();
     if (!rebuilds) return moved(), true;
-    if (lesson().dimension() == 2) camera.reset();  // the domain may have another size
+    // The domain may have another size, or the scene another dimension.
+    if (lesson().dimension() == 2 || lesson().dimension() != dimension) camera.reset();
     begin_run();
     settle(all_was_done);
     return true;

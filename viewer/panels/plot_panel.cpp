@@ -95,6 +95,14 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     if (!reference.position.empty())
         line.reference_points ? plot.points(name, reference.position, reference.value)
                               : plot.reference(name, reference.position, reference.value);
+    std::vector<Curve> others(line.others.size());  // stay in place until the plot is drawn
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const auto& [label, sample, points] = line.others[i];
+        sample(others[i]);
+        if (others[i].position.empty()) continue;
+        points ? plot.points(std::string(label), others[i].position, others[i].value)
+               : plot.line(std::string(label), others[i].position, others[i].value);
+    }
     plot.end();
 }
 

@@ -1,0 +1,298 @@
+#include "energy_density.h"
+
+#include <pliant/continuum/deformation.h>
+#include <pliant/continuum/uniaxial.h>
+#include <pliant/lesson/format.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::energies {
+namespace {
+
+ParameterInfo entry(std::string_view key, std::string_view symbol, Real initial, std::function<bool()> used) {
+    return {.key = key,
+            .symbol = symbol,
+            .help = "entry of the deformation gradient; column j is where the edge along axis j goes",
+            .initial = initial,
+            .useful = {-1.5, 1.5},
+            .accepted = Interval{-10, 10},
+            .effect = Effect::rebuild,
+            .used = std::move(used)};
+}
+
+}  // namespace
+
+EnergyDensityLesson::EnergyDensityLesson()
+    : energy(*this, {.key = "energy", .help = "how much energy a deformation stores", .initial = 1, .effect = Effect::rebuild},
+             {{"linear", "linear"},
+              {"stvk", "St. Venant–Kirchhoff"},
+              {"corotated", "corotated linear"},
+              {"neo_hookean", "neo-Hookean"}}),
+      path(*this, {.key = "path", .help = "how the cube is deformed", .effect = Effect::rebuild},
+           {{"uniaxial", "stretch, free across"},
+            {"held", "stretch, held across"},
+            {"volumetric", "stretch on all sides"},
+            {"shear", "shear"},
+            {"free", "any F"}}),
+      ends(*this,
+           {.key = "ends",
+            .help = "of the block that is pulled beside the cube: may they narrow?",
+            .effect = Effect::rebuild,
+            .used = [this] { return has_block(); }},
+           {{"sliding", "sliding: uniform"}, {"glued", "glued"}}),
+      youngs_modulus(*this, {.key = "youngs_modulus",
+                             .symbol = "Y",
+                             .unit = "Pa",
+                             .help = "all four energies have it for small strain; rubber 1 MPa",
+                             .initial = 1e6,
+                             .useful = {1e3, 1e9},
+                             .accepted = Interval{1e-6, 1e18},
+                             .scale = Scale::log,
+                             .effect = Effect::rebuild}),
+      poisson_ratio(*this, {.key = "poisson_ratio",
+                            .symbol = "ν",
+                            .help = "narrowing over lengthening for small strain; near ½ every energy resists a change of volume",
+                            .initial = 0.3,
+                            .useful = {-0.5, 0.4999},
+                            .accepted = Interval{-1, 0.5, true, true},
+                            .effect = Effect::rebuild}),
+      stretch(*this, {.key = "stretch",
+                      .symbol = "s",
+                      .help = "length now over length at rest; at 0 the cube is flat, below 0 it is turned inside out",
+                      .initial = 1.3,
+                      .useful = {-0.3, 2},
+                      .accepted = Interval{-0.9, 10},
+                      .effect = Effect::rebuild,
+                      .used = [this] { return way().stretches(); }}),
+      shear(*this, {.key = "shear",
+                    .symbol = "γ",
+                    .help = "sideways shift of the top over the height",
+                    .initial = 0.5,
+                    .useful = {-1.5, 1.5},
+                    .accepted = Interval{-10, 10},
+                    .effect = Effect::rebuild,
+                    .used = [this] { return is(Path::shear); }}),
+      F11(*this, entry("F11", "F₁₁", 1.2, [this] { return is(Path::free); })),
+      F12(*this, entry("F12", "F₁₂", 0.3, [this] { return is(Path::free); })),
+      F13(*this, entry("F13", "F₁₃", 0, [this] { return is(Path::free); })),
+      F21(*this, entry("F21", "F₂₁", 0, [this] { return is(Path::free); })),
+      F22(*this, entry("F22", "F₂₂", 0.9, [this] { return is(Path::free); })),
+      F23(*this, entry("F23", "F₂₃", 0.1, [this] { return is(Path::free); })),
+      F31(*this, entry("F31", "F₃₁", 0.05, [this] { return is(Path::free); })),
+      F32(*this, entry("F32", "F₃₂", 0, [this] { return is(Path::free); })),
+      F33(*this, entry("F33", "F₃₃", 1.1, [this] { return is(Path::free); })) {
+    declare_fields();
+    declare_stages();
+    declare_probes();
+    explain_probes();
+    declare_lines();
+    declare_checks();
+}
+
+Mat<3> EnergyDensityLesson::given() const {
+    Mat<3> F;
+    F << F11, F12, F13, F21, F22, F23, F31, F32, F33;
+    return F;
+}
+
+// Where the energy is infinite, or no width is left, there is nothing to show.
+void EnergyDensityLesson::check() const {
+    if (way().at(density(), amount())) return;
+    const std::string given_path = is(Path::free) ? fmt::format("det F = {}", format_quantity(given().determinant(), ""))
+                                                  : fmt::format("stretch = {}", format_quantity(amount(), ""));
+    if (is(Energy::corotated))
+        throw Refused(
+            fmt::format("{} leaves the corotated energy without a width in equilibrium: take a stretch nearer to 1, or "
+                        "energy=stvk or linear",
+                        given_path));
+    if (is(Path::uniaxial) && stretch > 0)
+        throw Refused(
+            fmt::format("stretch = {} with poisson_ratio = {}: the neo-Hookean energy has no width in equilibrium there; "
+                        "take a stretch nearer to 1 or a poisson_ratio from 0 on",
+                        format_quantity(stretch, ""), format_quantity(poisson_ratio, "")));
+    throw Refused(
+        fmt::format("{}: the neo-Hookean energy is infinite where a body is flat or turned inside out, so det F must be "
+                    "above 0. The energies linear, stvk and corotated go on",
+                    given_path));
+}
+
+void EnergyDensityLesson::reset() {
+    F_.setIdentity(), rotation_.setIdentity();
+    strain_.setZero(), P_.setZero(), difference_.setZero();
+    J_[0] = 1, I1_[0] = 3, ln_J_[0] = psi_[0] = 0;
+    done_.setZero();
+    block_ = has_block() ? std::make_unique<StretchedBlock>(energy, material(), ends, stretch) : nullptr;
+    for (Points<3>* nodal : {&displacement_, &direction_, &unbalanced_})
+        nodal->setZero(3, corners + (block_ ? block_->mesh().node_count() : 0));
+}
+
+// ------------------------------------------------------------------------------------------------------------ stages
+
+void EnergyDensityLesson::declare_stages() {
+    const auto stage = [this](std::string_view name, std::string_view formula, std::string_view source, auto run,
+                              std::vector<std::string_view> reads, std::vector<std::string_view> writes, auto explain,
+                              std::optional<Energy> only = {}) {
+        Stage s{.name = name,
+                .formula = formula,
+                .source = source,
+                .run = [this, run] { (this->*run)(); },
+                .reads = std::move(reads),
+                .writes = std::move(writes)};
+        s.explain = explain;
+        if (only) s.active = [this, wanted = *only] { return is(wanted); };
+        stages.push_back(std::move(s));
+    };
+    using L = EnergyDensityLesson;
+    const auto row = [](const Question& q) { return q.component / 3; };
+    const auto column = [](const Question& q) { return q.component % 3; };
+    const auto strain = [this](const Question& q) -> std::optional<Explanation> { return why_strain(q); };
+    const auto psi = [this](const Question&) -> std::optional<Explanation> { return why_psi(); };
+    const auto stress = [=, this](const Question& q) -> std::optional<Explanation> { return why_stress(row(q), column(q)); };
+
+    stage("deform", "F = ∂x/∂X:  diag(s, a, a),  s I,  I + γ e₁e₂ᵀ",
+          "lecture: elastic deformation; a makes the sides free of stress", &L::deform, {},
+          {"deformation_gradient", "displacement", "volume_ratio", "newton_step", "unbalanced_force"},
+          [this](const Question& q) { return why_deformed(q); });
+
+    stage("small_strain", "ε = ½ (F + Fᵀ) − I", "lecture: Cauchy's strain", &L::measure_strain, {"deformation_gradient"},
+          {"strain"}, strain, Energy::linear);
+    stage("green_strain", "E = ½ (FᵀF − I)", "lecture: Green's strain", &L::measure_strain, {"deformation_gradient"}, {"strain"},
+          strain, Energy::stvk);
+    stage("polar", "F = R S,  RᵀR = I,  S = Sᵀ", "polar decomposition [Bonet2008 §4.6]", &L::measure_strain,
+          {"deformation_gradient"}, {"rotation", "strain"}, strain, Energy::corotated);
+    stage("invariants", "I₁ = tr FᵀF,  ln J = ln det F", "invariants of F [Bonet2008 §6.3]", &L::measure_strain,
+          {"deformation_gradient", "volume_ratio"}, {"first_invariant", "log_volume"}, strain, Energy::neo_hookean);
+
+    stage("energy_linear", "ψ = μ ε:ε + ½ λ tr(ε)²", "lecture: strain energy density, with the ½ [Sifakis2012 §3.1]",
+          &L::evaluate_energy, {"strain"}, {"energy_density"}, psi, Energy::linear);
+    stage("energy_stvk", "ψ = μ E:E + ½ λ tr(E)²", "lecture: strain energy density [Sifakis2012 §3.2]", &L::evaluate_energy,
+          {"strain"}, {"energy_density"}, psi, Energy::stvk);
+    stage("energy_corotated", "ψ = μ |S − I|² + ½ λ tr(S − I)²", "lecture: strain energy density [Sifakis2012 §3.3]",
+          &L::evaluate_energy, {"strain"}, {"energy_density"}, psi, Energy::corotated);
+    stage("energy_neo_hookean", "ψ = ½ μ (I₁ − 3) − μ ln J + ½ λ (ln J)²", "lecture: strain energy density [Bonet2008 §6.4.3]",
+          &L::evaluate_energy, {"first_invariant", "log_volume"}, {"energy_density"}, psi, Energy::neo_hookean);
+
+    stage("stress_linear", "P = ∂ψ/∂F = 2 μ ε + λ tr(ε) I", "[Sifakis2012 §3.1]", &L::evaluate_stress, {"strain"}, {"stress"},
+          stress, Energy::linear);
+    stage("stress_stvk", "P = ∂ψ/∂F = F (2 μ E + λ tr(E) I)", "[Sifakis2012 §3.2]", &L::evaluate_stress,
+          {"deformation_gradient", "strain"}, {"stress"}, stress, Energy::stvk);
+    stage("stress_corotated", "P = ∂ψ/∂F = R (2 μ (S − I) + λ tr(S − I) I)", "[Sifakis2012 §3.3]", &L::evaluate_stress,
+          {"rotation", "strain"}, {"stress"}, stress, Energy::corotated);
+    stage("stress_neo_hookean", "P = ∂ψ/∂F = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ", "[Sifakis2012 §3.4]", &L::evaluate_stress,
+          {"deformation_gradient", "log_volume"}, {"stress"}, stress, Energy::neo_hookean);
+
+    stage("derivative_check", "P_ij ≈ (ψ(F + h e_i e_jᵀ) − ψ(F − h e_i e_jᵀ)) / 2h", "central difference", &L::check_derivative,
+          {"deformation_gradient"}, {"difference_stress"},
+          [=, this](const Question& q) -> std::optional<Explanation> { return why_difference(row(q), column(q)); });
+
+    stage("block", "K d = r,  u ← u + α d", "Newton's method with a line search on a block of tetrahedra [Nocedal2006 §3]",
+          &L::block_pass, {"displacement", "unbalanced_force"}, {"newton_step", "displacement", "unbalanced_force"},
+          [this](const Question& q) { return why_block(q); });
+    stages.back().active = [this] { return has_block(); };
+    stages.back().again = [this] { return block_->running(); };
+    stages.back().begin = [this] { begin_block(); };
+}
+
+void EnergyDensityLesson::begin_block() {
+    block_->begin();
+    done_[1] = done_[2] = done_[3] = 0;
+}
+
+void EnergyDensityLesson::block_pass() {
+    block_->iterate();
+    const Index nodes = block_->mesh().node_count();
+    displacement_.rightCols(nodes) = block_->newton().displacement();
+    direction_.rightCols(nodes) = block_->direction();
+    unbalanced_.rightCols(nodes) = block_->newton().residual_force();
+    done_[2] = static_cast<Real>(block_->newton().iterations());
+    done_[3] = block_->newton().residual();
+    if (!block_->running()) done_[1] = 1;
+}
+
+void EnergyDensityLesson::deform() {
+    F_ = *way().at(density(), amount());
+    // The block starts from rest.
+    for (Points<3>* nodal : {&displacement_, &direction_, &unbalanced_}) nodal->setZero();
+    for (Index n = 0; n < corners; ++n) displacement_.col(n) = F_ * cube_corner(n) - cube_corner(n);
+    J_[0] = Mat<3>(F_).determinant();
+}
+
+void EnergyDensityLesson::measure_strain() {
+    const Mat<3> F = F_, H = F - Mat<3>::Identity();
+    switch (Energy(energy)) {
+        case Energy::linear:
+            strain_ = cauchy_strain<3>(H);
+            break;
+        case Energy::stvk:
+            strain_ = green_strain<3>(H);
+            break;
+        case Energy::corotated: {
+            const auto [R, S] = polar_decomposition<3>(F);
+            rotation_ = R;
+            strain_ = S - Mat<3>::Identity();
+            break;
+        }
+        case Energy::neo_hookean:
+            I1_[0] = F.squaredNorm();
+            ln_J_[0] = std::log(J_[0]);
+            break;
+    }
+}
+
+void EnergyDensityLesson::evaluate_energy() { psi_[0] = density().psi(F_); }
+
+void EnergyDensityLesson::evaluate_stress() { P_ = density().P(F_); }
+
+// Small against what F can change by: before a flat body the neo-Hookean energy bends sharply.
+Real EnergyDensityLesson::difference_step() const {
+    const Real step = 1e-6;
+    if (!is(Energy::neo_hookean)) return step;
+    return step * std::min<Real>(1, std::abs(principal_stretches<3>(F_).stretches[2]));
+}
+
+void EnergyDensityLesson::check_derivative() {
+    const EnergyDensity<3> psi = density();
+    const Real h = difference_step();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            Mat<3> up = F_, down = F_;
+            up(i, j) += h, down(i, j) -= h;
+            difference_(i, j) = (psi.psi(up) - psi.psi(down)) / (2 * h);
+        }
+    done_[0] = 1;
+}
+
+// Relative to the largest entry of P, or where there is hardly a stress, to that of a strain of 1/1000.
+std::optional<Real> EnergyDensityLesson::derivative_error() const {
+    if (done_[0] == 0) return std::nullopt;
+    const Real scale = std::max(P_.cwiseAbs().maxCoeff(), 1e-3 * material().mu);
+    return (P_ - difference_).cwiseAbs().maxCoeff() / scale;
+}
+
+std::vector<std::pair<std::string, Real>> EnergyDensityLesson::dragged(const Pull& pull) const {
+    if (pull.index < 0 || pull.index >= corners) return {};
+    const Vec<3> X = cube_corner(pull.index);
+    if (is(Path::shear))
+        return X[1] == 0 ? std::vector<std::pair<std::string, Real>>{}
+                         : std::vector{std::pair{std::string("shear"), pull.to[0] - X[0]}};
+    if (is(Path::volumetric) && X.sum() > 0) return {{"stretch", pull.to.dot(X) / X.squaredNorm()}};
+    if (is(Path::free) && X.sum() == 1) {
+        const int column = X[0] == 1 ? 1 : X[1] == 1 ? 2 : 3;
+        return {{fmt::format("F1{}", column), pull.to[0]},
+                {fmt::format("F2{}", column), pull.to[1]},
+                {fmt::format("F3{}", column), pull.to[2]}};
+    }
+    if ((is(Path::uniaxial) || is(Path::held)) && X[0] == 1) return {{"stretch", pull.to[0]}};
+    return {};
+}
+
+const Registration<EnergyDensityLesson> registration{
+    {.id = "elasticity/energy_density",
+     .title = "Energy densities",
+     .summary = "Four energies ψ(F) of one cube, the stress that each one means, and where they fail.",
+     .demo_steps = 1}};
+
+}  // namespace pliant::energies

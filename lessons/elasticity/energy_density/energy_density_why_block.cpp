@@ -1,0 +1,147 @@
+// Why the nodes of the block move as they do: a row of Newton's equations, and the forces of the tetrahedra about a node.
+#include "energy_density.h"
+
+#include "named_entries.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace pliant::energies {
+namespace {
+
+constexpr std::array<char, 3> axis{'x', 'y', 'z'};
+
+// The displacements of the corners of all tetrahedra about some nodes, as inputs, and the force on a component of these nodes
+// that follows from them.
+struct Patch {
+    std::vector<Input> inputs;
+    std::function<Real(std::span<const Real>)> force;
+    std::size_t tetrahedra = 0;
+};
+
+Patch patch_about(const StretchedBlock& block, const std::vector<Index>& nodes, int component, Index first_row) {
+    const SimplexMesh<3>& mesh = block.mesh();
+    const std::set<Index> wanted(nodes.begin(), nodes.end());
+    std::vector<Index> elements;
+    std::set<Index> around;
+    for (Index e = 0; e < mesh.simplex_count(); ++e) {
+        const auto corners = mesh.simplices().col(e);
+        if (std::ranges::none_of(corners, [&](int n) { return wanted.contains(n); })) continue;
+        elements.push_back(e);
+        around.insert(corners.begin(), corners.end());
+    }
+    Patch patch;
+    patch.tetrahedra = elements.size();
+    for (const Index n : around)
+        for (int c = 0; c < 3; ++c)
+            patch.inputs.push_back(
+                Input::now(fmt::format("u{}_{}", axis[static_cast<std::size_t>(c)], n), "displacement", first_row + n, c));
+    patch.force = [&block, elements, wanted, component,
+                   order = std::vector<Index>(around.begin(), around.end())](std::span<const Real> x) {
+        const SimplexMesh<3>& m = block.mesh();
+        Points<3> u = Points<3>::Zero(3, m.node_count());
+        for (std::size_t k = 0; k < order.size(); ++k) u.col(order[k]) << x[3 * k], x[3 * k + 1], x[3 * k + 2];
+        Real sum = 0;
+        for (const Index e : elements) {
+            const Mat<3> P = block.body().density(e).P(block.body().deformation_gradient(e, u));
+            for (int a = 0; a < 4; ++a)
+                if (wanted.contains(m.simplices()(a, e))) sum += m.volumes()[e] * P.row(component).dot(m.gradients(e).col(a));
+        }
+        return sum;
+    };
+    return patch;
+}
+
+}  // namespace
+
+std::optional<Explanation> EnergyDensityLesson::why_block(const Question& q) const {
+    if (q.index < corners)
+        return q.field == "displacement"
+                   ? std::nullopt
+                   : std::optional(fixed_value("0: the cube is deformed by F, nothing is solved for it", 0));
+    const Index node = q.index - corners;
+    if (q.field == "newton_step") return why_direction(node, q.component);
+    if (q.field == "unbalanced_force") return why_unbalanced(node, q.component);
+    return Explanation{.formula = "u′ = u + α d",
+                       .inputs = {Input::earlier("u", "displacement", q.index, q.component),
+                                  Input::constant("α", block_->step_length(), "", "share of the step that the line search takes"),
+                                  Input::now("d", "newton_step", q.index, q.component)},
+                       .evaluate = [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
+}
+
+Explanation EnergyDensityLesson::why_direction(Index node, int component) const {
+    if (block_->failed()) return fixed_value("d = 0: no direction was found", 0);
+    if (block_->supports().prescribed(node, component))
+        return {.formula = "d = w − u",
+                .inputs = {Input::constant("w", block_->supports().values()(component, node), "m", "where the support shall be"),
+                           Input::earlier("u", "displacement", corners + node, component)},
+                .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+    SparseMatrix K = block_->body().pattern();
+    block_->body().stiffness(block_->before(), !block_->newton().tangent_was_definite(), K);
+    const Index row = 3 * node + component;
+    Explanation e{.formula = "d_a = (r_a − Σ K_ab d_b) / K_aa",
+                  .inputs = {Input::earlier("r_a", "unbalanced_force", corners + node, component),
+                             Input::constant("K_aa", K.coeff(row, row), "N/m", "diagonal of the tangent stiffness")},
+                  .evaluate = {}};
+    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry) {
+        if (entry.row() == row || std::abs(entry.value()) < 1e-13 * std::abs(K.coeff(row, row))) continue;
+        const Index other = entry.row() / 3, c = entry.row() % 3;
+        const std::string place = fmt::format("{}_{}", axis[static_cast<std::size_t>(c)], other);
+        e.inputs.push_back(Input::constant("K" + place, entry.value(), "N/m", "entry of the tangent stiffness"));
+        e.inputs.push_back(Input::now("d" + place, "newton_step", corners + other, static_cast<int>(c)));
+    }
+    e.evaluate = [](std::span<const Real> x) {
+        Real sum = x[0];
+        for (std::size_t k = 2; k + 1 < x.size(); k += 2) sum -= x[k] * x[k + 1];
+        return sum / x[1];
+    };
+    e.substitute = [](std::span<const Real> x) {
+        return fmt::format("({} − ({})) / {}", sum_text(x.first(1)), products_text(x.subspan(2)), as_factor(x[1]));
+    };
+    return e;
+}
+
+Explanation EnergyDensityLesson::why_unbalanced(Index node, int component) const {
+    if (block_->supports().prescribed(node, component)) return fixed_value("r = 0: the support takes what is left", 0);
+    Patch patch = patch_about(*block_, {node}, component, corners);
+    return {
+        .formula = "r = − Σ V P·∇N",
+        .inputs = std::move(patch.inputs),
+        .evaluate = [force = patch.force](std::span<const Real> x) { return -force(x); },
+        .substitute = [count = patch.tetrahedra](
+                          std::span<const Real>) { return fmt::format("the sum over the {} tetrahedra about the node", count); }};
+}
+
+Explanation EnergyDensityLesson::why_block_stress() const {
+    Patch patch = patch_about(*block_, block_->mesh().nodes("x_max"), 0, corners);
+    const Real area = StretchedBlock::width_at_rest * StretchedBlock::width_at_rest;
+    Explanation e{.formula = "F/A = Σ V P_x·∇N / A",
+                  .inputs = {Input::constant("A", area, "m²", "area of the end at rest")},
+                  .evaluate = [force = patch.force](std::span<const Real> x) { return force(x.subspan(1)) / x[0]; },
+                  .substitute =
+                      [force = patch.force](std::span<const Real> x) {
+                          return fmt::format("{} / {}", as_factor(force(x.subspan(1))), as_factor(x[0]));
+                      }};
+    std::ranges::move(patch.inputs, std::back_inserter(e.inputs));
+    return e;
+}
+
+Explanation EnergyDensityLesson::why_block_width() const {
+    const auto mean = [this](bool upper) {
+        const std::vector<Index> nodes = block_->middle(upper);
+        std::vector<std::pair<Input, Input>> terms;
+        for (const Index n : nodes)
+            terms.emplace_back(Input::constant("w", 1 / static_cast<Real>(nodes.size()), "", "share of the node"),
+                               Input::now(fmt::format("u_{}", n), "displacement", corners + n, 2));
+        const std::string name = upper ? "ū_max" : "ū_min";
+        return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
+    };
+    return {.formula = "w/w₀ = 1 + (ū_max − ū_min) / w₀",
+            .inputs = {mean(true), mean(false), Input::constant("w₀", StretchedBlock::width_at_rest, "m", "width at rest")},
+            .evaluate = [](std::span<const Real> x) { return 1 + (x[0] - x[1]) / x[2]; }};
+}
+
+}  // namespace pliant::energies

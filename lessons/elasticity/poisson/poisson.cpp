@@ -1,0 +1,226 @@
+#include "poisson.h"
+
+#include "contraction_law.h"
+
+#include <pliant/lesson/format.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::poisson {
+
+PoissonLesson::PoissonLesson()
+    : setting(*this, {.key = "scene", .help = "a cube that is pulled, or a panel that is bent", .effect = Effect::rebuild},
+              {{"stretch", "stretched cube"}, {"bending", "bent panel: locking"}}),
+      method(*this,
+             {.key = "method",
+              .help = "linear elasticity in small steps, each on the shape reached before, or in one step",
+              .effect = Effect::rebuild,
+              .used = [this] { return !bends(); }},
+             {{"incremental", "many small steps"}, {"linear", "one linear step"}}),
+      poisson_ratio(*this,
+                    {.key = "poisson_ratio",
+                     .symbol = "ν",
+                     .help = "narrowing over lengthening; 0.5 would be incompressible, below 0 the cube widens when pulled",
+                     .initial = 0.3,
+                     .useful = {-0.9, 0.4999},
+                     .accepted = Interval{-1, 0.5, true, true},
+                     .effect = Effect::rebuild}),
+      axial_strain(*this, {.key = "axial_strain",
+                           .symbol = "ΔL/L",
+                           .help = "lengthening over length, at the end; negative pushes",
+                           .initial = 0.5,
+                           .useful = {-0.6, 2},
+                           .accepted = Interval{-1, 100, true, false},
+                           .effect = Effect::rebuild,
+                           .used = [this] { return !bends(); }}),
+      increments(*this, {.key = "increments",
+                         .symbol = "N",
+                         .help = "steps of equal lengthening; the error of the contraction halves when they are doubled",
+                         .initial = 20,
+                         .useful = {1, 60},
+                         .accepted = Interval{1, 1000},
+                         .effect = Effect::rebuild,
+                         .used = [this] { return !bends() && Method(method) == Method::incremental; }}),
+      length(*this, {.key = "length",
+                     .symbol = "L",
+                     .unit = "m",
+                     .help = "of the edges of the cube",
+                     .initial = 0.1,
+                     .useful = {0.01, 1},
+                     .accepted = Interval{1e-6, 1e6},
+                     .scale = Scale::log,
+                     .effect = Effect::rebuild,
+                     .used = [this] { return !bends(); }}),
+      resolution(*this,
+                 {.key = "resolution",
+                  .symbol = "n",
+                  .help = "cells along each edge of the cube, of 5 tetrahedra each; the strain is uniform, so one would do",
+                  .initial = 2,
+                  .useful = {1, 4},
+                  .accepted = Interval{1, 8},
+                  .effect = Effect::rebuild,
+                  .used = [this] { return !bends(); }}),
+      membrane_cells(*this, {.key = "membrane_cells",
+                             .symbol = "m",
+                             .help = "pairs of cells along each edge of the panel; every cell is two linear triangles",
+                             .initial = 8,
+                             .useful = {2, 16},
+                             .accepted = Interval{1, 32},
+                             .effect = Effect::rebuild,
+                             .used = [this] { return bends(); }}) {
+    declare_fields();
+    declare_stages();
+    declare_probes();
+    explain_probes();
+    declare_lines();
+    declare_checks();
+}
+
+// Each step narrows by nu times its strain, which must leave a width.
+void PoissonLesson::check() const {
+    if (bends()) return;
+    const Real narrowing = poisson_ratio * axial_strain / static_cast<Real>(steps());
+    if (narrowing < 1) return;
+    throw Refused(
+        fmt::format("axial_strain = {} with poisson_ratio = {}: {} would narrow the cube by {}, so that no width is left. "
+                    "Give ν ΔL/L below {}{}",
+                    format_quantity(axial_strain, ""), format_quantity(poisson_ratio, ""),
+                    steps() == 1 ? "one linear step" : "the first step", format_quantity(narrowing, ""), steps(),
+                    Method(method) == Method::linear ? ", or method=incremental" : ", or more increments"));
+}
+
+void PoissonLesson::reset() {
+    cube_ = std::make_unique<StretchedCube>(poisson_ratio, length, bends() ? 1 : static_cast<int>(Index(resolution)));
+    membrane_ = std::make_unique<CooksMembrane>(bends() ? 2 * static_cast<int>(Index(membrane_cells)) : 2);
+    for (Points<3>* nodal : {&displacement_, &prescribed_, &increment_}) nodal->setZero(3, cube_->rest().node_count());
+    element_volumes_ = VecX::Ones(cube_->rest().simplex_count());
+    if (bends()) displacement_.setZero(3, membrane_->mesh().node_count());
+    strains_ = contractions_ = VecX::Zero(rounds() + 1);
+    volumes_ = VecX::Ones(rounds() + 1);
+    deflections_ = VecX::Zero(rounds());
+    done_.setZero();
+}
+
+// ------------------------------------------------------------------------------------------------------------ stages
+
+void PoissonLesson::declare_stages() {
+    const auto stretched = [this] { return !bends(); };
+    const auto bent = [this] { return bends(); };
+    stages = {{.name = "pull",
+               .formula = "Δx = s L / N on the far face",
+               .source = "lecture: Poisson's ratio, the cube of size L",
+               .run = [this] { pull(); },
+               .reads = {},
+               .writes = {"prescribed"},
+               .active = stretched,
+               .explain = [this](const Question& q) { return why_step(q); }},
+              {.name = "solve",
+               .formula = "K(x) Δu = 0,  Δu = Δx on the far face",
+               .source = "linear elasticity on the shape that was reached [Hughes2000 §2.9]",
+               .run = [this] { solve(); },
+               .reads = {"prescribed", "displacement"},
+               .writes = {"increment"},
+               .active = stretched,
+               .explain = [this](const Question& q) { return why_step(q); }},
+              {.name = "move",
+               .formula = "u ← u + Δu",
+               .source = "lecture: the integral of dε_y = −ν dε_x, as a sum",
+               .run = [this] { move(); },
+               .reads = {"increment", "displacement"},
+               .writes = {"displacement"},
+               .active = stretched,
+               .explain = [this](const Question& q) { return why_step(q); }},
+              {.name = "measure",
+               .formula = "ΔL′/L,  V/V₀ = det(I + ∇u);  exact: 1 − (1 + ΔL/L)^(−ν)",
+               .source = "lecture: Poisson's ratio, ν ≈ ΔL′/ΔL",
+               .run = [this] { measure(); },
+               .reads = {"displacement"},
+               .writes = {"element_volume"},
+               .active = stretched,
+               .again = [this] { return advancing_ && done() < rounds(); },
+               .loop_from = "pull",
+               .explain = [this](const Question& q) { return why_step(q); }},
+              {.name = "bend",
+               .formula = "K(ν) u = f in plane strain",
+               .source = "Cook's membrane [Cook1974], linear triangles [Hughes2000 §4.4]",
+               .run = [this] { bend(); },
+               .reads = {},
+               .writes = {"displacement"},
+               .active = bent,
+               .explain = [this](const Question& q) { return why_bent(q); }},
+              {.name = "read_deflection",
+               .formula = "u_y at the middle of the loaded edge",
+               .source = "converged values of cubic triangles on 32 × 32 cells",
+               .run = [this] { read_deflection(); },
+               .reads = {"displacement"},
+               .writes = {"deflection"},
+               .active = bent,
+               .again = [this] { return advancing_ && done() < rounds(); },
+               .loop_from = "bend"}};
+}
+
+// The next step; after the last one nothing is left to do.
+void PoissonLesson::pull() {
+    advancing_ = !at_rest();
+    if (!advancing_) return;
+    const Real dx = axial_strain * length / static_cast<Real>(steps());
+    for (Index n = 0; n < prescribed_.cols(); ++n) prescribed_(0, n) = cube_->pulled(n, 0) ? dx : 0;
+}
+
+void PoissonLesson::solve() {
+    if (!advancing_) return;
+    cube_->begin(displacement_);
+    increment_ = cube_->increment(axial_strain * length / static_cast<Real>(steps()));
+}
+
+void PoissonLesson::move() {
+    if (advancing_) displacement_ += increment_;
+}
+
+void PoissonLesson::measure() {
+    if (!advancing_) return;
+    done_[0] += 1;
+    for (Index e = 0; e < element_volumes_.size(); ++e) element_volumes_[e] = cube_->element_volume_ratio(e, displacement_);
+    strains_[done()] = cube_->axial_strain(displacement_);
+    contractions_[done()] = cube_->contraction(displacement_);
+    volumes_[done()] = cube_->volume_ratio(displacement_);
+}
+
+std::vector<Real> PoissonLesson::ratios() const {
+    std::vector<Real> all{0.3, 0.4, 0.45, 0.48, 0.49, 0.495, 0.499, 0.4999};
+    std::erase(all, Real(poisson_ratio));
+    all.push_back(poisson_ratio);
+    return all;
+}
+
+void PoissonLesson::bend() {
+    advancing_ = !at_rest();
+    if (!advancing_) return;
+    const Real nu = ratios()[static_cast<std::size_t>(done())];
+    displacement_.topRows<2>() = membrane_->displacement(IsotropicModuli::from_young_poisson(1, nu).lame(), 1);
+}
+
+void PoissonLesson::read_deflection() {
+    if (!advancing_) return;
+    deflections_[done()] = displacement_(1, membrane_->tip());
+    done_[0] += 1;
+}
+
+std::string PoissonLesson::blow_up_hint() const {
+    return fmt::format(
+        "The solve is linear and cannot blow up by itself; ν = {} is close to ½, where λ is infinite: lower poisson_ratio",
+        format_quantity(poisson_ratio, ""));
+}
+
+const Registration<PoissonLesson> registration{
+    {.id = "elasticity/poisson",
+     .title = "Poisson's ratio",
+     .summary =
+         "Stretch a cube and measure how much it narrows: in small steps, in one, and by the lecture's law; and see elements "
+         "lock near ν = ½.",
+     .demo_steps = 1}};
+
+}  // namespace pliant::poisson

@@ -1,0 +1,102 @@
+// Poisson's ratio: a cube that narrows as it is stretched, and linear triangles that lock where it may not change its volume.
+#pragma once
+#include "stretched_cube.h"
+
+#include <pliant/lesson/registry.h>
+#include <pliant/solids/cooks_membrane.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace pliant::poisson {
+
+enum class Setting { stretch, bending };
+enum class Method { incremental, linear };
+
+// A static lesson: one step is the whole stretch, increment by increment, or the membrane for one ratio after another.
+class PoissonLesson final : public Lesson {
+public:
+    PoissonLesson();
+
+    int dimension() const override { return bends() ? 2 : 3; }
+    void check() const override;
+    void reset() override;
+    Real time_step() const override { return 0; }
+    bool at_rest() const override { return done() == rounds(); }
+    void draw(Scene& scene) const override;
+    std::string blow_up_hint() const override;
+    std::optional<Fix> fix(const Failure& failure) const override;
+    std::vector<std::pair<std::string, std::string>> finer() const override;
+    std::string_view error_probe() const override { return bends() ? "deflection" : "transverse_fem"; }
+    ColourBy first_colours() const override { return {"displacement", -1}; }
+    std::vector<std::string_view> first_plots() const override { return {"contraction", "volume_over_strain", "locking"}; }
+    std::vector<std::string_view> key_numbers() const override { return {"transverse_fem", "transverse_exact", "volume_ratio"}; }
+
+private:
+    Choice<Setting> setting;
+    Choice<Method> method;
+    Number poisson_ratio, axial_strain;
+    Whole increments;
+    Number length;
+    Whole resolution, membrane_cells;
+
+    using One = Eigen::Matrix<Real, 1, 1>;
+
+    void declare_fields();
+    void declare_stages();
+    void declare_probes();
+    void declare_stretch_probes();
+    void declare_bending_probes();
+    void declare_lines();
+    void declare_checks();
+
+    // --- the stages ---
+    void pull();
+    void solve();
+    void move();
+    void measure();
+    void bend();
+    void read_deflection();
+
+    bool bends() const { return Setting(setting) == Setting::bending; }
+    Index done() const { return static_cast<Index>(done_[0]); }
+    // How often the loop runs: increments, or ratios of the membrane.
+    Index rounds() const { return bends() ? static_cast<Index>(ratios().size()) : steps(); }
+    Index steps() const { return Method(method) == Method::linear ? 1 : Index(increments); }
+    // Ratios for which the membrane is bent; the present one last.
+    std::vector<Real> ratios() const;
+    // dL/L that has been reached.
+    Real reached() const { return axial_strain * done_[0] / static_cast<Real>(steps()); }
+    std::optional<Real> stiffness_ratio() const;
+    void sample_law(Real (*law)(Real nu, Real strain), Curve& curve) const;
+
+    // --- why a number is what it is (poisson_why.cpp) ---
+    std::optional<Explanation> why_step(const Question& q) const;
+    Explanation why_increment(Index node, int component) const;
+    Explanation why_volume(Index element) const;
+    std::optional<Explanation> why_bent(const Question& q) const;
+    void explain_probes();
+
+    // --- the picture (poisson_picture.cpp) ---
+    void draw_cube(Scene& scene) const;
+    void draw_measures(Scene& scene) const;
+    void draw_pull(Scene& scene) const;
+    void write_notes(Scene& scene) const;
+    void draw_membrane(Scene& scene) const;
+
+    std::unique_ptr<StretchedCube> cube_;
+    std::unique_ptr<CooksMembrane> membrane_;
+    bool advancing_ = false;  // does this pass through the stages go on?
+
+    // What defines now: displacements of the cube or of the panel [m]; lengthening, narrowing and volume after each round, and
+    // the panel's deflection for each ratio.
+    Points<3> displacement_;
+    VecX strains_, contractions_, volumes_, deflections_;
+    One done_;
+    // What the stages make of it.
+    Points<3> prescribed_, increment_;
+    VecX element_volumes_;
+};
+
+}  // namespace pliant::poisson

@@ -1,0 +1,173 @@
+// Why nodes and elements of the cube and the panel have the numbers that they have.
+#include "poisson.h"
+
+#include "contraction_law.h"
+#include "membrane_table.h"
+
+#include <pliant/continuum/deformation.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::poisson {
+namespace {
+
+constexpr std::array<char, 3> axis{'x', 'y', 'z'};
+
+Explanation nothing(std::string formula) {
+    return {.formula = std::move(formula), .inputs = {}, .evaluate = [](std::span<const Real>) { return Real{0}; }};
+}
+
+// Row of K u = f, solved for its own unknown: entries of K and the displacements of the neighbours, after `force` [N].
+template <int Dim>
+Explanation row_of(const SparseMatrix& K, Index row, Real force, std::string_view field) {
+    Explanation e{.formula = "u_a = (f_a − Σ K_ab u_b) / K_aa",
+                  .inputs = {Input::constant("f_a", force, "N", "load on the node"),
+                             Input::constant("K_aa", K.coeff(row, row), "N/m", "diagonal of the stiffness matrix")},
+                  .evaluate = {}};
+    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry) {
+        // Entries that cancel but for rounding.
+        if (entry.row() == row || std::abs(entry.value()) < 1e-13 * K.coeff(row, row)) continue;
+        const Index node = entry.row() / Dim, component = entry.row() % Dim;
+        const std::string place = fmt::format("{}_{}", axis[static_cast<std::size_t>(component)], node);
+        e.inputs.push_back(Input::constant("K" + place, entry.value(), "N/m", "entry of the stiffness matrix"));
+        e.inputs.push_back(Input::now("u" + place, field, node, static_cast<int>(component)));
+    }
+    e.evaluate = [](std::span<const Real> x) {
+        Real sum = x[0];
+        for (std::size_t k = 2; k + 1 < x.size(); k += 2) sum -= x[k] * x[k + 1];
+        return sum / x[1];
+    };
+    e.substitute = [](std::span<const Real> x) {
+        return fmt::format("({} − ({})) / {}", sum_text(x.first(1)), products_text(x.subspan(2)), as_factor(x[1]));
+    };
+    return e;
+}
+
+}  // namespace
+
+// A stretch that is over changes nothing.
+std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
+    if (!advancing_) return std::nullopt;
+    if (q.field == "element_volume") return why_volume(q.index);
+    if (q.field == "increment") return why_increment(q.index, q.component);
+    if (q.field == "displacement")
+        return Explanation{.formula = "u′ = u + Δu",
+                           .inputs = {Input::before("u", "displacement", q.index, q.component),
+                                      Input::now("Δu", "increment", q.index, q.component)},
+                           .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
+    if (!cube_->pulled(q.index, q.component)) return nothing("Δx = 0: only the far face is pulled");
+    return Explanation{.formula = "Δx = s L / N",
+                       .inputs = {Input::of(axial_strain, "s"), Input::of(length),
+                                  Input::constant("N", static_cast<Real>(steps()), "", "number of steps")},
+                       .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / x[2]; }};
+}
+
+Explanation PoissonLesson::why_increment(Index node, int component) const {
+    if (cube_->pulled(node, component))
+        return {.formula = "Δu = Δx",
+                .inputs = {Input::now("Δx", "prescribed", node, component)},
+                .evaluate = [](std::span<const Real> x) { return x[0]; }};
+    if (cube_->held(node, component)) return nothing("Δu = 0: the face slides on rollers");
+    return row_of<3>(cube_->body().stiffness(), 3 * node + component, 0, "increment");
+}
+
+// det(I + Σ u ⊗ ∇N) over the corners of the tetrahedron.
+Explanation PoissonLesson::why_volume(Index element) const {
+    const SimplexMesh<3>& mesh = cube_->rest();
+    Explanation e{.formula = "V/V₀ = det(I + Σ u_a ∇N_aᵀ)", .inputs = {}, .evaluate = {}};
+    for (int a = 0; a < 4; ++a)
+        for (int c = 0; c < 3; ++c) {
+            const Index node = mesh.simplices()(a, element);
+            e.inputs.push_back(
+                Input::now(fmt::format("u{}_{}", axis[static_cast<std::size_t>(c)], node), "displacement", node, c));
+        }
+    const Eigen::Matrix<Real, 3, 4> gradients = mesh.gradients(element);
+    const auto F = [gradients](std::span<const Real> x) -> Mat<3> {
+        return Mat<3>::Identity() + Eigen::Map<const Eigen::Matrix<Real, 3, 4>>(x.data()) * gradients.transpose();
+    };
+    e.evaluate = [F](std::span<const Real> x) { return volume_ratio<3>(F(x)); };
+    e.substitute = [F](std::span<const Real> x) {
+        const Mat<3> f = F(x);
+        return fmt::format("det with the diagonal {}, {}, {}", as_factor(f(0, 0)), as_factor(f(1, 1)), as_factor(f(2, 2)));
+    };
+    return e;
+}
+
+std::optional<Explanation> PoissonLesson::why_bent(const Question& q) const {
+    if (!advancing_) return std::nullopt;
+    if (q.component == 2) return nothing("u_z = 0: plane strain");
+    if (membrane_->mesh().points()(0, q.index) == 0) return nothing("u = 0: clamped");
+    const Real nu = ratios()[static_cast<std::size_t>(done())];
+    const LinearFem<2> body(membrane_->mesh(), IsotropicModuli::from_young_poisson(1, nu).lame());
+    return row_of<2>(body.stiffness(), 2 * q.index + q.component, membrane_->unit_load()(q.component, q.index), "displacement");
+}
+
+// -------------------------------------------------------------------------------------------------------------- probes
+
+void PoissonLesson::explain_probes() {
+    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
+        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
+    };
+    const auto reached_part = [this] {
+        return Input::part("s", "",
+                           {.formula = "s = S k / N",
+                            .inputs = {Input::of(axial_strain, "S"), Input::constant("k", done_[0], "", "steps that are done"),
+                                       Input::constant("N", static_cast<Real>(steps()), "", "number of steps")},
+                            .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / x[2]; }});
+    };
+    const auto means = [this](std::string_view symbol, const char* from, const char* to, int component) {
+        const auto mean = [&](const char* face) {
+            const auto& nodes = cube_->rest().nodes(face);
+            std::vector<std::pair<Input, Input>> terms;
+            for (const Index n : nodes)
+                terms.emplace_back(Input::constant("w", 1 / static_cast<Real>(nodes.size()), "", "share of the node in the face"),
+                                   Input::now(fmt::format("u_{}", n), "displacement", n, component));
+            const std::string name = fmt::format("ū_{}", std::string_view(face).substr(2));
+            return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
+        };
+        return Explanation{.formula = fmt::format("{} = (ū_{} − ū_{}) / L", symbol, to + 2, from + 2),
+                           .inputs = {mean(to), mean(from), Input::of(length)},
+                           .evaluate = [](std::span<const Real> x) { return (x[0] - x[1]) / x[2]; }};
+    };
+    give("transverse_fem", [=] { return means("ΔL′/L", "z_max", "z_min", 2); });
+    give("strain", [=] { return means("ΔL/L", "x_min", "x_max", 0); });
+    give("transverse_exact", [=, this] {
+        return Explanation{
+            .formula = "ΔL′/L = 1 − (1 + s)^(−ν)",
+            .inputs = {reached_part(), Input::of(poisson_ratio)},
+            .evaluate = [](std::span<const Real> x) { return exact_contraction(x[1], x[0]); },
+            .substitute =
+                [](std::span<const Real> x) { return fmt::format("1 − (1 + {})^(−{})", as_factor(x[0]), as_factor(x[1])); }};
+    });
+    give("transverse_linear", [=, this] {
+        return Explanation{.formula = "ΔL′/L = ν s",
+                           .inputs = {Input::of(poisson_ratio), reached_part()},
+                           .evaluate = [](std::span<const Real> x) { return x[0] * x[1]; }};
+    });
+    give("transverse_error", [] {
+        return Explanation{.formula = "error = |c − e|",
+                           .inputs = {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)},
+                           .evaluate = [](std::span<const Real> x) { return std::abs(x[0] - x[1]); }};
+    });
+    give("volume_ratio", [this] {
+        const SimplexMesh<3>& mesh = cube_->rest();
+        std::vector<std::pair<Input, Input>> terms;
+        for (Index e = 0; e < mesh.simplex_count(); ++e)
+            terms.emplace_back(
+                Input::constant(fmt::format("w_{}", e), mesh.volumes()[e] / mesh.volume(), "", "share of the volume"),
+                Input::now(fmt::format("v_{}", e), "element_volume", e));
+        return weighted_sum("V/V₀ = Σ w v", terms);
+    });
+    give("times_too_stiff", [this] {
+        const Real right = converged_deflection(ratios()[static_cast<std::size_t>(done() - 1)]).value_or(0);
+        return Explanation{
+            .formula = "ratio = u_ref / u",
+            .inputs = {Input::constant("u_ref", right, "m", "converged deflection"), Input::now("u", "deflection", 0)},
+            .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+    });
+}
+
+}  // namespace pliant::poisson
