@@ -23,7 +23,7 @@ std::string_view name_of(Verdict verdict);
 struct Finding {
     Real figure = 0;  // in the unit of the claim
     Verdict verdict = Verdict::refuted;
-    std::string text;       // one or two sentences with the numbers that were measured
+    std::string text;         // one or two sentences with the numbers that were measured
     std::string condition{};  // of a qualified claim: where it stops being true
 };
 

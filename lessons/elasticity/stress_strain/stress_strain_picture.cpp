@@ -136,8 +136,7 @@ void StressStrainLesson::draw_rod(Scene& picture) const {
     const Vec<3> face = middle + Vec<3>(end, 0, 0), tip = face + Vec<3>(reach, 0, 0);
     if (force != 0) {
         picture.arrow(at(force > 0 ? face : face - Vec<3>(reach, 0, 0)), at(force > 0 ? tip : face), Ink::force);
-        picture.label(at(face + Vec<3>(std::abs(reach) / 2, 0.25 * w, 0)), fmt::format("F = {}", number(force, "N")), Ink::force,
-                      0, -18);
+        picture.label(at(face + Vec<3>(std::abs(reach), 0, 0)), fmt::format("F = {}", number(force, "N")), Ink::force, 0, -18);
     }
     handle(picture, face, first_handle);
 
@@ -180,7 +179,7 @@ void StressStrainLesson::draw_cut(Scene& picture) const {
         const Real largest = std::max(std::abs(applied_stress().eigenvalues().real().minCoeff()),
                                       std::abs(applied_stress().eigenvalues().real().maxCoeff()));
         if (largest > 0) {
-            const Real scale = 1.1 * unit / largest;
+            const Real scale = 0.8 * unit / largest;  // the normal stays the longest
             picture.arrow(at(front), at(front + scale * t), Ink::force, "t = σ·n");
             if (normal_part.norm() > 1e-3 * largest)
                 picture.arrow(at(front), at(front + scale * normal_part), Ink::velocity, "σ_n");

@@ -102,7 +102,7 @@ void StressStrainLesson::declare_probes() {
     const auto smallest = [](const Mat<3>& s) { return (s(0, 0) + s(1, 1)) / 2 - std::hypot((s(0, 0) - s(1, 1)) / 2, s(0, 1)); };
     const auto axis = [this] { return body_->axis(); };
 
-    probes = {{.name = "force",
+    probes = {{.name = "support_force",
                .symbol = "F",
                .unit = "N",
                .help = "that the support carries: the weight m g, or the pull on the rod",
@@ -285,7 +285,7 @@ std::vector<std::string_view> StressStrainLesson::first_plots() const {
 
 std::vector<std::string_view> StressStrainLesson::key_numbers() const {
     if (loading == Load::cut) return {"normal_stress", "shear_stress"};
-    return {"force", "stress", "strain"};
+    return {"support_force", "stress", "strain"};
 }
 
 void StressStrainLesson::declare_checks() {

@@ -94,7 +94,7 @@ void StressStrainLesson::explain_probes() {
     const auto give = [this](std::string_view probe, std::function<Explanation()> why) {
         std::ranges::find(probes, probe, &Probe::name)->explain = std::move(why);
     };
-    give("force", [this] {
+    give("support_force", [this] {
         std::vector<Input> reactions;
         for (const Index n : body_->mesh().nodes(body_->held_face()))
             reactions.push_back(Input::now(fmt::format("r_{}", n), "reaction", n, body_->axis()));
@@ -114,7 +114,7 @@ void StressStrainLesson::explain_probes() {
     });
     give("stress", [] {
         return Explanation{.formula = "σ = F / A",
-                           .inputs = {Input::now("F", "force", 0), Input::now("A", "area", 0)},
+                           .inputs = {Input::now("F", "support_force", 0), Input::now("A", "area", 0)},
                            .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
     });
     give("strain", [this] {

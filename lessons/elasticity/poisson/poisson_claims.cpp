@@ -1,0 +1,119 @@
+// E6 and E7: what the lectures say of Poisson's ratio, measured on bodies of finite elements.
+#include <fmt/format.h>
+#include <pliant/lesson/format.h>
+#include <pliant/lesson/runner.h>
+#include <pliant/math/line_fit.h>
+#include <pliant/solids/cooks_membrane.h>
+#include <pliant/study/claims.h>
+
+#include "contraction_law.h"
+
+#include <cmath>
+#include <vector>
+
+namespace pliant::poisson {
+namespace {
+
+// ------------------------------------------------------------------------------------------------------------------ E6
+
+// ΔV/V over ΔL/L of a block that is pulled.
+Real volume_per_strain(const char* poisson_ratio) {
+    Runner runner(find_lesson("elasticity/moduli"), {{"test", "tension"}, {"poisson_ratio", poisson_ratio}, {"resolution", "2"}});
+    runner.step();
+    const Lesson& lesson = runner.lesson();
+    return *runner.value(lesson.probe("volume_change")) / *runner.value(lesson.probe("strain"));
+}
+
+// How far Cook's membrane of linear triangles bends in plane strain, Y = 1 Pa and a force of 1 N.
+Real deflection(Real poisson_ratio) {
+    const CooksMembrane membrane(32);
+    const Lame material = IsotropicModuli::from_young_poisson(1, poisson_ratio).lame();
+    return membrane.displacement(material, 1)(1, membrane.tip());
+}
+
+// Deflections of the same membrane with cubic elements on 32 × 32 cells, from an independent program.
+constexpr Real reference_03 = 21.94, reference_04999 = 18.46;
+
+Finding incompressible_and_locked() {
+    const Real soft = volume_per_strain("0.4"), nearly = volume_per_strain("0.49"), almost = volume_per_strain("0.4999");
+    const bool vanishes = soft > nearly && nearly > almost && std::abs(almost / (1 - 2 * 0.4999) - 1) < 1e-6;
+    const Real locked = reference_04999 / deflection(0.4999), free = reference_03 / deflection(0.3);
+    return {.figure = locked,
+            .verdict = vanishes && locked > 3 ? Verdict::reproduced : Verdict::refuted,
+            .text = fmt::format("ΔV/V over ΔL/L is {}, {}, {} at ν = 0.4, 0.49, 0.4999. Cook's membrane of 32 × 32 × 2 linear "
+                                "triangles is {} times too stiff at ν = 0.4999, and {} times at ν = 0.3.",
+                                format_quantity(soft, "", 3), format_quantity(nearly, "", 3), format_quantity(almost, "", 3),
+                                format_quantity(locked, "", 3), format_quantity(free, "", 3))};
+}
+
+const ClaimRegistration e6{
+    {.id = "E6",
+     .lesson = "elasticity/poisson",
+     .statement = "ν = 0.5 is incompressible: the volume change under a pull tends to 0 as ν tends to 0.5; and a "
+                  "mesh of linear elements locks there.",
+     .source = "U, T: Poisson's ratio",
+     .experiment = "A block of tetrahedra is pulled at three ν; then Cook's membrane is bent in plane strain at "
+                   "ν = 0.4999 and compared with cubic elements.",
+     .figure = "stiffness of the membrane over the right one",
+     .criterion = "> 3, and ΔV/V falls to 0 as 1 − 2ν",
+     .question = "A mesh of linear triangles bends at ν = 0.4999. It is",
+     .answers = {"as soft as it should be", "much too stiff", "much too soft"},
+     .right_answer = 1,
+     .scene = {{"scene", "bending"}, {"poisson_ratio", "0.4999"}},
+     .measure = incompressible_and_locked}};
+
+// ------------------------------------------------------------------------------------------------------------------ E7
+
+Real contraction(int increments) {
+    Runner runner(find_lesson("elasticity/poisson"), {{"method", "incremental"},
+                                                      {"poisson_ratio", "0.3"},
+                                                      {"axial_strain", "0.5"},
+                                                      {"increments", std::to_string(increments)}});
+    runner.step();
+    return *runner.value(runner.lesson().probe("transverse_fem"));
+}
+
+// Tetrahedra that follow dε_y = -ν dε_x in ever smaller increments, each on the shape reached so far.
+Finding logarithmic_contraction() {
+    const Real exact = exact_contraction(0.3, 0.5);
+    std::vector<Real> log_steps, log_errors;
+    for (const int n : {10, 20, 40}) {
+        log_steps.push_back(-std::log(static_cast<Real>(n)));
+        log_errors.push_back(std::log(std::abs(contraction(n) - exact)));
+    }
+    const Real order = fit_line(log_steps, log_errors)->slope;
+    // Richardson's extrapolation of a first order error.
+    const Real limit = 2 * contraction(40) - contraction(20), left = std::abs(limit / exact - 1);
+    const Real one = *strain_of_overestimate(0.3, 0.01), five = *strain_of_overestimate(0.3, 0.05);
+    const bool holds = std::abs(order - 1) < 0.2 && left < 1e-3;
+    return {
+        .figure = order,
+        .verdict = holds ? Verdict::qualified : Verdict::refuted,
+        .text =
+            fmt::format("ν = 0.3, ΔL/L = 0.5: the law gives ΔL'/L = {}, the estimate ν ΔL/L = 0.15, tetrahedra in 40 "
+                        "increments {}, extrapolated {}.",
+                        format_quantity(exact, "", 5), format_quantity(contraction(40), "", 5), format_quantity(limit, "", 5)),
+        .condition = fmt::format("the law is exact where ν holds in each small increment; ν ≈ ΔL'/ΔL is off by 1 % at ΔL/L = {}, "
+                                 "and by 5 % at {} (ν = 0.3)",
+                                 format_quantity(one, "", 3), format_quantity(five, "", 3))};
+}
+
+const ClaimRegistration e7{
+    {.id = "E7",
+     .lesson = "elasticity/poisson",
+     .statement = "(1 + ΔL/L)^(−ν) = 1 − ΔL'/L exactly for a constant incremental ν; ν ≈ ΔL'/ΔL for small ΔL/L "
+                  "only.",
+     .source = "U, T: Poisson's ratio, the cube of size L",
+     .experiment = "A cube of tetrahedra is pulled to 1.5 times its length in 10, 20 and 40 increments, each a "
+                   "linear solution on the shape reached so far.",
+     .figure = "order at which the cube tends to the law",
+     .criterion = "1 ± 0.2, extrapolated to 0.1 %",
+     .question = "A cube with ν = 0.3 is pulled to 1.5 times its length. It gets narrower by",
+     .answers = {"more than 15 %", "15 %", "less than 15 %"},
+     .right_answer = 2,
+     .scene = {{"axial_strain", "0.5"}, {"poisson_ratio", "0.3"}},
+     .expected = Verdict::qualified,
+     .measure = logarithmic_contraction}};
+
+}  // namespace
+}  // namespace pliant::poisson
