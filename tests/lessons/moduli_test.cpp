@@ -160,3 +160,33 @@ TEST_CASE("moduli: a solver that is stopped early is told by name and residual, 
     REQUIRE(converged != assumptions.end());
     CHECK(converged->value() > converged->limit());
 }
+
+TEST_CASE("finite strain: the curves touch the linear one at rest and follow the closed forms beyond it", "[moduli]") {
+    for (const char* test : {"tension", "shear", "pressure"}) {
+        INFO(test);
+        Runner runner(find_lesson("elasticity/moduli"), {{"test", test}, {"resolution", "2"}, {"load", "1e5"}});
+        runner.step();
+        const Lesson& lesson = runner.lesson();
+        const Real modulus = *runner.exact(lesson.probe("measured_modulus")) * (std::string_view(test) == "pressure" ? -1 : 1);
+        const Line& line = *std::ranges::find(lesson.lines, "measured_stress", &Line::name);
+        REQUIRE(line.others.size() == 2);
+        for (const CompareCurve& other : line.others) {
+            Curve curve;
+            other.sample(curve);
+            REQUIRE(curve.position.size() > 10);
+            CHECK(curve.value[0] == 0);
+            CHECK(std::abs(curve.value[1] / curve.position[1] / modulus - 1) < 0.05);
+            // Far out it is another material; only in shear is the neo-Hookean one straight.
+            const Real bend = std::abs(curve.value.back() / curve.position.back() / modulus - 1);
+            if (other.name == "neo-Hookean" && std::string_view(test) == "shear")
+                CHECK(bend < 1e-9);
+            else
+                CHECK(bend > 0.005);
+        }
+        if (std::string_view(test) != "tension") continue;
+        Curve stvk;
+        line.others[1].sample(stvk);
+        const Real s = 1 + stvk.position.back();
+        CHECK(std::abs(stvk.value.back() / (1e6 * s * (s * s - 1) / 2) - 1) < 1e-9);
+    }
+}

@@ -42,6 +42,10 @@ std::vector<Golden> goldens() {
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
+        {"stress_strain_disc", {"elasticity/stress_strain", {"resolution=2"}, {}, medium}, "radius=0.06"},
+        {"stress_strain_cut", {"elasticity/stress_strain", {"scene=cut", "resolution=2"}, {}, medium}, "angle=60"},
+        {"poisson", {"elasticity/poisson", {}, {}, medium}, "poisson_ratio=-0.4"},
+        {"energy_density", {"elasticity/energy_density", {"path=shear"}, {}, medium}, "shear=0.8"},
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},

@@ -3,6 +3,7 @@
 #include "elasticity/linear_body/linear_body_why.h"
 #include "specimen.h"
 
+#include <pliant/continuum/energy_density.h>
 #include <pliant/lesson/registry.h>
 
 #include <memory>
@@ -60,6 +61,9 @@ private:
     // Stress that is applied now [Pa].
     Real applied() const { return load * level_[0] / static_cast<Real>(load_levels); }
     std::optional<Real> measured_modulus() const;
+    // Stress against strain of a material that knows finite strain, over the strains of this test and beyond them: all three
+    // tests are uniform, so that one deformation gradient stands for the block.
+    void finite_strain_curve(Energy energy, Curve& curve) const;
     Real force_imbalance() const;
 
     // --- why a number is what it is (moduli_why.cpp) ---

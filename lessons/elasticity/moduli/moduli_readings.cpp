@@ -156,7 +156,9 @@ void ModuliLesson::declare_lines() {
                           curve.position.push_back(specimen_->exact_strain(curve.value.back()));
                       }
                   },
-              .reference_name = "Hooke's law"},
+              .reference_name = "Hooke's law",
+              .others = {{.name = "neo-Hookean", .sample = [this](Curve& c) { finite_strain_curve(Energy::neo_hookean, c); }},
+                         {.name = "St. Venant–Kirchhoff", .sample = [this](Curve& c) { finite_strain_curve(Energy::stvk, c); }}}},
              {.name = "displacement",
               .unit = "m",
               .position_name = "distance from the support",

@@ -117,7 +117,7 @@ void StressStrainLesson::draw_disc(Scene& picture) const {
                                             number(body_->lengthening(displacement_) / h, "")));
     }
     picture.notes.push_back(fmt::format("deformation drawn ×{}", number(magnification(), "")));
-    picture.frame(at({-1.6 * r, -0.1 * size, -r}), at({1.6 * r, h + 0.55 * size, r}));
+    picture.frame(at({-1.6 * r, -0.15 * size, -r}), at({1.6 * r, h + 0.8 * size, r}));
 }
 
 // ----------------------------------------------------------------------------------------------------------------- rod
