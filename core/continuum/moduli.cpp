@@ -1,15 +1,11 @@
 #include <pliant/continuum/moduli.h>
+#include <pliant/continuum/require.h>
 #include <pliant/math/error.h>
 
 #include <cmath>
-#include <string_view>
 
 namespace pliant {
 namespace {
-
-void require_positive(std::string_view name, Real value) {
-    if (!(value > 0) || !std::isfinite(value)) throw Refused(name, value, "Pa", "a finite value > 0 Pa");
-}
 
 // Matrix with lambda + 2 mu on the normal diagonal, lambda beside it and mu for each shear component.
 template <int Dim>
@@ -27,7 +23,7 @@ IsotropicModuli::IsotropicModuli(Real youngs_modulus, Real poisson_ratio, Lame l
     : youngs_modulus_(youngs_modulus), poisson_ratio_(poisson_ratio), lame_(lame), bulk_modulus_(bulk_modulus) {}
 
 IsotropicModuli IsotropicModuli::from_young_poisson(Real youngs_modulus, Real poisson_ratio) {
-    require_positive("youngs_modulus", youngs_modulus);
+    require_positive_modulus("youngs_modulus", youngs_modulus);
     const Real nu = poisson_ratio;
     if (!(nu > -1 && nu < 0.5)) throw Refused("poisson_ratio", nu, "", "a value in (-1, 0.5)");
 
@@ -40,15 +36,15 @@ IsotropicModuli IsotropicModuli::from_young_poisson(Real youngs_modulus, Real po
 }
 
 IsotropicModuli IsotropicModuli::from_lame(Real lambda, Real mu) {
-    require_positive("mu", mu);
+    require_positive_modulus("mu", mu);
     const Real bulk = lambda + 2 * mu / 3;
     if (!(bulk > 0) || !std::isfinite(bulk)) throw Refused("lambda", lambda, "Pa", "a finite value > -2/3 mu");
     return {3 * bulk * (mu / (lambda + mu)), 0.5 * lambda / (lambda + mu), {lambda, mu}, bulk};
 }
 
 IsotropicModuli IsotropicModuli::from_shear_bulk(Real shear_modulus, Real bulk_modulus) {
-    require_positive("shear_modulus", shear_modulus);
-    require_positive("bulk_modulus", bulk_modulus);
+    require_positive_modulus("shear_modulus", shear_modulus);
+    require_positive_modulus("bulk_modulus", bulk_modulus);
     const Real G = shear_modulus, K = bulk_modulus, sum = 3 * K + G;
     return {9 * K * (G / sum), (1.5 * K - G) / sum, {K - 2 * G / 3, G}, K};
 }

@@ -31,7 +31,10 @@ public:
     std::string_view error_probe() const override { return bends() ? "deflection" : "transverse_fem"; }
     ColourBy first_colours() const override { return {"displacement", -1}; }
     std::vector<std::string_view> first_plots() const override { return {"contraction", "volume_over_strain", "locking"}; }
-    std::vector<std::string_view> key_numbers() const override { return {"transverse_fem", "transverse_exact", "volume_ratio"}; }
+    std::vector<std::string_view> key_numbers() const override {
+        if (bends()) return {"deflection", "times_too_stiff"};
+        return {"transverse_fem", "transverse_exact", "volume_ratio"};
+    }
 
 private:
     Choice<Setting> setting;
