@@ -30,6 +30,46 @@ Mat<Dim> symmetric(const Mat<Dim>& A) {
     return 0.5 * (A + A.transpose());
 }
 
+// P about one F: what all directions share is computed once.
+template <int Dim>
+class Linearised {
+public:
+    Linearised(Energy energy, const Lame& material, const Mat<Dim>& F) : energy_(energy), material_(material), F_(F) {
+        const Mat<Dim> I = Mat<Dim>::Identity();
+        if (energy == Energy::stvk) S_ = hooke_stress<Dim>(material, green_strain<Dim>(F - I));
+        if (energy == Energy::corotated) polar_ = polar_decomposition<Dim>(F), number_ = (polar_.S - I).trace();
+        if (energy != Energy::neo_hookean) return;
+        const Real J = admitted_volume_ratio<Dim>(F);
+        number_ = std::log(J), S_ = cofactor<Dim>(F) / J;
+    }
+
+    Mat<Dim> operator()(const Mat<Dim>& dF) const {
+        const auto [lambda, mu] = material_;
+        switch (energy_) {
+            case Energy::linear:
+                return hooke_stress<Dim>(material_, symmetric<Dim>(dF));
+            case Energy::stvk:
+                return dF * S_ + F_ * hooke_stress<Dim>(material_, symmetric<Dim>(F_.transpose() * dF));
+            case Energy::corotated: {
+                // tr(S) changes by R : dF, since R is its derivative.
+                const Mat<Dim> dR = rotation_differential<Dim>(polar_, dF);
+                return 2 * mu * (dF - dR) + lambda * (polar_.R.cwiseProduct(dF).sum() * polar_.R + number_ * dR);
+            }
+            case Energy::neo_hookean:
+                return mu * dF + (mu - lambda * number_) * S_ * dF.transpose() * S_ + lambda * S_.cwiseProduct(dF).sum() * S_;
+        }
+        return dF;
+    }
+
+private:
+    Energy energy_;
+    Lame material_;
+    Mat<Dim> F_;
+    PolarDecomposition<Dim> polar_;
+    Mat<Dim> S_;       // StVK: second Piola-Kirchhoff stress; neo-Hookean: F^-T
+    Real number_ = 0;  // corotated: tr(S - I); neo-Hookean: ln J
+};
+
 }  // namespace
 
 template <int Dim>
@@ -86,38 +126,18 @@ Mat<Dim> EnergyDensity<Dim>::P(const Mat<Dim>& F) const {
 
 template <int Dim>
 Mat<Dim> EnergyDensity<Dim>::differential(const Mat<Dim>& F, const Mat<Dim>& dF) const {
-    const auto [lambda, mu] = material_;
-    const Mat<Dim> I = Mat<Dim>::Identity();
-    switch (energy_) {
-        case Energy::linear:
-            return hooke_stress<Dim>(material_, symmetric<Dim>(dF));
-        case Energy::stvk:
-            return dF * hooke_stress<Dim>(material_, green_strain<Dim>(F - I)) +
-                   F * hooke_stress<Dim>(material_, symmetric<Dim>(F.transpose() * dF));
-        case Energy::corotated: {
-            // tr(S) changes by R : dF, since R is its derivative.
-            const PolarDecomposition<Dim> polar = polar_decomposition<Dim>(F);
-            const Mat<Dim> dR = rotation_differential<Dim>(polar, dF);
-            return 2 * mu * (dF - dR) + lambda * (polar.R.cwiseProduct(dF).sum() * polar.R + (polar.S - I).trace() * dR);
-        }
-        case Energy::neo_hookean: {
-            const Real J = admitted_volume_ratio<Dim>(F), ln_J = std::log(J);
-            const Mat<Dim> G = cofactor<Dim>(F) / J;  // F^-T
-            return mu * dF + (mu - lambda * ln_J) * G * dF.transpose() * G + lambda * G.cwiseProduct(dF).sum() * G;
-        }
-    }
-    return dF;
+    return Linearised<Dim>(energy_, material_, F)(dF);
 }
 
 template <int Dim>
 Mat<Dim * Dim> EnergyDensity<Dim>::tangent(const Mat<Dim>& F) const {
+    const Linearised<Dim> at_F(energy_, material_, F);
     Mat<Dim * Dim> T;
     for (int l = 0; l < Dim; ++l)
         for (int k = 0; k < Dim; ++k) {
             Mat<Dim> dF = Mat<Dim>::Zero();
             dF(k, l) = 1;
-            const Mat<Dim> dP = differential(F, dF);
-            T.col(k + Dim * l) = dP.reshaped();
+            T.col(k + Dim * l) = at_F(dF).reshaped();
         }
     return T;
 }
