@@ -82,7 +82,7 @@ TEST_CASE("calls that lack something or have too much are refused", "[process]")
     refusal({"walkthrough", "moduli", "--check", "--present"}, {"--check", "--present"});
     refusal({"walkthrough", "moduli", "--theme", "projector"}, {"--theme", "--present"});
     refusal({"shot", "moduli", "--slide", "2", "--out", "x.png"}, {"--slide", "--layout deck"});
-    refusal({"shot", "moduli", "--layout", "deck", "--slide", "8", "--out", "x.png"}, {"slide 8", "1 to 7"});
+    refusal({"shot", "moduli", "--layout", "deck", "--slide", "9", "--out", "x.png"}, {"slide 9", "1 to 8"});
     refusal({"shot", "moduli", "--layout", "deck", "--slide", "0", "--out", "x.png"}, {"--slide"});
     refusal({"shot", "moduli", "--layout", "deck", "--set", "load=1", "--out", "x.png"}, {"--set", "walkthrough"});
     refusal({"run", "moduli", "--scene", "a.json", "--preset", "b"}, {"--scene or --preset"});

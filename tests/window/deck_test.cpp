@@ -33,7 +33,7 @@ TEST_CASE("the keys of a presenter go through the deck", "[window][deck]") {
     desk.key("Prior");
     CHECK(at(desk, 1, false));
     desk.key("End");
-    CHECK(at(desk, 7, false));
+    CHECK(at(desk, 8, false));
     desk.key("Home");
     CHECK(at(desk, 1, false));
     desk.key("n");
@@ -114,9 +114,9 @@ TEST_CASE("the notes are for the lecturer: by a key on the screen, and in the te
     CHECK(desk.becomes("notes", true));
     CHECK(desk.becomes([](const Json& s) { return s["controls"].contains("notes"); }));
     desk.key("End");
-    REQUIRE(at(desk, 7, false));
+    REQUIRE(at(desk, 8, false));
     CHECK(desk.becomes([&](const Json&) {
-        return desk.output().find("1 / 7  A pull\nThree minutes.") == 0 &&
-               desk.output().find("7 / 7  How exact") != std::string::npos;
+        return desk.output().find("1 / 8  A pull\nThree minutes.") == 0 &&
+               desk.output().find("8 / 8  How exact") != std::string::npos;
     }));
 }

@@ -207,7 +207,7 @@ std::vector<std::pair<std::string, Real>> StressStrainLesson::dragged(const Pull
         case Load::disc: {
             if (pull.index == second_handle) return {{"radius", std::hypot(pull.to[0], pull.to[2])}};
             const auto [foot, reach] = weight_arrow();
-            return {{"mass", std::max<Real>(0, (foot[1] - pull.to[1]) / reach * mass.info.useful.max)}};
+            return {{"mass", (foot[1] - pull.to[1]) / reach * mass.info.useful.max}};
         }
         case Load::rod: {
             // The end of the rod, as it is drawn: F = Y A ΔL/L.
