@@ -94,6 +94,10 @@ std::string sum_text(std::span<const Real> terms) {
         [&](std::size_t k) { return as_factor(std::abs(written[k])); });
 }
 
+Explanation fixed_value(std::string formula, Real value) {
+    return {.formula = std::move(formula), .inputs = {}, .evaluate = [value](std::span<const Real>) { return value; }};
+}
+
 Explanation sum_of(std::string formula, std::vector<Input> terms) {
     return {.formula = std::move(formula),
             .inputs = std::move(terms),

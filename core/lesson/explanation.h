@@ -68,6 +68,9 @@ Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input,
 // Σ q, "a + b − c + …" where numbers are put in: of quantities that are added as they are. No term gives 0.
 Explanation sum_of(std::string formula, std::vector<Input> terms);
 
+// A value that follows from nothing but the words of its formula: "u = 0: held by the support".
+Explanation fixed_value(std::string formula, Real value);
+
 // The numbers of a formula written out: the right side of the formula with each symbol replaced. Negative numbers are put into
 // parentheses where an operator stands before them.
 std::string substituted(const Explanation& explanation, std::span<const Real> values);

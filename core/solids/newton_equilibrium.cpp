@@ -87,11 +87,13 @@ void NewtonEquilibrium<Dim>::find_direction() {
     step_.setZero();
     for (Index i = 0; i < u_.size(); ++i)
         if (constraints_.flags()[static_cast<std::size_t>(i)]) step_.data()[i] = constraints_.values().data()[i] - u_.data()[i];
+    diagonal_shift_ = 0;
     made_definite_ = !solve_tangent(false);
     if (made_definite_ && !solve_tangent(true)) {
         // What is left singular is given a small stiffness of its own.
         SparseMatrix shifted = system_.matrix();
-        shifted.diagonal().array() += 1e-8 * shifted.diagonal().cwiseAbs().maxCoeff();
+        diagonal_shift_ = 1e-8 * shifted.diagonal().cwiseAbs().maxCoeff();
+        shifted.diagonal().array() += diagonal_shift_;
         cholesky_.factorize(shifted);
         cholesky_.solve(right_side_, direction_);
     }

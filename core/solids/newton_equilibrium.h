@@ -56,6 +56,8 @@ public:
     Real residual() const { return residual_; }        // largest residual force over the largest internal force or load
     Real step_length() const { return step_length_; }  // share of Newton's step that the line search took
     bool tangent_was_definite() const { return !made_definite_; }  // of the latest iteration, as it was
+    // Added to the diagonal of a tangent that was singular even so [N/m]; else 0.
+    Real diagonal_shift() const { return diagonal_shift_; }
     Index iterations() const { return iterations_; }
     // Energy of the body less the work of the loads [J].
     Real potential_energy() const { return potential_; }
@@ -76,7 +78,7 @@ private:
     SparseCholesky cholesky_;
     Points<Dim> u_, force_, step_, internal_, residual_force_, trial_;
     VecX full_, right_side_, direction_;
-    Real residual_ = 0, residual_size_ = 0, step_length_ = 0, potential_ = 0;
+    Real residual_ = 0, residual_size_ = 0, step_length_ = 0, potential_ = 0, diagonal_shift_ = 0;
     Index iterations_ = 0;
     bool made_definite_ = false;
     Status status_ = Status::converged;

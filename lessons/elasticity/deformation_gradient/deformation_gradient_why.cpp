@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "deformation_gradient.h"
-#include "elasticity/deformation_maps/tensor_why.h"
+#include "elasticity/tensors/tensor_why.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Why a point lies where it lies, and why the gradient is what it is: the formulas of the maps, component by component.
+#include "elasticity/tensors/tensor_why.h"
 #include "map_controls.h"
-#include "tensor_why.h"
 
 #include <fmt/format.h>
 

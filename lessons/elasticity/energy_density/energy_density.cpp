@@ -1,5 +1,7 @@
 #include "energy_density.h"
 
+#include "elasticity/material/material_parameters.h"
+
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/uniaxial.h>
 #include <pliant/lesson/format.h>
@@ -43,22 +45,10 @@ EnergyDensityLesson::EnergyDensityLesson()
             .effect = Effect::rebuild,
             .used = [this] { return has_block(); }},
            {{"sliding", "sliding: uniform"}, {"glued", "glued"}}),
-      youngs_modulus(*this, {.key = "youngs_modulus",
-                             .symbol = "Y",
-                             .unit = "Pa",
-                             .help = "all four energies have it for small strain; rubber 1 MPa",
-                             .initial = 1e6,
-                             .useful = {1e3, 1e9},
-                             .accepted = Interval{1e-6, 1e18},
-                             .scale = Scale::log,
-                             .effect = Effect::rebuild}),
-      poisson_ratio(*this, {.key = "poisson_ratio",
-                            .symbol = "ν",
-                            .help = "narrowing over lengthening for small strain; near ½ every energy resists a change of volume",
-                            .initial = 0.3,
-                            .useful = {-0.5, 0.4999},
-                            .accepted = Interval{-1, 0.5, true, true},
-                            .effect = Effect::rebuild}),
+      youngs_modulus(*this, youngs_modulus_info("all four energies have it for small strain; rubber 1 MPa", {1e3, 1e9})),
+      poisson_ratio(
+          *this, poisson_ratio_info("narrowing over lengthening for small strain; near ½ every energy resists a change of volume",
+                                    {-0.5, 0.4999})),
       stretch(*this, {.key = "stretch",
                       .symbol = "s",
                       .help = "length now over length at rest; at 0 the cube is flat, below 0 it is turned inside out",

@@ -84,8 +84,6 @@ private:
     Line curve_of(Shown what) const;
 
     // --- why a number is what it is (energy_density_why.cpp, ..._why_stress.cpp) ---
-    Input lame_lambda() const;
-    Input lame_mu() const;
     Input width() const;
     std::optional<Explanation> why_deformed(const Question& q) const;
     Explanation why_F(int row, int column) const;

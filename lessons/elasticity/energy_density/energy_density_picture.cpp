@@ -46,7 +46,7 @@ void EnergyDensityLesson::draw(Scene& scene) const {
     // The same for all amounts that the slider gives, so that the picture stays in place.
     Vec<3> lower(-0.35, -0.25, -0.15), upper(2.35, 1.3, 1.15);
     if (is(Path::volumetric)) upper = Vec<3>(2.3, 2.2, 2.1);
-    if (block_) lower[1] = -1.15;
+    if (block_) lower[1] = -1.4;
     if (!way().stretches()) lower = Vec<3>(-0.9, -0.4, -0.2);
     for (Index n = 0; n < 8; ++n) {
         const Vec<3> x = F_ * cube_corner(n);
@@ -88,7 +88,7 @@ void EnergyDensityLesson::draw_block(Scene& scene) const {
     TriangleMarks surface{.corners = {}, .triangles = {}, .ink = Ink::body, .edges = true};
     const Points<3> u = displacement_.rightCols(mesh.node_count());
     const Real narrower = Ends(ends) == Ends::sliding ? 0.5 * StretchedBlock::width_at_rest * (1 - block_->width(u)) : 0;
-    const Vec<3> place(0, -1.05 + narrower, 0.25 + narrower);
+    const Vec<3> place(0, -1.3 + narrower, 0.25 + narrower);
     for (Index n = 0; n < mesh.node_count(); ++n) {
         surface.corners.push_back(at(place + mesh.points().col(n) + u.col(n)));
         if (!on_node.empty()) surface.values.push_back(on_node[static_cast<std::size_t>(corners + n)]);
@@ -96,7 +96,7 @@ void EnergyDensityLesson::draw_block(Scene& scene) const {
     for (Index f = 0; f < mesh.facet_count(); ++f)
         surface.triangles.push_back({mesh.facets()(0, f), mesh.facets()(1, f), mesh.facets()(2, f)});
     scene.triangles.push_back(std::move(surface));
-    const Vec<3> low(0, -1.05, 0.25);
+    const Vec<3> low(0, -1.3, 0.25);
     scene.box(at(low), at(low + Vec<3>(1, StretchedBlock::width_at_rest, StretchedBlock::width_at_rest)), Ink::rest, 1.5f, true);
 }
 

@@ -4,27 +4,16 @@
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/uniaxial.h>
 
-#include "named_entries.h"
+#include "tensor_texts.h"
+
+#include "elasticity/material/material_parameters.h"
+#include "elasticity/tensors/tensor_why.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace pliant::energies {
-
-Input EnergyDensityLesson::lame_lambda() const {
-    return Input::part("λ", "Pa",
-                       {.formula = "λ = Y ν / ((1 + ν) (1 − 2 ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / ((1 + x[1]) * (1 - 2 * x[1])); }});
-}
-
-Input EnergyDensityLesson::lame_mu() const {
-    return Input::part("μ", "Pa",
-                       {.formula = "μ = Y / (2 (1 + ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] / (2 * (1 + x[1])); }});
-}
 
 // --------------------------------------------------------------------------------------------------------- deformation
 
@@ -33,7 +22,7 @@ Input EnergyDensityLesson::width() const {
     Explanation e{.formula = "", .inputs = {Input::of(poisson_ratio), Input::of(stretch)}, .evaluate = {}};
     if (is(Energy::neo_hookean)) {
         e.formula = "a = root of μ (a² − 1) + λ ln(s a²)";
-        e.inputs = {lame_mu(), lame_lambda(), Input::of(stretch)};
+        e.inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio), Input::of(stretch)};
         e.evaluate = [](std::span<const Real> x) {
             return lateral_stretch({Energy::neo_hookean, Lame{.lambda = x[1], .mu = x[0]}}, x[2]).value_or(0);
         };
@@ -49,7 +38,7 @@ Input EnergyDensityLesson::width() const {
 }
 
 Explanation EnergyDensityLesson::why_F(int row, int column) const {
-    const std::string name = entry_name("F", row, column);
+    const std::string name = why::entry("F", row, column);
     const auto same = [&](Input input) {
         const std::string symbol = input.symbol;
         return Explanation{.formula = fmt::format("{} = {}", name, symbol),
@@ -70,15 +59,15 @@ std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) 
     if (q.field == "deformation_gradient") return why_F(q.component / 3, q.component % 3);
     if (q.field == "volume_ratio")
         return Explanation{.formula = "J = F₁₁ (F₂₂ F₃₃ − F₂₃ F₃₂) − F₁₂ (F₂₁ F₃₃ − F₂₃ F₃₁) + F₁₃ (F₂₁ F₃₂ − F₂₂ F₃₁)",
-                           .inputs = all_entries("F", "deformation_gradient"),
-                           .evaluate = [](std::span<const Real> x) { return matrix_of(x).determinant(); }};
+                           .inputs = why::all_entries("F", "deformation_gradient", 0),
+                           .evaluate = [](std::span<const Real> x) { return why::matrix(x).determinant(); }};
     if (q.field != "displacement" || q.index >= corners)
         return fixed_value("0: the block is at rest before the first iteration", 0);
     // A corner moves by the edges that lead to it.
     const Vec<3> X = cube_corner(q.index);
     std::vector<Input> terms;
     for (int j = 0; j < 3; ++j)
-        if (X[j] != 0) terms.push_back(entry("F", "deformation_gradient", q.component, j));
+        if (X[j] != 0) terms.push_back(why::entry_now("F", "deformation_gradient", 0, q.component, j));
     terms.push_back(Input::constant("X", -X[q.component], "m", "less the place at rest"));
     return sum_of("u = Σ F_ij X_j − X_i", std::move(terms));
 }
@@ -94,30 +83,31 @@ Explanation EnergyDensityLesson::why_strain(const Question& q) const {
                 .evaluate = [](std::span<const Real> x) { return std::log(x[0]); }};
     if (q.field == "first_invariant")
         return {.formula = "I₁ = Σ F_ij²",
-                .inputs = all_entries("F", F),
-                .evaluate = [](std::span<const Real> x) { return matrix_of(x).squaredNorm(); },
+                .inputs = why::all_entries("F", F, 0),
+                .evaluate = [](std::span<const Real> x) { return why::matrix(x).squaredNorm(); },
                 .substitute = [](std::span<const Real> x) { return squares_text(x); }};
     if (q.field == "rotation")
-        return {.formula = fmt::format("{} = of the rotation nearest to F", entry_name("R", i, j)),
-                .inputs = all_entries("F", F),
-                .evaluate = [i, j](std::span<const Real> x) { return nearest_rotation<3>(matrix_of(x))(i, j); },
+        return {.formula = fmt::format("{} = of the rotation nearest to F", why::entry("R", i, j)),
+                .inputs = why::all_entries("F", F, 0),
+                .evaluate = [i, j](std::span<const Real> x) { return nearest_rotation<3>(why::matrix(x))(i, j); },
                 .substitute = [](std::span<const Real> x) { return "nearest rotation to " + matrix_text(x); }};
     if (is(Energy::linear)) {
         if (i == j)
-            return {.formula = fmt::format("{} = {} − 1", entry_name("ε", i, i), entry_name("F", i, i)),
-                    .inputs = {entry("F", F, i, i)},
+            return {.formula = fmt::format("{} = {} − 1", why::entry("ε", i, i), why::entry("F", i, i)),
+                    .inputs = {why::entry_now("F", F, 0, i, i)},
                     .evaluate = [](std::span<const Real> x) { return x[0] - 1; }};
-        return {.formula = fmt::format("{} = ½ ({} + {})", entry_name("ε", i, j), entry_name("F", i, j), entry_name("F", j, i)),
-                .inputs = {entry("F", F, i, j), entry("F", F, j, i)},
+        return {.formula = fmt::format("{} = ½ ({} + {})", why::entry("ε", i, j), why::entry("F", i, j), why::entry("F", j, i)),
+                .inputs = {why::entry_now("F", F, 0, i, j), why::entry_now("F", F, 0, j, i)},
                 .evaluate = [](std::span<const Real> x) { return 0.5 * (x[0] + x[1]); }};
     }
     // Products of two columns: of F and F, or of R and F.
     const bool green = is(Energy::stvk);
     std::vector<std::pair<Input, Input>> terms;
     for (int k = 0; k < 3; ++k)
-        terms.emplace_back(green ? entry("F", F, k, i) : entry("R", "rotation", k, i), entry("F", F, k, j));
+        terms.emplace_back(green ? why::entry_now("F", F, 0, k, i) : why::entry_now("R", "rotation", 0, k, i),
+                           why::entry_now("F", F, 0, k, j));
     const Real delta = i == j ? 1 : 0, half = green ? 0.5 : 1;
-    const std::string formula = green ? fmt::format("{} = ½ (Σ F_k{} F_k{} − {})", entry_name("E", i, j), i + 1, j + 1, delta)
+    const std::string formula = green ? fmt::format("{} = ½ (Σ F_k{} F_k{} − {})", why::entry("E", i, j), i + 1, j + 1, delta)
                                       : fmt::format("(S − I)_{}{} = Σ R_k{} F_k{} − {}", i + 1, j + 1, i + 1, j + 1, delta);
     Explanation e = weighted_sum(formula, terms);
     e.evaluate = [delta, half, sum = e.evaluate](std::span<const Real> x) { return half * (sum(x) - delta); };
@@ -132,18 +122,19 @@ Explanation EnergyDensityLesson::why_strain(const Question& q) const {
 Explanation EnergyDensityLesson::why_psi() const {
     if (is(Energy::neo_hookean))
         return {.formula = "ψ = ½ μ (I₁ − 3) − μ lnJ + ½ λ lnJ²",
-                .inputs = {lame_mu(), lame_lambda(), Input::now("I₁", "first_invariant", 0), Input::now("lnJ", "log_volume", 0)},
+                .inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio),
+                           Input::now("I₁", "first_invariant", 0), Input::now("lnJ", "log_volume", 0)},
                 .evaluate = [](std::span<const Real> x) { return x[0] * (0.5 * (x[2] - 3) - x[3]) + 0.5 * x[1] * x[3] * x[3]; }};
     const std::string strain = is(Energy::linear) ? "ε" : is(Energy::stvk) ? "E" : "e";
     Explanation e{.formula = fmt::format("ψ = μ {0}:{0} + ½ λ tr({0})²{1}", strain, is(Energy::corotated) ? ",  e = S − I" : ""),
-                  .inputs = {lame_mu(), lame_lambda()},
+                  .inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio)},
                   .evaluate = {}};
-    for (Input& input : all_entries(strain, "strain")) e.inputs.push_back(std::move(input));
+    for (Input& input : why::all_entries(strain, "strain", 0)) e.inputs.push_back(std::move(input));
     e.evaluate = [](std::span<const Real> x) {
-        return hooke_energy_density<3>({.lambda = x[1], .mu = x[0]}, matrix_of(x.subspan(2)));
+        return hooke_energy_density<3>({.lambda = x[1], .mu = x[0]}, why::matrix(x.subspan(2)));
     };
     e.substitute = [](std::span<const Real> x) {
-        const Mat<3> strain_now = matrix_of(x.subspan(2));
+        const Mat<3> strain_now = why::matrix(x.subspan(2));
         return fmt::format("{} · {} + ½ · {} · {}²", as_factor(x[0]), as_factor(strain_now.squaredNorm()), as_factor(x[1]),
                            as_factor(strain_now.trace(), true));
     };

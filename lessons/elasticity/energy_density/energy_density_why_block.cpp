@@ -1,7 +1,7 @@
 // Why the nodes of the block move as they do: a row of Newton's equations, and the forces of the tetrahedra about a node.
 #include "energy_density.h"
 
-#include "named_entries.h"
+#include "elasticity/linear_body/linear_body_why.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace pliant::energies {
 namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
+using linear_body::axis;
 
 // The displacements of the corners of all tetrahedra about some nodes, as inputs, and the force on a component of these nodes
 // that follows from them.
@@ -81,27 +81,13 @@ Explanation EnergyDensityLesson::why_direction(Index node, int component) const 
                 .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
     SparseMatrix K = block_->body().pattern();
     block_->body().stiffness(block_->before(), !block_->newton().tangent_was_definite(), K);
-    const Index row = 3 * node + component;
-    Explanation e{.formula = "d_a = (r_a − Σ K_ab d_b) / K_aa",
-                  .inputs = {Input::earlier("r_a", "unbalanced_force", corners + node, component),
-                             Input::constant("K_aa", K.coeff(row, row), "N/m", "diagonal of the tangent stiffness")},
-                  .evaluate = {}};
-    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry) {
-        if (entry.row() == row || std::abs(entry.value()) < 1e-13 * std::abs(K.coeff(row, row))) continue;
-        const Index other = entry.row() / 3, c = entry.row() % 3;
-        const std::string place = fmt::format("{}_{}", axis[static_cast<std::size_t>(c)], other);
-        e.inputs.push_back(Input::constant("K" + place, entry.value(), "N/m", "entry of the tangent stiffness"));
-        e.inputs.push_back(Input::now("d" + place, "newton_step", corners + other, static_cast<int>(c)));
-    }
-    e.evaluate = [](std::span<const Real> x) {
-        Real sum = x[0];
-        for (std::size_t k = 2; k + 1 < x.size(); k += 2) sum -= x[k] * x[k + 1];
-        return sum / x[1];
-    };
-    e.substitute = [](std::span<const Real> x) {
-        return fmt::format("({} − ({})) / {}", sum_text(x.first(1)), products_text(x.subspan(2)), as_factor(x[1]));
-    };
-    return e;
+    return linear_body::why_unknown<3>({.matrix = &K,
+                                        .row = 3 * node + component,
+                                        .unknown = "d",
+                                        .field = "newton_step",
+                                        .first_row = corners,
+                                        .added_to_diagonal = block_->newton().diagonal_shift()},
+                                       {Input::earlier("r_a", "unbalanced_force", corners + node, component)});
 }
 
 Explanation EnergyDensityLesson::why_unbalanced(Index node, int component) const {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace pliant::linear_body {
 namespace {
 
@@ -9,18 +11,19 @@ std::string displacement_of(Index node, Index component) {
     return fmt::format("u{}_{}", axis[static_cast<std::size_t>(component)], node);
 }
 
-// The row of K u that belongs to an unknown, appended as pairs of an entry and a displacement. Supports hold nodes at 0: what
-// they hold adds nothing. without: an unknown that is left out, or -1.
-void append_row(std::vector<Input>& inputs, const StaticProblem<3>& problem, Index row, Index without) {
-    const SparseMatrix& K = problem.body().stiffness();
-    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry) {
-        const Index node = entry.row() / 3, component = entry.row() % 3;
-        if (entry.row() == without || entry.value() == 0) continue;
-        if (problem.constraints().prescribed(node, static_cast<int>(component))) continue;
+// The row of K x without its diagonal, appended as pairs of an entry and an unknown. Entries that cancel but for rounding are
+// left out.
+template <int Dim>
+void append_row(std::vector<Input>& inputs, const RowOfEquations& e, bool with_diagonal) {
+    const SparseMatrix& K = *e.matrix;
+    const Real rounding = 1e-13 * std::abs(K.coeff(e.row, e.row));
+    for (SparseMatrix::InnerIterator entry(K, e.row); entry; ++entry) {
+        if ((entry.row() == e.row && !with_diagonal) || std::abs(entry.value()) <= rounding) continue;
+        const Index node = entry.row() / Dim, component = entry.row() % Dim;
+        const std::string place = fmt::format("{}_{}", axis[static_cast<std::size_t>(component)], node);
+        inputs.push_back(Input::constant(fmt::format("K{}", place), entry.value(), "N/m", "entry of the stiffness matrix"));
         inputs.push_back(
-            Input::constant(fmt::format("K_{}", fmt::format("{}{}", axis[static_cast<std::size_t>(component)], node)),
-                            entry.value(), "N/m", "entry of the stiffness matrix"));
-        inputs.push_back(Input::now(displacement_of(node, component), "displacement", node, static_cast<int>(component)));
+            Input::now(fmt::format("{}{}", e.unknown, place), e.field, e.first_row + node, static_cast<int>(component)));
     }
 }
 
@@ -47,50 +50,45 @@ Input element_force(const SimplexMesh<3>& mesh, const Hooke& hooke, Index elemen
 
 }  // namespace
 
-Explanation nothing(std::string formula) {
-    return {.formula = std::move(formula), .inputs = {}, .evaluate = [](std::span<const Real>) { return Real{0}; }};
-}
-
-Input lame_lambda(const Parameter& youngs_modulus, const Parameter& poisson_ratio) {
-    return Input::part("λ", "Pa",
-                       {.formula = "λ = Y ν / ((1 + ν) (1 − 2 ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / ((1 + x[1]) * (1 - 2 * x[1])); }});
-}
-
-Input lame_mu(const Parameter& youngs_modulus, const Parameter& poisson_ratio) {
-    return Input::part("μ", "Pa",
-                       {.formula = "μ = Y / (2 (1 + ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] / (2 * (1 + x[1])); }});
-}
-
-Explanation why_displacement(const StaticProblem<3>& problem, Index node, int component, bool has_residual) {
-    if (problem.constraints().prescribed(node, component)) return nothing("u = 0: held by the support");
-    const Index row = 3 * node + component;
-    Explanation e{
-        .formula = has_residual ? "u_a = (f_a − r_a − Σ K_ab u_b) / K_aa" : "u_a = (f_a − Σ K_ab u_b) / K_aa",
-        .inputs = {Input::constant("K_aa", problem.body().stiffness().coeff(row, row), "N/m", "diagonal of the stiffness matrix"),
-                   Input::now("f_a", "load", node, component)},
-        .evaluate = {}};
-    if (has_residual) e.inputs.push_back(Input::now("r_a", "residual", node, component));
-    const std::size_t head = e.inputs.size();
-    append_row(e.inputs, problem, row, row);
-    e.evaluate = [head](std::span<const Real> x) {
-        return (x[1] - (head > 2 ? x[2] : Real{0}) - products(x.subspan(head))) / x[0];
+template <int Dim>
+Explanation why_unknown(const RowOfEquations& equations, std::vector<Input> right) {
+    const std::size_t head = right.size() + 1;
+    std::string sum = right[0].symbol;
+    for (std::size_t k = 1; k < right.size(); ++k) sum += fmt::format(" − {}", right[k].symbol);
+    Explanation e{.formula = fmt::format("{0}_a = ({1} − Σ K_ab {0}_b) / K_aa", equations.unknown, sum),
+                  .inputs = std::move(right),
+                  .evaluate = {}};
+    e.inputs.insert(e.inputs.begin(),
+                    Input::constant("K_aa", equations.matrix->coeff(equations.row, equations.row) + equations.added_to_diagonal,
+                                    "N/m", "diagonal of the stiffness matrix"));
+    append_row<Dim>(e.inputs, equations, false);
+    const auto right_side = [head](std::span<const Real> x) {
+        Real total = x[1];
+        for (std::size_t k = 2; k < head; ++k) total -= x[k];
+        return total;
     };
+    e.evaluate = [head, right_side](std::span<const Real> x) { return (right_side(x) - products(x.subspan(head))) / x[0]; };
     e.substitute = [head](std::span<const Real> x) {
-        const std::array balance{x[1], head > 2 ? -x[2] : Real{0}};
-        return fmt::format("({} − ({})) / {}", sum_text(std::span(balance).first(head - 1)), products_text(x.subspan(head)),
-                           sum_text(x.first(1)));
+        std::vector<Real> terms(x.begin() + 1, x.begin() + static_cast<std::ptrdiff_t>(head));
+        for (std::size_t k = 1; k < terms.size(); ++k) terms[k] = -terms[k];
+        return fmt::format("({} − ({})) / {}", sum_text(terms), products_text(x.subspan(head)), as_factor(x[0]));
     };
     return e;
 }
+template Explanation why_unknown<2>(const RowOfEquations&, std::vector<Input>);
+template Explanation why_unknown<3>(const RowOfEquations&, std::vector<Input>);
+
+Explanation why_displacement(const StaticProblem<3>& problem, Index node, int component, bool has_residual) {
+    if (problem.constraints().prescribed(node, component)) return fixed_value("u = 0: held by the support", 0);
+    std::vector<Input> right{Input::now("f_a", "load", node, component)};
+    if (has_residual) right.push_back(Input::now("r_a", "residual", node, component));
+    return why_unknown<3>({&problem.body().stiffness(), 3 * node + component, "u", "displacement"}, std::move(right));
+}
 
 Explanation why_residual(const StaticProblem<3>& problem, Index node, int component) {
-    if (problem.constraints().prescribed(node, component)) return nothing("r = 0: the support takes what is left");
+    if (problem.constraints().prescribed(node, component)) return fixed_value("r = 0: the support takes what is left", 0);
     Explanation e{.formula = "r_a = f_a − Σ K_ab u_b", .inputs = {Input::now("f_a", "load", node, component)}, .evaluate = {}};
-    append_row(e.inputs, problem, 3 * node + component, -1);
+    append_row<3>(e.inputs, {&problem.body().stiffness(), 3 * node + component, "u", "displacement"}, true);
     e.evaluate = [](std::span<const Real> x) { return x[0] - products(x.subspan(1)); };
     e.substitute = [](std::span<const Real> x) {
         return fmt::format("{} − ({})", sum_text(x.first(1)), products_text(x.subspan(1)));
@@ -139,7 +137,7 @@ Explanation Hooke::why_stress(Index element, int row, int column, bool from_disp
 }
 
 Explanation why_reaction(const StaticProblem<3>& problem, const Hooke& hooke, Index node, int component) {
-    if (!problem.constraints().prescribed(node, component)) return nothing("r = 0: no support here");
+    if (!problem.constraints().prescribed(node, component)) return fixed_value("r = 0: no support here", 0);
     Explanation e{.formula = "r = Σ V σ·∇N − f", .inputs = {Input::now("f", "load", node, component)}, .evaluate = {}};
     const auto& simplices = problem.body().mesh().simplices();
     for (Index k = 0; k < simplices.cols(); ++k)

@@ -11,12 +11,18 @@ namespace pliant::linear_body {
 
 inline constexpr std::array<char, 3> axis{'x', 'y', 'z'};
 
-// A number that is 0 for the reason that the formula tells.
-Explanation nothing(std::string formula);
-
-// From Young's modulus and Poisson's ratio.
-Input lame_lambda(const Parameter& youngs_modulus, const Parameter& poisson_ratio);
-Input lame_mu(const Parameter& youngs_modulus, const Parameter& poisson_ratio);
+// Row `row` of K x = b, solved for its own unknown: x_a = (b_a − Σ K_ab x_b) / K_aa. The unknowns are the numbers of a field
+// whose rows begin with the nodes' at `first_row`.
+struct RowOfEquations {
+    const SparseMatrix* matrix;
+    Index row;
+    std::string_view unknown, field;  // "u", "displacement"
+    Index first_row = 0;
+    Real added_to_diagonal = 0;  // N/m
+};
+// right: what stands on the right side; the first counts, others are subtracted.
+template <int Dim>
+Explanation why_unknown(const RowOfEquations& equations, std::vector<Input> right);
 
 // What the solver has not balanced stands in the row as the residual, if the lesson has it.
 Explanation why_displacement(const StaticProblem<3>& problem, Index node, int component, bool has_residual);

@@ -1,5 +1,7 @@
 #include "moduli.h"
 
+#include "elasticity/material/material_parameters.h"
+
 #include <pliant/lesson/format.h>
 #include <pliant/math/line_fit.h>
 
@@ -19,23 +21,10 @@ constexpr Real largest_aspect = 1000;
 ModuliLesson::ModuliLesson()
     : test(*this, {.key = "test", .help = "what the machine does to the block", .effect = Effect::rebuild},
            {{"tension", "tension: Y"}, {"shear", "shear: G"}, {"pressure", "pressure: B"}}),
-      youngs_modulus(*this, {.key = "youngs_modulus",
-                             .symbol = "Y",
-                             .unit = "Pa",
-                             .help = "stress per strain in tension; rubber 1 MPa, steel 200 GPa",
-                             .initial = 1e6,
-                             .useful = {1e3, 1e12},
-                             .accepted = Interval{1e-6, 1e18},
-                             .scale = Scale::log,
-                             .effect = Effect::rebuild}),
-      poisson_ratio(*this,
-                    {.key = "poisson_ratio",
-                     .symbol = "ν",
-                     .help = "narrowing over lengthening; 0.5 would be incompressible, below 0 the block widens when pulled",
-                     .initial = 0.3,
-                     .useful = {-0.5, 0.49},
-                     .accepted = Interval{-1, 0.5, true, true},
-                     .effect = Effect::rebuild}),
+      youngs_modulus(*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})),
+      poisson_ratio(*this, poisson_ratio_info(
+                               "narrowing over lengthening; 0.5 would be incompressible, below 0 the block widens when pulled",
+                               {-0.5, 0.49})),
       load(*this, {.key = "load",
                    .symbol = "σ",
                    .unit = "Pa",

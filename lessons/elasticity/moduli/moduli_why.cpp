@@ -1,9 +1,9 @@
 // Why nodes, supports and elements have the numbers that they have.
 #include "moduli.h"
 
-namespace pliant::moduli {
+#include "elasticity/material/material_parameters.h"
 
-using linear_body::nothing;
+namespace pliant::moduli {
 
 // --------------------------------------------------------------------------------------------------------------- load
 
@@ -17,7 +17,7 @@ Input ModuliLesson::applied_stress() const {
 
 Explanation ModuliLesson::why_load(Index node, int component) const {
     const Real share = specimen_->unit_load()(component, node);
-    if (share == 0) return nothing("f = 0: no load pulls here");
+    if (share == 0) return fixed_value("f = 0: no load pulls here", 0);
     return {
         .formula = "f = t A",
         .inputs = {applied_stress(), Input::constant("A", share, "m²", "the node's share of the loaded faces, and their side")},
@@ -38,8 +38,7 @@ std::optional<Explanation> ModuliLesson::why_solved(const Question& q) const {
 // ------------------------------------------------------------------------------------------------- strain and stress
 
 linear_body::Hooke ModuliLesson::hooke() const {
-    return {&specimen_->mesh(), linear_body::lame_lambda(youngs_modulus, poisson_ratio),
-            linear_body::lame_mu(youngs_modulus, poisson_ratio)};
+    return {&specimen_->mesh(), lame_lambda(youngs_modulus, poisson_ratio), lame_mu(youngs_modulus, poisson_ratio)};
 }
 
 Explanation ModuliLesson::why_strain_or_stress(const Question& q) const {

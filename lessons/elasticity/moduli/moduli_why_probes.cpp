@@ -11,7 +11,7 @@
 namespace pliant::moduli {
 namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
+using linear_body::axis;
 
 Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 3, static_cast<Index>(x.size() / 3)}; }
 

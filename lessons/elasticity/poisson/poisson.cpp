@@ -1,5 +1,7 @@
 #include "poisson.h"
 
+#include "elasticity/material/material_parameters.h"
+
 #include "contraction_law.h"
 
 #include <pliant/lesson/format.h>
@@ -20,14 +22,9 @@ PoissonLesson::PoissonLesson()
               .effect = Effect::rebuild,
               .used = [this] { return !bends(); }},
              {{"incremental", "many small steps"}, {"linear", "one linear step"}}),
-      poisson_ratio(*this,
-                    {.key = "poisson_ratio",
-                     .symbol = "ν",
-                     .help = "narrowing over lengthening; 0.5 would be incompressible, below 0 the cube widens when pulled",
-                     .initial = 0.3,
-                     .useful = {-0.9, 0.4999},
-                     .accepted = Interval{-1, 0.5, true, true},
-                     .effect = Effect::rebuild}),
+      poisson_ratio(*this, poisson_ratio_info(
+                               "narrowing over lengthening; 0.5 would be incompressible, below 0 the cube widens when pulled",
+                               {-0.9, 0.4999})),
       axial_strain(*this, {.key = "axial_strain",
                            .symbol = "ΔL/L",
                            .help = "lengthening over length, at the end; negative pushes",

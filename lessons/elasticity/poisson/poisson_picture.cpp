@@ -1,6 +1,8 @@
 // The figure: the cube at rest as an outline and the stretched one with its measures, or the bent panel.
 #include "poisson.h"
 
+#include "elasticity/linear_body/linear_body_picture.h"
+
 #include "contraction_law.h"
 #include "membrane_table.h"
 
@@ -35,26 +37,9 @@ void PoissonLesson::draw_cube(Scene& scene) const {
     const SimplexMesh<3>& mesh = cube_->rest();
     const Vec<3> aside = 0.5 * contractions_[done()] * length * Vec<3>(0, 1, 1);
     // A cube that widens hides its outline at rest.
-    TriangleMarks surface{.corners = {},
-                          .triangles = {},
-                          .ink = Ink::body,
-                          .opacity = contractions_[done()] < 0 || axial_strain < 0 ? 0.8f : 1.0f,
-                          .edges = true};
-    const std::vector<float> on_nodes = scene.values(*this, On::node), on_elements = scene.values(*this, On::element);
-    for (Index f = 0; f < mesh.facet_count(); ++f) {
-        const int first = static_cast<int>(surface.corners.size());
-        surface.triangles.push_back({first, first + 1, first + 2});
-        for (int a = 0; a < 3; ++a) {
-            const Index n = mesh.facets()(a, f);
-            surface.corners.push_back(at(mesh.points().col(n) + displacement_.col(n) + aside));
-            if (!on_nodes.empty()) surface.values.push_back(on_nodes[static_cast<std::size_t>(n)]);
-            if (!on_elements.empty()) surface.values.push_back(on_elements[static_cast<std::size_t>(mesh.facet_simplex(f))]);
-        }
-        surface.pick.ids.push_back(mesh.facet_simplex(f));
-    }
-    surface.pick.pickable = true;
-    surface.pick.on = On::element;
-    scene.triangles.push_back(std::move(surface));
+    const float opacity = contractions_[done()] < 0 || axial_strain < 0 ? 0.8f : 1.0f;
+    linear_body::draw_surface(
+        scene, *this, mesh, [&](Index n) -> Vec<3> { return mesh.points().col(n) + displacement_.col(n) + aside; }, opacity);
     scene.box(at(Vec<3>::Zero()), at(Vec<3>::Constant(length)), Ink::rest, 2, true);
 }
 

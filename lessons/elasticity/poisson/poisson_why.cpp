@@ -1,6 +1,8 @@
 // Why nodes and elements of the cube and the panel have the numbers that they have.
 #include "poisson.h"
 
+#include "elasticity/linear_body/linear_body_why.h"
+
 #include "contraction_law.h"
 #include "membrane_table.h"
 
@@ -14,37 +16,7 @@
 namespace pliant::poisson {
 namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
-Explanation nothing(std::string formula) {
-    return {.formula = std::move(formula), .inputs = {}, .evaluate = [](std::span<const Real>) { return Real{0}; }};
-}
-
-// Row of K u = f, solved for its own unknown: entries of K and the displacements of the neighbours, after `force` [N].
-template <int Dim>
-Explanation row_of(const SparseMatrix& K, Index row, Real force, std::string_view field) {
-    Explanation e{.formula = "u_a = (f_a − Σ K_ab u_b) / K_aa",
-                  .inputs = {Input::constant("f_a", force, "N", "load on the node"),
-                             Input::constant("K_aa", K.coeff(row, row), "N/m", "diagonal of the stiffness matrix")},
-                  .evaluate = {}};
-    for (SparseMatrix::InnerIterator entry(K, row); entry; ++entry) {
-        // Entries that cancel but for rounding.
-        if (entry.row() == row || std::abs(entry.value()) < 1e-13 * K.coeff(row, row)) continue;
-        const Index node = entry.row() / Dim, component = entry.row() % Dim;
-        const std::string place = fmt::format("{}_{}", axis[static_cast<std::size_t>(component)], node);
-        e.inputs.push_back(Input::constant("K" + place, entry.value(), "N/m", "entry of the stiffness matrix"));
-        e.inputs.push_back(Input::now("u" + place, field, node, static_cast<int>(component)));
-    }
-    e.evaluate = [](std::span<const Real> x) {
-        Real sum = x[0];
-        for (std::size_t k = 2; k + 1 < x.size(); k += 2) sum -= x[k] * x[k + 1];
-        return sum / x[1];
-    };
-    e.substitute = [](std::span<const Real> x) {
-        return fmt::format("({} − ({})) / {}", sum_text(x.first(1)), products_text(x.subspan(2)), as_factor(x[1]));
-    };
-    return e;
-}
+using linear_body::axis;
 
 }  // namespace
 
@@ -58,7 +30,7 @@ std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
                            .inputs = {Input::before("u", "displacement", q.index, q.component),
                                       Input::now("Δu", "increment", q.index, q.component)},
                            .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
-    if (!cube_->pulled(q.index, q.component)) return nothing("Δx = 0: only the far face is pulled");
+    if (!cube_->pulled(q.index, q.component)) return fixed_value("Δx = 0: only the far face is pulled", 0);
     return Explanation{.formula = "Δx = s L / N",
                        .inputs = {Input::of(axial_strain, "s"), Input::of(length),
                                   Input::constant("N", static_cast<Real>(steps()), "", "number of steps")},
@@ -70,8 +42,9 @@ Explanation PoissonLesson::why_increment(Index node, int component) const {
         return {.formula = "Δu = Δx",
                 .inputs = {Input::now("Δx", "prescribed", node, component)},
                 .evaluate = [](std::span<const Real> x) { return x[0]; }};
-    if (cube_->held(node, component)) return nothing("Δu = 0: the face slides on rollers");
-    return row_of<3>(cube_->body().stiffness(), 3 * node + component, 0, "increment");
+    if (cube_->held(node, component)) return fixed_value("Δu = 0: the face slides on rollers", 0);
+    return linear_body::why_unknown<3>({&cube_->body().stiffness(), 3 * node + component, "u", "increment"},
+                                       {Input::constant("f_a", 0, "N", "no load on the node")});
 }
 
 // det(I + Σ u ⊗ ∇N) over the corners of the tetrahedron.
@@ -98,11 +71,13 @@ Explanation PoissonLesson::why_volume(Index element) const {
 
 std::optional<Explanation> PoissonLesson::why_bent(const Question& q) const {
     if (!advancing_) return std::nullopt;
-    if (q.component == 2) return nothing("u_z = 0: plane strain");
-    if (membrane_->mesh().points()(0, q.index) == 0) return nothing("u = 0: clamped");
+    if (q.component == 2) return fixed_value("u_z = 0: plane strain", 0);
+    if (membrane_->mesh().points()(0, q.index) == 0) return fixed_value("u = 0: clamped", 0);
     const Real nu = ratios()[static_cast<std::size_t>(done())];
     const LinearFem<2> body(membrane_->mesh(), IsotropicModuli::from_young_poisson(1, nu).lame());
-    return row_of<2>(body.stiffness(), 2 * q.index + q.component, membrane_->unit_load()(q.component, q.index), "displacement");
+    return linear_body::why_unknown<2>(
+        {&body.stiffness(), 2 * q.index + q.component, "u", "displacement"},
+        {Input::constant("f_a", membrane_->unit_load()(q.component, q.index), "N", "load on the node")});
 }
 
 // -------------------------------------------------------------------------------------------------------------- probes

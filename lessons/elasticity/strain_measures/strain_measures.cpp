@@ -1,5 +1,7 @@
 #include "strain_measures.h"
 
+#include "elasticity/material/material_parameters.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -37,22 +39,8 @@ StrainMeasuresLesson::StrainMeasuresLesson()
                           .useful = {-90, 90},
                           .accepted = Interval{-90, 90},
                           .effect = Effect::rebuild}),
-      youngs_modulus(*this, {.key = "youngs_modulus",
-                             .symbol = "Y",
-                             .unit = "Pa",
-                             .help = "stress per strain in tension; rubber 1 MPa, steel 200 GPa",
-                             .initial = 1e6,
-                             .useful = {1e3, 1e12},
-                             .accepted = Interval{1e-6, 1e18},
-                             .scale = Scale::log,
-                             .effect = Effect::rebuild}),
-      poisson_ratio(*this, {.key = "poisson_ratio",
-                            .symbol = "ν",
-                            .help = "narrowing over lengthening",
-                            .initial = 0.3,
-                            .useful = {-0.5, 0.49},
-                            .accepted = Interval{-1, 0.5, true, true},
-                            .effect = Effect::rebuild}),
+      youngs_modulus(*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})),
+      poisson_ratio(*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})),
       operations_(count_operations()) {
     controls.add_entries(*this);
     declare_fields();

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
 
-#include "elasticity/deformation_maps/tensor_why.h"
+#include "elasticity/material/material_parameters.h"
+#include "elasticity/tensors/tensor_why.h"
 #include "strain_measures.h"
 
 #include <algorithm>
@@ -144,11 +145,7 @@ Explanation StrainMeasuresLesson::why_stress(const Question& q) const {
     const bool of_green = q.field == "stress_green";
     const char* const name = of_green ? "E" : "ε";
     const std::string_view field = of_green ? "green_strain" : "cauchy_strain";
-    const Input Y = Input::of(youngs_modulus), nu = Input::of(poisson_ratio);
-    const Input mu =
-        Input::part("μ", "Pa", {.formula = "μ = Y / (2 (1 + ν))", .inputs = {Y, nu}, .evaluate = [](std::span<const Real> x) {
-                                    return x[0] / (2 * (1 + x[1]));
-                                }});
+    const Input mu = lame_mu(youngs_modulus, poisson_ratio);
     const std::string sigma = why::entry("σ", i, j);
     if (i != j) {
         const int row = std::min(i, j), column = std::max(i, j);
@@ -157,10 +154,7 @@ Explanation StrainMeasuresLesson::why_stress(const Question& q) const {
                 .inputs = {mu, why::entry_now(name, field, 0, row, column)},
                 .evaluate = [](std::span<const Real> x) { return x[0] * 2 * x[1]; }};
     }
-    const Input lambda = Input::part(
-        "λ", "Pa", {.formula = "λ = Y ν / ((1 + ν) (1 − 2 ν))", .inputs = {Y, nu}, .evaluate = [](std::span<const Real> x) {
-                        return x[0] * x[1] / ((1 + x[1]) * (1 - 2 * x[1]));
-                    }});
+    const Input lambda = lame_lambda(youngs_modulus, poisson_ratio);
     std::string right;
     for (int k = 0; k < 3; ++k)
         right += fmt::format("{}{} {}", k ? " + " : "", k == i ? "(λ + 2 μ)" : "λ", why::entry(name, k, k));

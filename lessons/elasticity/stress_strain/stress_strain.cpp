@@ -1,5 +1,7 @@
 #include "stress_strain.h"
 
+#include "elasticity/material/material_parameters.h"
+
 #include <pliant/lesson/format.h>
 
 #include <fmt/format.h>
@@ -108,22 +110,8 @@ StressStrainLesson::StressStrainLesson()
                 info.used = [this] { return loading != Load::disc; };
                 return info;
             }()),
-      youngs_modulus(*this, {.key = "youngs_modulus",
-                             .symbol = "Y",
-                             .unit = "Pa",
-                             .help = "stress per strain; rubber 1 MPa, steel 200 GPa",
-                             .initial = 1e6,
-                             .useful = {1e5, 1e12},
-                             .accepted = Interval{1e-6, 1e18},
-                             .scale = Scale::log,
-                             .effect = Effect::rebuild}),
-      poisson_ratio(*this, {.key = "poisson_ratio",
-                            .symbol = "ν",
-                            .help = "narrowing over lengthening",
-                            .initial = 0.3,
-                            .useful = {-0.5, 0.49},
-                            .accepted = Interval{-1, 0.5, true, true},
-                            .effect = Effect::rebuild}),
+      youngs_modulus(*this, youngs_modulus_info("stress per strain; rubber 1 MPa, steel 200 GPa", {1e5, 1e12})),
+      poisson_ratio(*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})),
       resolution(*this, {.key = "resolution",
                          .symbol = "n",
                          .help = "cells across, of 5 tetrahedra each; the stress is uniform and does not depend on it",

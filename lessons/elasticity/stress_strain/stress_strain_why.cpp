@@ -1,6 +1,8 @@
 // Why the loaded bodies have the numbers that they have.
 #include "stress_strain.h"
 
+#include "elasticity/material/material_parameters.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +21,7 @@ std::string name(int row, int column) {
 }  // namespace
 
 linear_body::Hooke StressStrainLesson::hooke() const {
-    return {&body_->mesh(), linear_body::lame_lambda(youngs_modulus, poisson_ratio),
-            linear_body::lame_mu(youngs_modulus, poisson_ratio)};
+    return {&body_->mesh(), lame_lambda(youngs_modulus, poisson_ratio), lame_mu(youngs_modulus, poisson_ratio)};
 }
 
 // --------------------------------------------------------------------------------------------------------------- load
@@ -49,7 +50,7 @@ Explanation StressStrainLesson::why_load(const Question& q) const {
                            Input::constant(fmt::format("A_{}", axis[static_cast<std::size_t>(j)]), share, "m²",
                                            "the node's share of the loaded faces, outward"));
     }
-    if (terms.empty()) return linear_body::nothing("f = 0: no load acts here");
+    if (terms.empty()) return fixed_value("f = 0: no load acts here", 0);
     return weighted_sum(fmt::format("f_{0} = Σ σ_{0}j A_j", axis[static_cast<std::size_t>(q.component)]), terms);
 }
 
@@ -81,7 +82,7 @@ Explanation StressStrainLesson::why_traction(const Question& q) const {
                 .inputs = {now(fmt::format("t_{}", i), "traction", q.component),
                            now(fmt::format("N_{}", i), "normal_part", q.component)},
                 .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
-    if (q.component == 2) return linear_body::nothing("N_z = 0: the normal lies in the plane of x and y");
+    if (q.component == 2) return fixed_value("N_z = 0: the normal lies in the plane of x and y", 0);
     const auto k = static_cast<std::size_t>(q.component);
     return {.formula = fmt::format("N_{0} = (t_x n_x + t_y n_y) n_{0}", i),
             .inputs = {now("t_x", "traction", 0), now("t_y", "traction", 1), normal_input(0), normal_input(1)},
