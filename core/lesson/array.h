@@ -71,4 +71,26 @@ std::function<std::span<const Real>()> view_of(const Storage& storage) {
     return [&storage] { return std::span<const Real>(storage.data(), static_cast<std::size_t>(storage.size())); };
 }
 
+// Fields over an array in memory: a number, three components, or 3 × 3 numbers row by row, for each thing of its kind. Whatever
+// else a field declares is set afterwards.
+template <class Storage>
+Field scalar_field(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Storage& numbers,
+                   std::string_view help) {
+    return {.name = name, .symbol = symbol, .unit = unit, .on = on, .view = view_of(numbers), .help = help};
+}
+template <class Storage>
+Field vector_field(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Storage& numbers,
+                   std::string_view help) {
+    Field f = scalar_field(name, symbol, unit, on, numbers, help);
+    f.rank = Rank::vector, f.components = 3;
+    return f;
+}
+template <class Storage>
+Field tensor_field(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Storage& numbers,
+                   std::string_view help) {
+    Field f = scalar_field(name, symbol, unit, on, numbers, help);
+    f.rank = Rank::tensor, f.components = 9;
+    return f;
+}
+
 }  // namespace pliant

@@ -21,36 +21,17 @@ Real bound() { return largest; }
 
 void DeformationGradientLesson::declare_fields() {
     const auto vector = [](std::string_view name, std::string_view symbol, On on, const Vectors& v, std::string_view help) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = "m",
-                     .on = on,
-                     .rank = Rank::vector,
-                     .components = 3,
-                     .view = view_of(v),
-                     .help = help,
-                     .bound = bound};
+        return vector_field(name, symbol, "m", on, v, help);
     };
     const auto tensor = [](std::string_view name, std::string_view symbol, On on, const Nine& t, std::string_view help) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .on = on,
-                     .rank = Rank::tensor,
-                     .components = 9,
-                     .view = view_of(t),
-                     .help = help,
-                     .bound = bound};
+        return tensor_field(name, symbol, "", on, t, help);
     };
     fields = {vector("position", "x", On::node, position_, "of the body's points now"),
               vector("displacement", "u", On::node, displacement_, "from the place at rest"),
               tensor("displacement_gradient", "∇u", On::node, slope_, "slopes of the displacement along X, Y, Z"),
               tensor("deformation_gradient", "F", On::node, deformation_, "takes small vectors at rest to vectors now"),
-              {.name = "volume_ratio",
-               .symbol = "det F",
-               .on = On::node,
-               .view = view_of(volume_ratio_),
-               .help = "volume now over volume at rest; below 0 where the body is turned inside out",
-               .bound = bound},
+              scalar_field("volume_ratio", "det F", "", On::node, volume_ratio_,
+                           "volume now over volume at rest; below 0 where the body is turned inside out"),
               tensor("green_strain", "E", On::node, strain_, "Green's strain: 0 wherever the motion is rigid"),
               vector("point_position", "x", On::particle, point_position_, "of P and Q now: p and q"),
               vector("point_displacement", "u", On::particle, point_displacement_, "of P and Q"),
@@ -63,6 +44,7 @@ void DeformationGradientLesson::declare_fields() {
               vector("deformed_vector", "dx", On::edge, deformed_vector_, "from p to q"),
               vector("mapped_vector", "F dX", On::edge, mapped_vector_, "what F makes of dX"),
               vector("taylor_gap", "dx − F dX", On::edge, gap_, "what F leaves out")};
+    for (Field& field : fields) field.bound = bound;
 }
 
 void DeformationGradientLesson::declare_state() {

@@ -37,58 +37,29 @@ void EnergyDensityLesson::declare_fields() {
         const Lame m = material();
         return largest_stress_over_modulus * (m.mu + std::abs(m.lambda));
     };
-    const auto tensor = [](std::string_view name, std::string_view symbol, std::string_view unit, const Rows& rows,
-                           std::string_view help, std::function<Real()> bound) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = unit,
-                     .on = On::element,
-                     .rank = Rank::tensor,
-                     .components = 9,
-                     .view = view_of(rows),
-                     .help = help,
-                     .bound = std::move(bound)};
+    const auto bounded = [](Field field, std::function<Real()> bound) {
+        field.bound = std::move(bound);
+        return field;
     };
-    const auto scalar = [](std::string_view name, std::string_view symbol, std::string_view unit, const One& one,
+    const auto tensor = [&](std::string_view name, std::string_view symbol, std::string_view unit, const Rows& rows,
+                            std::string_view help, std::function<Real()> bound) {
+        return bounded(tensor_field(name, symbol, unit, On::element, rows, help), std::move(bound));
+    };
+    const auto scalar = [&](std::string_view name, std::string_view symbol, std::string_view unit, const One& one,
+                            std::string_view help, std::function<Real()> bound) {
+        return bounded(scalar_field(name, symbol, unit, On::element, one, help), std::move(bound));
+    };
+    const auto nodal = [&](std::string_view name, std::string_view symbol, std::string_view unit, const Points<3>& rows,
                            std::string_view help, std::function<Real()> bound) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = unit,
-                     .on = On::element,
-                     .view = view_of(one),
-                     .help = help,
-                     .bound = std::move(bound)};
+        return bounded(vector_field(name, symbol, unit, On::node, rows, help), std::move(bound));
     };
     fields = {tensor("deformation_gradient", "F", "", F_, "∂x/∂X; its columns are the edges of the deformed cube", small),
-              {.name = "displacement",
-               .symbol = "u",
-               .unit = "m",
-               .on = On::node,
-               .rank = Rank::vector,
-               .components = 3,
-               .view = view_of(displacement_),
-               .help = "of the eight corners of the cube, (F − I) X, and of the nodes of the block",
-               .bound = small},
-              {.name = "newton_step",
-               .symbol = "d",
-               .unit = "m",
-               .on = On::node,
-               .rank = Rank::vector,
-               .components = 3,
-               .view = view_of(direction_),
-               .help = "Newton's direction at each node of the block, before the line search shortens it",
-               .bound = small,
-               .used = [this] { return has_block(); }},
-              {.name = "unbalanced_force",
-               .symbol = "r",
-               .unit = "N",
-               .on = On::node,
-               .rank = Rank::vector,
-               .components = 3,
-               .view = view_of(unbalanced_),
-               .help = "force that no other balances yet, at the free nodes of the block",
-               .bound = stress_bound,
-               .used = [this] { return has_block(); }},
+              nodal("displacement", "u", "m", displacement_,
+                    "of the eight corners of the cube, (F − I) X, and of the nodes of the block", small),
+              nodal("newton_step", "d", "m", direction_,
+                    "Newton's direction at each node of the block, before the line search shortens it", small),
+              nodal("unbalanced_force", "r", "N", unbalanced_, "force that no other balances yet, at the free nodes of the block",
+                    stress_bound),
               scalar("volume_ratio", "J", "", J_, "det F: volume now over volume at rest; below 0 inside out", small),
               tensor("strain", "ε, E, S − I", "", strain_, "the strain that this energy is made of", small),
               tensor("rotation", "R", "", rotation_, "the rotation nearest to F", small),
@@ -99,6 +70,8 @@ void EnergyDensityLesson::declare_fields() {
                      stress_bound),
               tensor("difference_stress", "P_h", "Pa", difference_, "central difference of ψ", stress_bound)};
     const auto use = [this](std::string_view name, auto used) { std::ranges::find(fields, name, &Field::name)->used = used; };
+    use("newton_step", [this] { return has_block(); });
+    use("unbalanced_force", [this] { return has_block(); });
     use("strain", [this] { return !is(Energy::neo_hookean); });
     use("rotation", [this] { return is(Energy::corotated); });
     use("first_invariant", [this] { return is(Energy::neo_hookean); });

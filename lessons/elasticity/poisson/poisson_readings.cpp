@@ -30,16 +30,10 @@ void PoissonLesson::declare_fields() {
              state_array("done", "", done_)};
     const auto stretched = [this] { return !bends(); };
     const auto nodal = [&](std::string_view name, std::string_view symbol, const Points<3>& points, std::string_view help) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = "m",
-                     .on = On::node,
-                     .rank = Rank::vector,
-                     .components = 3,
-                     .view = view_of(points),
-                     .help = help,
-                     .bound = [this] { return bends() ? largest_deflection : largest_displacement * length; },
-                     .used = stretched};
+        Field f = vector_field(name, symbol, "m", On::node, points, help);
+        f.bound = [this] { return bends() ? largest_deflection : largest_displacement * length; };
+        f.used = stretched;
+        return f;
     };
     fields = {nodal("displacement", "u", displacement_, "of the cube or of the panel from the place at rest"),
               nodal("increment", "Δu", increment_, "of the latest step"),

@@ -20,30 +20,12 @@ constexpr Real largest = 1e12, largest_stress = 1e40;
 
 void StrainMeasuresLesson::declare_fields() {
     const auto tensor = [](std::string_view name, std::string_view symbol, const Nine& t, std::string_view help,
-                           std::string_view unit = "") {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = unit,
-                     .on = On::particle,
-                     .rank = Rank::tensor,
-                     .components = 9,
-                     .view = view_of(t),
-                     .help = help,
-                     .bound = [unit] { return unit.empty() ? largest : largest_stress; }};
-    };
+                           std::string_view unit = "") { return tensor_field(name, symbol, unit, On::particle, t, help); };
     const auto vector = [](std::string_view name, std::string_view symbol, const Vec<3>& v, std::string_view help) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .on = On::particle,
-                     .rank = Rank::vector,
-                     .components = 3,
-                     .view = view_of(v),
-                     .help = help,
-                     .bound = [] { return largest; }};
+        return vector_field(name, symbol, "", On::particle, v, help);
     };
     const auto around = [](std::string_view name, std::string_view symbol, const VecX& s, std::string_view help) {
-        return Field{
-            .name = name, .symbol = symbol, .on = On::edge, .view = view_of(s), .help = help, .bound = [] { return largest; }};
+        return scalar_field(name, symbol, "", On::edge, s, help);
     };
     fields = {
         around("stretch", "|F n|", stretch_, "length now over length at rest of each direction n of the circle"),
@@ -57,6 +39,7 @@ void StrainMeasuresLesson::declare_fields() {
         vector("deformed_direction", "v′", deformed_v_, "what F makes of it"),
         tensor("stress_green", "σ", stress_green_, "Hooke's law of Green's strain: the second Piola–Kirchhoff stress", "Pa"),
         tensor("stress_cauchy", "σ", stress_cauchy_, "Hooke's law of Cauchy's strain", "Pa")};
+    for (Field& field : fields) field.bound = [stress = !field.unit.empty()] { return stress ? largest_stress : largest; };
 }
 
 void StrainMeasuresLesson::declare_state() {

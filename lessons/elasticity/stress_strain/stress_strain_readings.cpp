@@ -11,30 +11,6 @@
 namespace pliant::stress_strain {
 namespace {
 
-Field nodal(std::string_view name, std::string_view symbol, std::string_view unit, const Points<3>& values,
-            std::string_view help) {
-    return {.name = name,
-            .symbol = symbol,
-            .unit = unit,
-            .on = On::node,
-            .rank = Rank::vector,
-            .components = 3,
-            .view = view_of(values),
-            .help = help};
-}
-
-Field tensorial(std::string_view name, std::string_view symbol, std::string_view unit, const Tensors<3>& values,
-                std::string_view help) {
-    return {.name = name,
-            .symbol = symbol,
-            .unit = unit,
-            .on = On::element,
-            .rank = Rank::tensor,
-            .components = 9,
-            .view = view_of(values),
-            .help = help};
-}
-
 // Normal and shear part of the force per area of a plane under a stress; the shear is positive anticlockwise.
 std::pair<Real, Real> parts(const Mat<3>& stress, const Vec<3>& n) {
     const Vec<3> t = stress * n;
@@ -53,14 +29,13 @@ void StressStrainLesson::declare_fields() {
              state_array("normal_part", "Pa", normal_part_),
              state_array("shear_part", "Pa", shear_part_),
              state_array("done", "", done_)};
-    fields = {nodal("displacement", "u", "m", displacement_, "from the rest position"),
-              nodal("load", "f", "N", load_force_, "each node's share of the load"),
-              nodal("reaction", "r", "N", reaction_, "K u − f where a support holds the node"),
-              tensorial("strain", "ε", "", strain_, "Cauchy's small strain; negative where compressed"),
-              tensorial("stress", "σ", "Pa", stress_, "Hooke's law; negative where compressed")};
+    fields = {vector_field("displacement", "u", "m", On::node, displacement_, "from the rest position"),
+              vector_field("load", "f", "N", On::node, load_force_, "each node's share of the load"),
+              vector_field("reaction", "r", "N", On::node, reaction_, "K u − f where a support holds the node"),
+              tensor_field("strain", "ε", "", On::element, strain_, "Cauchy's small strain; negative where compressed"),
+              tensor_field("stress", "σ", "Pa", On::element, stress_, "Hooke's law; negative where compressed")};
     const auto on_cut = [this](std::string_view name, std::string_view symbol, const Points<3>& values, std::string_view help) {
-        Field f = nodal(name, symbol, "Pa", values, help);
-        f.on = On::element;
+        Field f = vector_field(name, symbol, "Pa", On::element, values, help);
         f.used = [this] { return loading == Load::cut; };
         return f;
     };
