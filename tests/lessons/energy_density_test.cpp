@@ -187,3 +187,22 @@ TEST_CASE("energy_density: explanations hold on every path, and fixes mend", "[e
         CHECK(holds(runner, name));
     }
 }
+
+TEST_CASE("energy_density: a block on sliding ends does what the cube does, and glued ends hold it back", "[energy]") {
+    for (const char* energy : {"linear", "stvk", "corotated", "neo_hookean"})
+        for (const char* stretch : {"0.8", "1.2", "1.6"}) {
+            INFO(energy << " " << stretch);
+            const Runner::Assignments along{{"energy", energy}, {"stretch", stretch}, {"path", "uniaxial"}};
+            const auto at_end = [&](const char* ends, std::string_view probe) {
+                Runner::Assignments all = along;
+                all.emplace_back("ends", ends);
+                const Runner runner = run_density(all);
+                CHECK(holds(runner, "block in equilibrium"));
+                return *runner.value(runner.lesson().probe(probe));
+            };
+            const Real cube = at_end("sliding", "P11");
+            CHECK(std::abs(at_end("sliding", "block_stress") / cube - 1) < 1e-6);
+            // What may not narrow (or widen) at its ends takes more force.
+            CHECK(std::abs(at_end("glued", "block_stress")) > 1.001 * std::abs(cube));
+        }
+}

@@ -41,3 +41,33 @@ TEST_CASE("a material point is dragged, the lesson answers while the hand moves,
     desk.key("ctrl+z");
     CHECK(desk.becomes([&](const Json&) { return desk.parameter(key) == before; }));
 }
+
+TEST_CASE("the end of a rod is dragged through its rest: force and strain change their sign", "[window]") {
+    need_screen_and_mouse();
+    const Scratch scratch;
+    Desk desk({"--scene", scratch.file("rod.json", R"({"pliant": 1, "lesson": "elasticity/stress_strain",
+                                                      "parameters": {"scene": "rod", "force": 300}})")});
+    REQUIRE(desk.becomes("playing", false));
+    REQUIRE(desk.becomes("step", 1));
+    Spot grip{};
+    const auto holds_end = [&] {
+        for (double down = 0.3; down < 0.7; down += 0.02)
+            for (double across = 0.35; across < 0.8; across += 0.012) {
+                grip = desk.on("scene", across, down);
+                desk.move(grip);
+                if (desk.state()["hovered"] != 0) continue;
+                desk.press();
+                if (desk.state()["pulling"] == 0) return true;
+                desk.release();
+            }
+        return false;
+    };
+    REQUIRE(holds_end());
+    desk.move({grip.x - 30, grip.y - 8});
+    desk.move({grip.x - 160, grip.y - 40});
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("force") < 0; }));
+    desk.release();
+    CHECK(desk.becomes([&](const Json& s) { return s["probes"]["strain"] < 0; }));
+    desk.key("ctrl+z");
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("force") == 300; }));
+}
