@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant::linear_body {
@@ -11,17 +12,18 @@ std::string displacement_of(Index node, Index component) {
     return fmt::format("u{}_{}", axis[static_cast<std::size_t>(component)], node);
 }
 
-// The row of K x without its diagonal, appended as pairs of an entry and an unknown. Entries that cancel but for rounding are
-// left out.
+// The row of K x, with its diagonal or without, appended as pairs of an entry and an unknown: the stiffest first, since entries
+// that cancel but for rounding say little.
 template <int Dim>
 void append_row(std::vector<Input>& inputs, const RowOfEquations& e, bool with_diagonal) {
-    const SparseMatrix& K = *e.matrix;
-    const Real rounding = 1e-13 * std::abs(K.coeff(e.row, e.row));
-    for (SparseMatrix::InnerIterator entry(K, e.row); entry; ++entry) {
-        if ((entry.row() == e.row && !with_diagonal) || std::abs(entry.value()) <= rounding) continue;
-        const Index node = entry.row() / Dim, component = entry.row() % Dim;
+    std::vector<std::pair<Real, Index>> entries;
+    for (SparseMatrix::InnerIterator entry(*e.matrix, e.row); entry; ++entry)
+        if ((entry.row() != e.row || with_diagonal) && entry.value() != 0) entries.emplace_back(entry.value(), entry.row());
+    std::ranges::stable_sort(entries, std::ranges::greater(), [](const auto& entry) { return std::abs(entry.first); });
+    for (const auto& [value, row] : entries) {
+        const Index node = row / Dim, component = row % Dim;
         const std::string place = fmt::format("{}_{}", axis[static_cast<std::size_t>(component)], node);
-        inputs.push_back(Input::constant(fmt::format("K{}", place), entry.value(), "N/m", "entry of the stiffness matrix"));
+        inputs.push_back(Input::constant(fmt::format("K{}", place), value, "N/m", "entry of the stiffness matrix"));
         inputs.push_back(
             Input::now(fmt::format("{}{}", e.unknown, place), e.field, e.first_row + node, static_cast<int>(component)));
     }
