@@ -95,6 +95,7 @@ TEST_CASE("a slider of the deck is set by keys alone", "[window][deck]") {
     Desk desk(lecture);
     REQUIRE(at(desk, 1, false));
     desk.key("Tab");
+    REQUIRE(desk.becomes("typing", true));
     desk.key("ctrl+a");
     desk.type("500000");
     desk.key("Return");

@@ -2,6 +2,8 @@
 
 #include <pliant/lesson/file.h>
 
+#include <imgui.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -92,6 +94,7 @@ std::string state_json(const LabState& lab) {
     j["autopsy"] = lab.session.autopsy() ? lab.session.autopsy()->text() : "";
     j["summary"] = lab.summary;
     j["patterns"] = lab.session.patterns;
+    j["typing"] = ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput;
     if (lab.focus) j["focus"] = focus_json(lab);
     j["layout"] = name_of(lab.layout);
     const auto& walkthrough = lab.session.walkthrough;
