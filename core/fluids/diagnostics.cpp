@@ -68,6 +68,8 @@ Real kinetic_energy(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& veloci
             const Real u = velocity[a][closed[k]];
             sum -= (1 - Real(0.5) * grid.fluid_beside_closed(a)[k]) * u * u;
         }
+        // Half of the volume at a surface is air.
+        for (const Index face : grid.surface_faces(a)) sum -= Real(0.5) * velocity[a][face] * velocity[a][face];
     }
     return Real(0.5) * grid.cell_volume() * sum;
 }

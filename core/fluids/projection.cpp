@@ -20,6 +20,13 @@ PressureProjection<Dim>::PressureProjection(const StaggeredGrid<Dim>& grid, Proj
 }
 
 template <int Dim>
+void PressureProjection<Dim>::domain_changed(const SurfaceFractions<Dim>& fractions) {
+    fractions_ = fractions;
+    regions_ = FluidRegions<Dim>(grid_);
+    multigrid_ = Multigrid<Dim>(grid_, fractions_);
+}
+
+template <int Dim>
 void PressureProjection<Dim>::set(ProjectionSettings settings) {
     if (!(settings.tolerance > 0 && settings.tolerance < 1))
         throw Refused("tolerance", settings.tolerance, "", "a number between 0 and 1");
@@ -50,6 +57,8 @@ void PressureProjection<Dim>::begin(const FaceField<Dim>& velocity, Real dt) {
     scalars_[target] = std::max(settings_.tolerance * largest, rounding);
     residual_ *= -grid_.dx() * grid_.dx() / dt;
     direction_.setZero();
+    for (Index c = 0; grid_.has_solids() && c < pressure_.size(); ++c)
+        if (!grid_.is_fluid(c)) pressure_[c] = 0;
     if (largest <= rounding)
         pressure_.setZero();
     else
@@ -115,7 +124,10 @@ void PressureProjection<Dim>::give_up(const char* why) const {
 
 template <int Dim>
 void PressureProjection<Dim>::apply(FaceField<Dim>& velocity) const {
-    subtract_gradient(grid_, pressure_, scalars_[time_step], velocity);
+    if (grid_.has_air())
+        subtract_gradient(grid_, pressure_, fractions_, scalars_[time_step], velocity);
+    else
+        subtract_gradient(grid_, pressure_, scalars_[time_step], velocity);
 }
 
 template <int Dim>

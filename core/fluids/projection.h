@@ -10,7 +10,8 @@ struct ProjectionSettings {
     Index max_iterations = 200;  // at least 1
 };
 
-// Solves Δt ∇²p = ∇·ũ for the kinematic pressure p = (pressure)/ρ, m²/s², with ∂p/∂n = 0 at walls and solids, by conjugate
+// Solves Δt ∇²p = ∇·ũ for the kinematic pressure p = (pressure)/ρ, m²/s², with ∂p/∂n = 0 at walls and solids and p = 0 at
+// a free surface, by conjugate
 // gradients preconditioned with one multigrid V-cycle [McAdamsSifakisTeran2010 §3]. One pass at a time:
 //
 //     projection.begin(velocity, dt);
@@ -25,6 +26,9 @@ class PressureProjection {
 public:
     // Keeps a reference to the grid. Throws Refused for settings that are out of range.
     explicit PressureProjection(const StaggeredGrid<Dim>& grid, ProjectionSettings settings = {});
+
+    // The cells of the grid have changed, or where its surface lies. fractions: of the surface faces, if the grid has air.
+    void domain_changed(const SurfaceFractions<Dim>& fractions = {});
 
     void set(ProjectionSettings settings);
     const ProjectionSettings& settings() const { return settings_; }
@@ -69,6 +73,7 @@ private:
 
     const StaggeredGrid<Dim>& grid_;
     ProjectionSettings settings_;
+    SurfaceFractions<Dim> fractions_;
     FluidRegions<Dim> regions_;
     Multigrid<Dim> multigrid_;
     VecX pressure_, residual_, direction_, scalars_;

@@ -1,0 +1,233 @@
+#include <pliant/fluids/level_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace pliant {
+namespace {
+
+template <int Dim>
+StaggeredGrid<Dim> box_of(const StaggeredGrid<Dim>& grid) {
+    StaggeredGridInfo<Dim> info;
+    info.cells = grid.cell_counts();
+    info.dx = grid.dx();
+    for (int a = 0; a < Dim; ++a) info.periodic[a] = grid.periodic(a);
+    return StaggeredGrid<Dim>(info);
+}
+
+// The neighbour along an axis; beyond a wall the sample itself, since the quantity has no gradient there.
+template <int Dim>
+Index beside(const Lattice<Dim>& cells, const std::type_identity_t<Counts<Dim>>& at, int axis, int step) {
+    const Index n = cells.neighbour(at, axis, step);
+    return n >= 0 ? n : cells.index(at);
+}
+
+}  // namespace
+
+template <int Dim>
+LevelSet<Dim>::LevelSet(const StaggeredGrid<Dim>& grid)
+    : box_(box_of(grid)),
+      advection_(box_),
+      distance_(VecX::Zero(grid.cells().size())),
+      old_(distance_),
+      fixed_(static_cast<std::size_t>(distance_.size())) {}
+
+template <int Dim>
+void LevelSet<Dim>::advect(const FaceField<Dim>& velocity, Real dt) {
+    advection_.advect(distance_, velocity, dt);
+}
+
+template <int Dim>
+void LevelSet<Dim>::classify(std::vector<CellType>& types) const {
+    types.resize(static_cast<std::size_t>(distance_.size()));
+    for (Index c = 0; c < distance_.size(); ++c)
+        types[c] = solid(c) ? CellType::solid : distance_[c] < 0 ? CellType::fluid : CellType::air;
+}
+
+// ---------------------------------------------------------------------------------------------------------- redistancing
+
+template <int Dim>
+void LevelSet<Dim>::redistance() {
+    // Without a surface there is nothing to be distant from.
+    if (distance_.minCoeff() >= 0 || distance_.maxCoeff() < 0) return;
+    old_ = distance_;
+    measure_beside_surface();
+    for (int round = 0; round < 2; ++round)
+        for (int direction = 0; direction < (1 << Dim); ++direction) sweep(direction);
+}
+
+// The distance of the cells that have the surface between themselves and a neighbour is φ over its slope, the largest of the
+// slopes to both sides and across; the others are far until a sweep reaches them.
+template <int Dim>
+void LevelSet<Dim>::measure_beside_surface() {
+    const Lattice<Dim>& cells = box_.cells();
+    const Real far = std::numeric_limits<Real>::max();
+    for (Index c = 0; c < old_.size(); ++c) {
+        const Counts<Dim> at = cells.coordinates(c);
+        const bool inside = old_[c] < 0;
+        bool crossed = false;
+        Real square = 0;
+        for (int a = 0; a < Dim; ++a) {
+            const Real low = old_[beside(cells, at, a, -1)], high = old_[beside(cells, at, a, 1)];
+            crossed = crossed || (low < 0) != inside || (high < 0) != inside;
+            const Real slope =
+                std::max({std::abs(high - low) / 2, std::abs(high - old_[c]), std::abs(old_[c] - low)}) / box_.dx();
+            square += slope * slope;
+        }
+        fixed_[c] = crossed;
+        distance_[c] = crossed ? old_[c] / std::max(std::sqrt(square), Real(1e-6)) : inside ? -far : far;
+    }
+}
+
+// One pass over all cells; bit a of the direction says whether axis a is gone through downwards.
+template <int Dim>
+void LevelSet<Dim>::sweep(int direction) {
+    const Lattice<Dim>& cells = box_.cells();
+    const Index n = cells.count[0], rows = cells.rows();
+    for (Index k = 0; k < rows; ++k) {
+        // The row with this number when the other axes are gone through in their directions.
+        Counts<Dim> at{};
+        Index rest = k;
+        for (int a = 1; a < Dim; ++a) {
+            const Index i = rest % cells.count[a];
+            rest /= cells.count[a];
+            at[a] = (direction >> a) & 1 ? cells.count[a] - 1 - i : i;
+        }
+        for (Index i = 0; i < n; ++i) {
+            at[0] = direction & 1 ? n - 1 - i : i;
+            const Index c = cells.index(at);
+            if (fixed_[c]) continue;
+            const Real reached = from_neighbours(at);
+            if (reached < std::abs(distance_[c])) distance_[c] = old_[c] < 0 ? -reached : reached;
+        }
+    }
+}
+
+// The distance of a cell from the nearest neighbours along the axes: Σ max(0, d − d_a)² = Δx² [Zhao2005 §2].
+template <int Dim>
+Real LevelSet<Dim>::from_neighbours(const Counts<Dim>& at) const {
+    const Lattice<Dim>& cells = box_.cells();
+    std::array<Real, Dim> nearest;
+    for (int a = 0; a < Dim; ++a)
+        nearest[a] = std::min(std::abs(distance_[beside(cells, at, a, -1)]), std::abs(distance_[beside(cells, at, a, 1)]));
+    std::sort(nearest.begin(), nearest.end());
+    Real d = nearest[0] + box_.dx(), sum = nearest[0], squares = nearest[0] * nearest[0];
+    for (int count = 2; count <= Dim && d > nearest[count - 1]; ++count) {
+        sum += nearest[count - 1];
+        squares += nearest[count - 1] * nearest[count - 1];
+        const Real root = sum * sum - count * (squares - box_.dx() * box_.dx());
+        d = (sum + std::sqrt(std::max(root, Real(0)))) / count;
+    }
+    return d;
+}
+
+template <int Dim>
+void LevelSet<Dim>::extend_into_solids() {
+    if (solids_.empty()) return;
+    known_.resize(static_cast<std::size_t>(distance_.size()));
+    for (Index c = 0; c < distance_.size(); ++c) known_[c] = solid(c) ? Known::no : Known::yes;
+    extrapolation_.fill(box_.cells(), known_, distance_);
+}
+
+// ---------------------------------------------------------------------------------------------------------------- volume
+
+template <int Dim>
+Real filled_fraction(Real middle, const GridPlace<Dim>& slopes) {
+    // Reflected so that all slopes rise, φ at the lower corner is −lowest; a plane that hardly tilts along an axis does not
+    // depend on it.
+    constexpr Real smallest_tilt = 1e-4;
+    std::array<Real, Dim> m{};
+    int count = 0;
+    Real largest = 0, total = 0;
+    for (const Real slope : slopes) largest = std::max(largest, std::abs(slope));
+    if (largest == 0) return middle < 0 ? 1 : 0;
+    for (const Real slope : slopes)
+        if (std::abs(slope) > smallest_tilt * largest) m[count++] = std::abs(slope), total += std::abs(slope);
+    const Real alpha = total / 2 - middle;
+    if (alpha <= 0) return 0;
+    if (alpha >= total) return 1;
+
+    // Inclusion and exclusion over the corners: Σ ± max(0, α − Σ m)^n / (n! Π m) [ScardovelliZaleski2000 §2].
+    Real sum = 0, scale = 1;
+    for (int a = 0; a < count; ++a) scale *= m[a] * (a + 1);
+    for (int corner = 0; corner < (1 << count); ++corner) {
+        Real beyond = alpha, sign = 1;
+        for (int a = 0; a < count; ++a)
+            if ((corner >> a) & 1) beyond -= m[a], sign = -sign;
+        if (beyond > 0) sum += sign * std::pow(beyond, count);
+    }
+    return std::clamp(sum / scale, Real(0), Real(1));
+}
+
+template <int Dim>
+Real LevelSet<Dim>::filled(Index cell, Real shift) const {
+    const Lattice<Dim>& cells = box_.cells();
+    const Real phi = distance_[cell] - shift;
+    // No plane of slope 1 reaches a cell that is farther away than half its diagonal, with some to spare.
+    if (std::abs(phi) > Dim * box_.dx()) return phi < 0 ? 1 : 0;
+    const Counts<Dim> at = cells.coordinates(cell);
+    GridPlace<Dim> slopes;
+    for (int a = 0; a < Dim; ++a) slopes[a] = (distance_[beside(cells, at, a, 1)] - distance_[beside(cells, at, a, -1)]) / 2;
+    return filled_fraction<Dim>(phi, slopes);
+}
+
+template <int Dim>
+Real LevelSet<Dim>::volume_shifted(Real shift) const {
+    Real sum = 0;
+    for (Index c = 0; c < distance_.size(); ++c)
+        if (!solid(c)) sum += filled(c, shift);
+    return sum * box_.cell_volume();
+}
+
+template <int Dim>
+Real LevelSet<Dim>::volume() const {
+    return volume_shifted(0);
+}
+
+template <int Dim>
+void LevelSet<Dim>::shift_to_volume(Real target) {
+    if (distance_.minCoeff() >= 0 || distance_.maxCoeff() < 0) return;
+    // The volume grows with the shift: bisection within a cell, which no single step exceeds.
+    Real low = -box_.dx(), high = box_.dx();
+    if (volume_shifted(low) >= target)
+        high = low;
+    else if (volume_shifted(high) <= target)
+        low = high;
+    for (int k = 0; k < 40 && low < high; ++k) {
+        const Real middle = (low + high) / 2;
+        (volume_shifted(middle) < target ? low : high) = middle;
+    }
+    distance_.array() -= (low + high) / 2;
+}
+
+Real surface_crossing(Real distance_in_fluid, Real distance_in_air, Real smallest) {
+    const Real whole = distance_in_air - distance_in_fluid;
+    if (!(whole > 0)) return 1;
+    return std::clamp(-distance_in_fluid / whole, smallest, Real(1));
+}
+
+template <int Dim>
+SurfaceFractions<Dim> surface_fractions(const StaggeredGrid<Dim>& grid, const VecX& distance) {
+    SurfaceFractions<Dim> fractions;
+    for (int a = 0; a < Dim; ++a) {
+        const std::vector<Index>& faces = grid.surface_faces(a);
+        fractions[a].resize(static_cast<Index>(faces.size()));
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            Index fluid = grid.cell_beside(a, faces[k], 0), air = grid.cell_beside(a, faces[k], 1);
+            if (!grid.is_fluid(fluid)) std::swap(fluid, air);
+            fractions[a][static_cast<Index>(k)] = surface_crossing(distance[fluid], distance[air]);
+        }
+    }
+    return fractions;
+}
+
+template class LevelSet<2>;
+template class LevelSet<3>;
+template SurfaceFractions<2> surface_fractions(const StaggeredGrid<2>&, const VecX&);
+template SurfaceFractions<3> surface_fractions(const StaggeredGrid<3>&, const VecX&);
+template Real filled_fraction<2>(Real, const GridPlace<2>&);
+template Real filled_fraction<3>(Real, const GridPlace<3>&);
+
+}  // namespace pliant
