@@ -134,9 +134,34 @@ LowFaceWeights<Dim> open_faces(const StaggeredGrid<Dim>& grid) {
     return weights;
 }
 
+template <int Dim>
+VecX open_face_counts(const StaggeredGrid<Dim>& grid) {
+    const Lattice<Dim>& cells = grid.cells();
+    VecX counts = VecX::Zero(cells.size());
+    for (Index c = 0; c < counts.size(); ++c) {
+        if (!grid.is_fluid(c)) continue;
+        const Counts<Dim> at = cells.coordinates(c);
+        for (int k = 0; k < 2 * Dim; ++k) {
+            const Index n = cells.neighbour(at, k / 2, k % 2 == 0 ? -1 : 1);
+            if (n >= 0 && n != c && grid.is_fluid(n)) counts[c] += 1;
+        }
+    }
+    return counts;
+}
+
+template <int Dim>
+std::unique_ptr<PoissonOperator<Dim>> pressure_operator(const StaggeredGrid<Dim>& grid) {
+    if (grid.has_solids()) return std::make_unique<WeightedPoisson<Dim>>(grid.cells(), open_faces(grid));
+    return std::make_unique<UniformPoisson<Dim>>(grid.cells(), 1);
+}
+
 template class WeightedPoisson<2>;
 template class WeightedPoisson<3>;
 template LowFaceWeights<2> open_faces(const StaggeredGrid<2>&);
 template LowFaceWeights<3> open_faces(const StaggeredGrid<3>&);
+template VecX open_face_counts(const StaggeredGrid<2>&);
+template VecX open_face_counts(const StaggeredGrid<3>&);
+template std::unique_ptr<PoissonOperator<2>> pressure_operator(const StaggeredGrid<2>&);
+template std::unique_ptr<PoissonOperator<3>> pressure_operator(const StaggeredGrid<3>&);
 
 }  // namespace pliant

@@ -70,6 +70,14 @@ private:
 template <int Dim>
 LowFaceWeights<Dim> open_faces(const StaggeredGrid<Dim>& grid);
 
+// The number of open faces of every cell to another: the diagonal of A on the finest level. Solid cells have none.
+template <int Dim>
+VecX open_face_counts(const StaggeredGrid<Dim>& grid);
+
+// A of the finest level.
+template <int Dim>
+std::unique_ptr<PoissonOperator<Dim>> pressure_operator(const StaggeredGrid<Dim>& grid);
+
 extern template class WeightedPoisson<2>;
 extern template class WeightedPoisson<3>;
 
