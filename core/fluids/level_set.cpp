@@ -156,7 +156,10 @@ Real filled_fraction(Real middle, const GridPlace<Dim>& slopes) {
         Real beyond = alpha, sign = 1;
         for (int a = 0; a < count; ++a)
             if ((corner >> a) & 1) beyond -= m[a], sign = -sign;
-        if (beyond > 0) sum += sign * std::pow(beyond, count);
+        if (beyond <= 0) continue;
+        Real power = sign;
+        for (int a = 0; a < count; ++a) power *= beyond;
+        sum += power;
     }
     return std::clamp(sum / scale, Real(0), Real(1));
 }

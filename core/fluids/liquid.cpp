@@ -37,8 +37,8 @@ void Liquid<Dim>::fill(const std::function<Real(const Vec<Dim>&)>& signed_distan
         surface_.distance()[c] = signed_distance(x);
     }
     surface_.redistance();
-    classify();
     velocity_ = grid_.zero_velocity();
+    classify();
     projection_.pressure().setZero();
     kept_volume_ = volume();
 }

@@ -151,11 +151,38 @@ VecX surface_weights(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>
     return weights;
 }
 
+template <int Dim>
+VecX pressure_diagonal(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions) {
+    const Lattice<Dim>& cells = grid.cells();
+    VecX counts = VecX::Zero(cells.size());
+    if (grid.has_air()) counts = surface_weights(grid, fractions);
+    for (Index c = 0; c < counts.size(); ++c) {
+        if (!grid.is_fluid(c)) continue;
+        const Counts<Dim> at = cells.coordinates(c);
+        for (int k = 0; k < 2 * Dim; ++k) {
+            const Index n = cells.neighbour(at, k / 2, k % 2 == 0 ? -1 : 1);
+            if (n >= 0 && n != c && grid.is_fluid(n)) counts[c] += 1;
+        }
+    }
+    return counts;
+}
+
+template <int Dim>
+std::unique_ptr<PoissonOperator<Dim>> pressure_operator(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions) {
+    if (grid.has_solids())
+        return std::make_unique<WeightedPoisson<Dim>>(grid.cells(), open_faces(grid), surface_weights(grid, fractions));
+    return std::make_unique<UniformPoisson<Dim>>(grid.cells(), 1);
+}
+
 template class WeightedPoisson<2>;
 template class WeightedPoisson<3>;
 template LowFaceWeights<2> open_faces(const StaggeredGrid<2>&);
 template LowFaceWeights<3> open_faces(const StaggeredGrid<3>&);
 template VecX surface_weights(const StaggeredGrid<2>&, const SurfaceFractions<2>&);
 template VecX surface_weights(const StaggeredGrid<3>&, const SurfaceFractions<3>&);
+template VecX pressure_diagonal(const StaggeredGrid<2>&, const SurfaceFractions<2>&);
+template VecX pressure_diagonal(const StaggeredGrid<3>&, const SurfaceFractions<3>&);
+template std::unique_ptr<PoissonOperator<2>> pressure_operator(const StaggeredGrid<2>&, const SurfaceFractions<2>&);
+template std::unique_ptr<PoissonOperator<3>> pressure_operator(const StaggeredGrid<3>&, const SurfaceFractions<3>&);
 
 }  // namespace pliant

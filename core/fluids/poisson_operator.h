@@ -77,6 +77,15 @@ LowFaceWeights<Dim> open_faces(const StaggeredGrid<Dim>& grid);
 template <int Dim>
 VecX surface_weights(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions);
 
+// The diagonal of A on the finest level: the number of fluid neighbours of every cell, and s; 0 in cells without fluid.
+template <int Dim>
+VecX pressure_diagonal(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions = {});
+
+// A of the finest level.
+template <int Dim>
+std::unique_ptr<PoissonOperator<Dim>> pressure_operator(const StaggeredGrid<Dim>& grid,
+                                                        const SurfaceFractions<Dim>& fractions = {});
+
 extern template class WeightedPoisson<2>;
 extern template class WeightedPoisson<3>;
 
