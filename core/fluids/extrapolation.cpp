@@ -17,19 +17,21 @@ void for_each_neighbour(const Lattice<Dim>& lattice, Index sample, Body&& body) 
 
 template <int Dim>
 void Extrapolation<Dim>::fill(const Lattice<Dim>& lattice, std::vector<Known>& known, VecX& values) {
-    queued_.assign(known.size(), 0);
+    layers_.resize(known.size());
+    for (std::size_t s = 0; s < known.size(); ++s) layers_[s] = known[s] == Known::yes ? 0 : -1;
     layer_.clear();
+    int number = 1;
     const auto queue_around = [&](Index sample, std::vector<Index>& layer) {
         for_each_neighbour(lattice, sample, [&](Index n) {
-            if (known[n] != Known::no || queued_[n]) return;
-            queued_[n] = 1;
+            if (known[n] != Known::no || layers_[n] >= 0) return;
+            layers_[n] = number;
             layer.push_back(n);
         });
     };
     for (Index s = 0; s < lattice.size(); ++s)
         if (known[s] == Known::yes) queue_around(s, layer_);
 
-    while (!layer_.empty()) {
+    for (; !layer_.empty(); layer_.swap(next_)) {
         means_.clear();
         for (const Index s : layer_) {
             Real sum = 0;
@@ -43,15 +45,14 @@ void Extrapolation<Dim>::fill(const Lattice<Dim>& lattice, std::vector<Known>& k
             values[layer_[k]] = means_[k];
             known[layer_[k]] = Known::yes;
         }
+        ++number;
         next_.clear();
         for (const Index s : layer_) queue_around(s, next_);
-        layer_.swap(next_);
     }
 }
 
 template <int Dim>
 void VelocityExtrapolation<Dim>::extrapolate(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity) {
-    if (!grid.has_solids()) return;
     for (int a = 0; a < Dim; ++a) {
         known_.assign(static_cast<std::size_t>(grid.faces(a).size()), Known::yes);
         const std::vector<Index>& closed = grid.closed_faces(a);
@@ -59,7 +60,9 @@ void VelocityExtrapolation<Dim>::extrapolate(const StaggeredGrid<Dim>& grid, Fac
             if (grid.fluid_beside_closed(a)[k] > 0) continue;
             known_[closed[k]] = grid.prescribed(a, closed[k]) ? Known::aside : Known::no;
         }
-        extrapolation_.fill(grid.faces(a), known_, velocity[a]);
+        components_[a].fill(grid.faces(a), known_, velocity[a]);
+        for (std::size_t f = 0; f < known_.size(); ++f)
+            if (known_[f] == Known::no) velocity[a][static_cast<Index>(f)] = 0;
     }
 }
 

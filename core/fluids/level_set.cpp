@@ -54,8 +54,12 @@ void LevelSet<Dim>::redistance() {
     if (distance_.minCoeff() >= 0 || distance_.maxCoeff() < 0) return;
     old_ = distance_;
     measure_beside_surface();
-    for (int round = 0; round < 2; ++round)
-        for (int direction = 0; direction < (1 << Dim); ++direction) sweep(direction);
+    // Every distance is final when a round of sweeps changes none.
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (int direction = 0; direction < (1 << Dim); ++direction) changed = sweep(direction) || changed;
+    }
+    extend_into_solids();
 }
 
 // The distance of the cells that have the surface between themselves and a neighbour is φ over its slope, the largest of the
@@ -81,13 +85,34 @@ void LevelSet<Dim>::measure_beside_surface() {
     }
 }
 
-// One pass over all cells; bit a of the direction says whether axis a is gone through downwards.
+namespace {
+
+// A distance from the nearest ones along the axes: Σ max(0, d − d_a)² = Δx² [Zhao2005 §2].
+template <std::size_t Dim>
+Real distance_from(std::array<Real, Dim> nearest, Real dx) {
+    std::sort(nearest.begin(), nearest.end());
+    Real d = nearest[0] + dx, sum = nearest[0], squares = nearest[0] * nearest[0];
+    for (std::size_t k = 1; k < Dim && d > nearest[k]; ++k) {
+        sum += nearest[k];
+        squares += nearest[k] * nearest[k];
+        const auto count = static_cast<Real>(k + 1);
+        const Real root = sum * sum - count * (squares - dx * dx);
+        d = (sum + std::sqrt(std::max(root, Real(0)))) / count;
+    }
+    return d;
+}
+
+}  // namespace
+
+// One pass over all cells; bit a of the direction says whether axis a is gone through downwards. Did it change anything?
 template <int Dim>
-void LevelSet<Dim>::sweep(int direction) {
+bool LevelSet<Dim>::sweep(int direction) {
     const Lattice<Dim>& cells = box_.cells();
     const Index n = cells.count[0], rows = cells.rows();
+    const bool wraps = cells.periodic(0);
+    bool changed = false;
     for (Index k = 0; k < rows; ++k) {
-        // The row with this number when the other axes are gone through in their directions.
+        // The row with this number when the other axes are gone through in their directions, and the rows beside it.
         Counts<Dim> at{};
         Index rest = k;
         for (int a = 1; a < Dim; ++a) {
@@ -95,32 +120,26 @@ void LevelSet<Dim>::sweep(int direction) {
             rest /= cells.count[a];
             at[a] = (direction >> a) & 1 ? cells.count[a] - 1 - i : i;
         }
-        for (Index i = 0; i < n; ++i) {
-            at[0] = direction & 1 ? n - 1 - i : i;
-            const Index c = cells.index(at);
-            if (fixed_[c]) continue;
-            const Real reached = from_neighbours(at);
-            if (reached < std::abs(distance_[c])) distance_[c] = old_[c] < 0 ? -reached : reached;
+        Real* row = distance_.data() + cells.index(at);
+        const std::uint8_t* fixed = fixed_.data() + cells.index(at);
+        std::array<const Real*, 2 * (Dim - 1)> rows_beside;
+        for (int a = 1; a < Dim; ++a)
+            for (int side = 0; side < 2; ++side)
+                rows_beside[2 * (a - 1) + side] = distance_.data() + beside(cells, at, a, side ? 1 : -1);
+        for (Index m = 0; m < n; ++m) {
+            const Index i = direction & 1 ? n - 1 - m : m;
+            if (fixed[i]) continue;
+            const Index low = i > 0 ? i - 1 : wraps ? n - 1 : 0, high = i < n - 1 ? i + 1 : wraps ? 0 : i;
+            std::array<Real, Dim> nearest{std::min(std::abs(row[low]), std::abs(row[high]))};
+            for (int a = 1; a < Dim; ++a)
+                nearest[a] = std::min(std::abs(rows_beside[2 * (a - 1)][i]), std::abs(rows_beside[2 * (a - 1) + 1][i]));
+            const Real reached = distance_from(nearest, box_.dx());
+            if (!(reached < std::abs(row[i]))) continue;
+            row[i] = row[i] < 0 ? -reached : reached;
+            changed = true;
         }
     }
-}
-
-// The distance of a cell from the nearest neighbours along the axes: Σ max(0, d − d_a)² = Δx² [Zhao2005 §2].
-template <int Dim>
-Real LevelSet<Dim>::from_neighbours(const Counts<Dim>& at) const {
-    const Lattice<Dim>& cells = box_.cells();
-    std::array<Real, Dim> nearest;
-    for (int a = 0; a < Dim; ++a)
-        nearest[a] = std::min(std::abs(distance_[beside(cells, at, a, -1)]), std::abs(distance_[beside(cells, at, a, 1)]));
-    std::sort(nearest.begin(), nearest.end());
-    Real d = nearest[0] + box_.dx(), sum = nearest[0], squares = nearest[0] * nearest[0];
-    for (int count = 2; count <= Dim && d > nearest[count - 1]; ++count) {
-        sum += nearest[count - 1];
-        squares += nearest[count - 1] * nearest[count - 1];
-        const Real root = sum * sum - count * (squares - box_.dx() * box_.dx());
-        d = (sum + std::sqrt(std::max(root, Real(0)))) / count;
-    }
-    return d;
+    return changed;
 }
 
 template <int Dim>
@@ -165,33 +184,42 @@ Real filled_fraction(Real middle, const GridPlace<Dim>& slopes) {
 }
 
 template <int Dim>
-Real LevelSet<Dim>::filled(Index cell, Real shift) const {
+Index LevelSet<Dim>::full_cells(std::vector<Crossed>& crossed) const {
     const Lattice<Dim>& cells = box_.cells();
-    const Real phi = distance_[cell] - shift;
-    // No plane of slope 1 reaches a cell that is farther away than half its diagonal, with some to spare.
-    if (std::abs(phi) > Dim * box_.dx()) return phi < 0 ? 1 : 0;
-    const Counts<Dim> at = cells.coordinates(cell);
-    GridPlace<Dim> slopes;
-    for (int a = 0; a < Dim; ++a) slopes[a] = (distance_[beside(cells, at, a, 1)] - distance_[beside(cells, at, a, -1)]) / 2;
-    return filled_fraction<Dim>(phi, slopes);
-}
-
-template <int Dim>
-Real LevelSet<Dim>::volume_shifted(Real shift) const {
-    Real sum = 0;
-    for (Index c = 0; c < distance_.size(); ++c)
-        if (!solid(c)) sum += filled(c, shift);
-    return sum * box_.cell_volume();
+    crossed.clear();
+    Index full = 0;
+    for (Index c = 0; c < distance_.size(); ++c) {
+        if (solid(c)) continue;
+        // No plane of slope 1 reaches a cell from farther away than half its diagonal and the shift.
+        if (std::abs(distance_[c]) > (Dim + 1) * box_.dx()) {
+            full += distance_[c] < 0;
+            continue;
+        }
+        const Counts<Dim> at = cells.coordinates(c);
+        Crossed cell{distance_[c], {}};
+        for (int a = 0; a < Dim; ++a)
+            cell.slopes[a] = (distance_[beside(cells, at, a, 1)] - distance_[beside(cells, at, a, -1)]) / 2;
+        crossed.push_back(cell);
+    }
+    return full;
 }
 
 template <int Dim>
 Real LevelSet<Dim>::volume() const {
-    return volume_shifted(0);
+    Real sum = static_cast<Real>(full_cells(crossed_));
+    for (const Crossed& c : crossed_) sum += filled_fraction<Dim>(c.middle, c.slopes);
+    return sum * box_.cell_volume();
 }
 
 template <int Dim>
-void LevelSet<Dim>::shift_to_volume(Real target) {
-    if (distance_.minCoeff() >= 0 || distance_.maxCoeff() < 0) return;
+Real LevelSet<Dim>::shift_to_volume(Real target) {
+    if (distance_.minCoeff() >= 0 || distance_.maxCoeff() < 0) return 0;
+    const Index full = full_cells(crossed_);
+    const auto volume_shifted = [&](Real shift) {
+        Real sum = static_cast<Real>(full);
+        for (const Crossed& c : crossed_) sum += filled_fraction<Dim>(c.middle - shift, c.slopes);
+        return sum * box_.cell_volume();
+    };
     // The volume grows with the shift: bisection within a cell, which no single step exceeds.
     Real low = -box_.dx(), high = box_.dx();
     if (volume_shifted(low) >= target)
@@ -202,7 +230,9 @@ void LevelSet<Dim>::shift_to_volume(Real target) {
         const Real middle = (low + high) / 2;
         (volume_shifted(middle) < target ? low : high) = middle;
     }
-    distance_.array() -= (low + high) / 2;
+    const Real shift = (low + high) / 2;
+    distance_.array() -= shift;
+    return shift;
 }
 
 Real surface_crossing(Real distance_in_fluid, Real distance_in_air, Real smallest) {

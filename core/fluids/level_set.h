@@ -16,6 +16,8 @@ public:
     // One type per cell, or none; what is not solid makes no difference.
     void set_solids(std::vector<CellType> solids) { solids_ = std::move(solids); }
 
+    const VelocitySampler<Dim>& carrier() const { return advection_.flow(); }  // the velocity of the latest advection
+
     VecX& distance() { return distance_; }
     const VecX& distance() const { return distance_; }
 
@@ -23,32 +25,42 @@ public:
     void advect(const FaceField<Dim>& velocity, Real dt);
     // Makes it a distance again, |∇φ| = 1, by fast sweeping [Zhao2005]; the cells beside the surface keep where it is to second
     // order [RussoSmereka2000 §3].
+    // Into the solids the surface is continued.
     void redistance();
-    // Continues the surface into the solid cells.
-    void extend_into_solids();
+    // Of the latest redistancing: was the cell beside the surface?
+    bool beside_surface(Index cell) const { return fixed_[cell] != 0; }
+    // In which layer a solid cell got its distance, see Extrapolation; 0 in other cells.
+    int layer(Index cell) const { return solids_.empty() ? 0 : extrapolation_.layers()[cell]; }
+    bool solid(Index cell) const { return !solids_.empty() && solids_[cell] == CellType::solid; }
 
     // Volume of the fluid outside the solids, m^Dim: every cell counts as far as a plane through it at φ = 0 leaves it filled.
     Real volume() const;
     // Moves the surface along its normal by the same way everywhere so that the volume becomes `target`; nothing happens where
     // there is no surface.
-    void shift_to_volume(Real target);
+    // Returns that way, m.
+    Real shift_to_volume(Real target);
 
     // fluid where φ < 0, air elsewhere, and the solids.
     void classify(std::vector<CellType>& types) const;
 
 private:
-    Real filled(Index cell, Real shift) const;
-    Real volume_shifted(Real shift) const;
     void measure_beside_surface();
-    void sweep(int direction);
-    Real from_neighbours(const Counts<Dim>& at) const;
+    bool sweep(int direction);
 
-    bool solid(Index cell) const { return !solids_.empty() && solids_[cell] == CellType::solid; }
+    // A cell that the surface may cross: the distance in its middle and its slopes over a cell.
+    struct Crossed {
+        Real middle;
+        GridPlace<Dim> slopes;
+    };
+    // Cells that are full, whatever shift of up to a cell; collects the others that are not empty.
+    Index full_cells(std::vector<Crossed>& crossed) const;
+    void extend_into_solids();
 
     StaggeredGrid<Dim> box_;  // without types: the distance is known in all cells
     std::vector<CellType> solids_;
     SemiLagrangian<Dim> advection_;
     VecX distance_, old_;
+    mutable std::vector<Crossed> crossed_;
     std::vector<std::uint8_t> fixed_;
     Extrapolation<Dim> extrapolation_;
     std::vector<Known> known_;

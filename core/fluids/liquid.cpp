@@ -52,25 +52,22 @@ void Liquid<Dim>::set_solids(std::vector<CellType> solids) {
 template <int Dim>
 void Liquid<Dim>::classify() {
     surface_.classify(types_);
-    grid_.set_types(types_);
-    surface_.extend_into_solids();
-    if (settings_.condition == SurfaceCondition::closed) {
+    if (settings_.condition == SurfaceCondition::closed)
         for (CellType& type : types_)
             if (type == CellType::air) type = CellType::solid;
-        grid_.set_types(types_);
-    }
+    grid_.set_types(types_);
     fractions_ = surface_fractions(grid_, surface_.distance());
     if (settings_.condition == SurfaceCondition::at_cell_centre)
         for (VecX& fraction : fractions_.components) fraction.setOnes();
     projection_.domain_changed(fractions_);
     grid_.impose_walls(velocity_);
-    extrapolation_.extrapolate(grid_, velocity_);
 }
 
 template <int Dim>
 void Liquid<Dim>::add_force(const Vec<Dim>& acceleration, Real dt) {
-    add_uniform_force(grid_, velocity_, dt, acceleration);
-    extrapolation_.extrapolate(grid_, velocity_);
+    for (int a = 0; a < Dim; ++a)
+        if (acceleration[a] != 0) velocity_[a].array() += dt * acceleration[a];
+    grid_.impose_walls(velocity_);
 }
 
 template <int Dim>
@@ -86,16 +83,26 @@ void Liquid<Dim>::begin_projection(Real dt) {
 template <int Dim>
 void Liquid<Dim>::end_projection() {
     projection_.apply(velocity_);
+}
+
+template <int Dim>
+void Liquid<Dim>::continue_velocity() {
     extrapolation_.extrapolate(grid_, velocity_);
 }
 
 template <int Dim>
-void Liquid<Dim>::move_surface(Real dt) {
+void Liquid<Dim>::advect_surface(Real dt) {
     surface_.advect(velocity_, dt);
+}
+
+template <int Dim>
+void Liquid<Dim>::redistance() {
     surface_.redistance();
-    surface_.extend_into_solids();
-    if (settings_.keep_volume) surface_.shift_to_volume(kept_volume_);
-    classify();
+}
+
+template <int Dim>
+Real Liquid<Dim>::restore_volume() {
+    return settings_.keep_volume ? surface_.shift_to_volume(kept_volume_) : 0;
 }
 
 template <int Dim>
@@ -105,7 +112,11 @@ Index Liquid<Dim>::step(const Vec<Dim>& acceleration, Real dt) {
     begin_projection(dt);
     while (!projection_.converged()) projection_.iterate();
     end_projection();
-    move_surface(dt);
+    continue_velocity();
+    advect_surface(dt);
+    redistance();
+    restore_volume();
+    classify();
     return projection_.iterations();
 }
 

@@ -21,8 +21,9 @@ struct LiquidSettings {
     ProjectionSettings projection{};
 };
 
-// One step is add_force, advect, begin_projection with passes and end_projection, move_surface; walls and solids let the liquid
-// slide. The velocity is known everywhere, beyond the liquid as the continuation of that of its surface.
+// One step is add_force, advect, begin_projection with passes and end_projection, continue_velocity, advect_surface, redistance,
+// restore_volume, classify; walls and solids let the liquid slide. The velocity is known everywhere, beyond the liquid as the
+// continuation of that of its surface.
 template <int Dim>
 class Liquid {
 public:
@@ -34,7 +35,7 @@ public:
 
     // The solids have moved; solids: one type per cell, or none. Their velocity is what the tank's solid_velocity gives.
     void set_solids(std::vector<CellType> solids);
-    // The distance or the solids were changed from outside: which cells are liquid is found anew.
+    // Finds from the distance which cells are liquid, and lays out the pressure equation.
     void classify();
 
     void add_force(const Vec<Dim>& acceleration, Real dt);
@@ -43,7 +44,11 @@ public:
     PressureProjection<Dim>& projection() { return projection_; }
     const PressureProjection<Dim>& projection() const { return projection_; }
     void end_projection();
-    void move_surface(Real dt);
+    void continue_velocity();
+    void advect_surface(Real dt);
+    void redistance();
+    // Returns the way by which the surface was shifted, m.
+    Real restore_volume();
     // All of these. Returns the passes of the pressure solver.
     Index step(const Vec<Dim>& acceleration, Real dt);
 
@@ -53,6 +58,8 @@ public:
     VecX& distance() { return surface_.distance(); }
     const VecX& distance() const { return surface_.distance(); }
     const SurfaceFractions<Dim>& fractions() const { return fractions_; }
+    const LevelSet<Dim>& surface() const { return surface_; }
+    const VelocityExtrapolation<Dim>& extrapolation() const { return extrapolation_; }
     const VelocitySampler<Dim>& carrier() const { return advection_.flow(); }  // the velocity that carried the latest advection
 
     Real volume() const { return surface_.volume(); }  // m^Dim
