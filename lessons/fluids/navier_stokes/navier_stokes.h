@@ -36,14 +36,14 @@ public:
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return "kinetic_energy"; }
-    ColourBy first_colours() const override { return {std::string(scene().colours)}; }
+    ColourBy first_colours() const override { return {std::string(scene().colours), scene().component}; }
     std::vector<std::string_view> first_plots() const override { return scene().plots; }
     std::vector<std::string_view> key_numbers() const override { return scene().key_numbers; }
 
 private:
     Choice<std::size_t> scenario;  // index into scenes()
     Whole resolution;
-    Number size, aspect, viscosity, reynolds, lid_speed, inflow, stirring, body_force, buoyancy, dt;
+    Number viscosity, reynolds, dt, aspect, size, lid_speed, inflow, stirring, body_force, buoyancy;
     Choice<Order> order;
     Switch with_forces, with_advection, with_viscosity, with_projection;
     Choice<Scheme> scheme;
@@ -87,8 +87,8 @@ private:
     bool stirred() const { return scene().drives.stirrer && stirring != 0; }
     bool forced() const;
     Vec<2> uniform_force() const { return {scene().drives.body_force ? Real(body_force) : Real{0}, 0}; }
-    Vec<2> stirrer_place() const;    // m
-    Vec<2> stirrer_heading() const;  // unit vector
+    Vec<2> stirrer_place(Real time) const;    // m
+    Vec<2> stirrer_heading(Real time) const;  // unit vector
 
     // A push of the fluid around a place.
     struct Jet {
@@ -96,7 +96,7 @@ private:
         Real radius;          // m
         Vec<2> acceleration;  // m/s²
     };
-    Jet stirrer_jet() const;
+    Jet stirrer_jet(Real time) const;
     Jet hand_jet() const;
 
     // --- how the numbers came about (navier_stokes_why.cpp) ---
@@ -157,6 +157,7 @@ private:
     Index wake_face_ = 0;  // where the wake is watched
     // What the stages make of it: ∇·u before and after the projection [1/s].
     VecX divergence_before_, divergence_after_;
+    Real force_time_ = 0;  // s, at which the latest forces acted
     mutable VecX divergence_now_;
     flow::FlowFields fields_of_flow_;
     std::optional<Pull> pull_;

@@ -1,5 +1,6 @@
 // F1 and F6: what the lectures say of splitting and of compressible fluids, measured stage by stage.
 #include <fmt/format.h>
+#include <pliant/fluids/diagnostics.h>
 #include <pliant/fluids/isothermal_gas.h>
 #include <pliant/fluids/projection.h>
 #include <pliant/lesson/format.h>

@@ -33,12 +33,13 @@ void circle(Scene& scene, const Vec<2>& centre, Real radius, Ink ink, float widt
 void NavierStokes::draw(Scene& picture) const {
     flow::draw_field(picture, *this, *grid_);
     if (picture.show_arrows)
-        flow::draw_velocity(picture, *grid_, fields_of_flow_.flow(), arrow_speed(), scene().obstacle > 0 ? 32 : 18);
+        flow::draw_velocity(picture, *grid_, fields_of_flow_.flow(), arrow_speed(), scene().obstacle > 0 ? 24 : 18);
     if (scene().obstacle > 0) draw_obstacle(picture);
     draw_walls(picture);
     draw_drives(picture);
     write_notes(picture);
-    picture.frame(position(-0.06 * size, -0.06 * size), position(width() + 0.06 * size, height() + 0.12 * size));
+    picture.frame(position(-0.06 * size, -0.06 * size),
+                  position(width() + 0.06 * size, height() + 0.12 * std::max(Real(size), height())));
 }
 
 // The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
@@ -110,7 +111,7 @@ void NavierStokes::draw_drives(Scene& picture) const {
             picture.label(position(0.5 * W, above), "wall: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
     }
     if (with_forces && stirred()) {
-        const Vec<2> middle = stirrer_place(), push = (stirring > 0 ? 0.09 : -0.09) * size * stirrer_heading();
+        const Vec<2> middle = stirrer_place(time()), push = (stirring > 0 ? 0.09 : -0.09) * size * stirrer_heading(time());
         picture.points.push_back({.at = {position<2>(middle)}, .ink = Ink::force, .radius = 6});
         picture.arrows.push_back(
             {.from = {position<2>(middle)}, .to = {position<2>(middle + push)}, .ink = Ink::force, .width = 4});
@@ -138,9 +139,9 @@ void NavierStokes::write_notes(Scene& picture) const {
     std::string fluid = with_viscosity ? "ν = " + format_quantity(nu(), "m²/s", 3) : "without viscosity";
     if (scene().reynolds_length > 0 && with_viscosity)
         fluid += fmt::format(", Re = U {} / ν = {}", scene().obstacle > 0 ? "D" : "L", format_quantity(reynolds, "", 3));
-    picture.notes.push_back(std::move(fluid));
     if (scene().readings.profile && with_viscosity && nu() > 0)
-        picture.notes.push_back("H²/ν = " + format_quantity(height() * height() / nu(), "s", 3) + ": the time to become steady");
+        fluid += ", H²/ν = " + format_quantity(height() * height() / nu(), "s", 3);
+    picture.notes.push_back(std::move(fluid));
     if (picture.show_arrows) picture.notes.push_back("arrow of one spacing: " + format_quantity(arrow_speed(), "m/s", 3));
 }
 

@@ -115,18 +115,18 @@ bool NavierStokes::forced() const {
 }
 
 // The middle of the stirrer: a figure of eight around the middle of the box.
-Vec<2> NavierStokes::stirrer_place() const {
-    const Real angle = 2 * pi * time() / stirrer_period;
+Vec<2> NavierStokes::stirrer_place(Real time) const {
+    const Real angle = 2 * pi * time / stirrer_period;
     return {width() * (0.5 + stirrer_width * std::sin(angle)), height() * (0.5 + stirrer_height * std::sin(2 * angle))};
 }
 
-Vec<2> NavierStokes::stirrer_heading() const {
-    const Real angle = 2 * pi * time() / stirrer_period;
+Vec<2> NavierStokes::stirrer_heading(Real time) const {
+    const Real angle = 2 * pi * time / stirrer_period;
     return Vec<2>(width() * stirrer_width * std::cos(angle), 2 * height() * stirrer_height * std::cos(2 * angle)).normalized();
 }
 
-NavierStokes::Jet NavierStokes::stirrer_jet() const {
-    return {stirrer_place(), stirrer_radius * size, stirring * stirrer_heading()};
+NavierStokes::Jet NavierStokes::stirrer_jet(Real time) const {
+    return {stirrer_place(time), stirrer_radius * size, stirring * stirrer_heading(time)};
 }
 
 NavierStokes::Jet NavierStokes::hand_jet() const {
@@ -135,7 +135,8 @@ NavierStokes::Jet NavierStokes::hand_jet() const {
 
 void NavierStokes::external_forces() {
     const auto push = [this](const Jet& jet) { add_jet<2>(*grid_, velocity_, dt, jet.centre, jet.radius, jet.acceleration); };
-    if (stirred()) push(stirrer_jet());
+    force_time_ = time();
+    if (stirred()) push(stirrer_jet(force_time_));
     add_uniform_force<2>(*grid_, velocity_, dt, uniform_force());
     if (scene().drives.smoke) add_buoyancy<2>(*grid_, velocity_, dt, 1, buoyancy, smoke_);
     if (pull_) push(hand_jet());

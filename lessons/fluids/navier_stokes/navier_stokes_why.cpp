@@ -51,7 +51,8 @@ Explanation NavierStokes::why_force(int axis, Index face) const {
     if (why_on_grid().closed(axis, face)) return flow::kept_by_wall(axis, face);
     Explanation why{"", {flow::sample("u", From::before, flow::face_field(axis), face), Input::of(dt)}, {}};
     if (stirred())
-        why.inputs.push_back(why_jet("f_stirrer", stirrer_jet(), Input::of(stirring, "a"), stirrer_heading()[axis], axis, face));
+        why.inputs.push_back(why_jet("f_stirrer", stirrer_jet(force_time_), Input::of(stirring, "a"),
+                                     stirrer_heading(force_time_)[axis], axis, face));
     if (axis == 0 && scene().drives.body_force) why.inputs.push_back(Input::of(body_force));
     if (axis == 1 && scene().drives.smoke) why.inputs.push_back(why_buoyancy(face));
     if (pull_) {

@@ -44,8 +44,9 @@ struct FlowScene {
     Real reynolds_length = 0;  // L_Re in L, where the Reynolds number U L_Re/ν sets the viscosity; 0 where the viscosity is given
     Drives drives{};
     Readings readings{};
-    Real arrow_speed = 1;  // m/s, or of the lid's or the inflow's speed, of an arrow that is as long as arrows are apart
-    std::string_view colours;
+    Real arrow_speed = 1;      // m/s, or of the lid's or the inflow's speed, of an arrow that is as long as arrows are apart
+    std::string_view colours;  // the field that the picture shows at first,
+    int component = -1;        // and of a vector which component
     std::vector<std::string_view> plots, key_numbers;
     void (*start)(const StaggeredGrid<2>&, const SceneSettings&, FaceField<2>&) = nullptr;  // at rest for none
 };
