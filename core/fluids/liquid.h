@@ -17,7 +17,7 @@ enum class SurfaceCondition {
 
 struct LiquidSettings {
     SurfaceCondition condition = SurfaceCondition::at_surface;
-    bool keep_volume = true;  // shifts the surface after each step so that the volume stays that of the start
+    bool keep_volume = true;  // step() shifts the surface so that the volume stays that of the start
     ProjectionSettings projection{};
 };
 
@@ -47,7 +47,7 @@ public:
     void continue_velocity();
     void advect_surface(Real dt);
     void redistance();
-    // Returns the way by which the surface was shifted, m.
+    // Shifts the surface so that the volume is kept_volume(). Returns the way of the shift, m.
     Real restore_volume();
     // All of these. Returns the passes of the pressure solver.
     Index step(const Vec<Dim>& acceleration, Real dt);
