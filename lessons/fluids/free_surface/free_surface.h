@@ -101,6 +101,7 @@ private:
     std::optional<Real> linear_wave(Real x, Real t) const;
 
     // --- the picture (free_surface_picture.cpp) ---
+    Real arrow_speed() const;  // m/s
     void draw_liquid(Scene& picture) const;
     void draw_tank(Scene& picture) const;
     void draw_start(Scene& picture) const;

@@ -32,10 +32,7 @@ void FreeSurface::draw(Scene& picture) const {
                         j = std::clamp<Index>(static_cast<Index>(x[1] / dx()), 0, rows() - 1);
             return phi[i + resolution * j] < 0;
         };
-        // A liquid that falls by the height of the tank has arrows of about two spacings.
-        const Real fall = std::sqrt(2 * gravity * tank_top());
-        const Real speed = fall > 0 ? fall / (scene == Pouring::column || scene == Pouring::drop ? 2 : 8) : 1;
-        flow::draw_velocity(picture, liquid_->grid(), fields_of_flow_.flow(), speed, most_arrows, wet);
+        flow::draw_velocity(picture, liquid_->grid(), fields_of_flow_.flow(), arrow_speed(), most_arrows, wet);
     }
     draw_start(picture);
     draw_tank(picture);
@@ -43,6 +40,15 @@ void FreeSurface::draw(Scene& picture) const {
     write_notes(picture);
     const Real W = tank_width, H = tank_top(), margin = 0.06 * std::max(W, H);
     picture.frame(position(-margin, -margin), position((gauge_at + gauge_width) * W + margin, H + 1.6 * margin));
+}
+
+// The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
+Real FreeSurface::arrow_speed() const {
+    const Real falling = 0.5 * std::sqrt(2 * gravity * tank_top());
+    const Real waving =
+        scene == Pouring::wave ? std::abs(wave_height) * wave_frequency() : pi * paddle_stroke / paddle_period;
+    const Real speed = scene == Pouring::wave || scene == Pouring::paddle ? waving : falling;
+    return speed > 0 ? speed : 1;
 }
 
 void FreeSurface::draw_liquid(Scene& picture) const {
