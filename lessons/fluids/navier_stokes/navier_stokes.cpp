@@ -127,13 +127,13 @@ NavierStokes::NavierStokes()
       order(
           *this,
           {.key = "order",
-           .help = "of the stages: the lecture's forces, advection, viscosity, projection; or another, and what then is left of "
-                   "the divergence at the end of the step",
+           .help = "of the stages. The lecture has forces, advection, viscosity, projection; in another order the step ends with "
+                   "divergence",
            .effect = Effect::rebuild},
-          {{"lecture", "forces, advection, viscosity, projection"},
-           {"projection_first", "projection, forces, advection, viscosity"},
-           {"advection_last", "forces, viscosity, projection, advection"},
-           {"forces_last", "advection, viscosity, projection, forces"}}),
+          {{"lecture", "the lecture's"},
+           {"projection_first", "projection first"},
+           {"advection_last", "advection last"},
+           {"forces_last", "forces last"}}),
       with_forces(*this, {.key = "with_forces", .help = "f: without it nothing pushes the fluid but walls", .initial = 1}),
       with_advection(*this, {.key = "with_advection",
                              .help = "(u·∇)u: without it the fluid does not carry itself along, as in very thick flow",

@@ -37,8 +37,8 @@ public:
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return "kinetic_energy"; }
     ColourBy first_colours() const override { return {std::string(scene().colours), scene().component}; }
-    std::vector<std::string_view> first_plots() const override { return scene().plots; }
-    std::vector<std::string_view> key_numbers() const override { return scene().key_numbers; }
+    std::vector<std::string_view> first_plots() const override { return shown(scene().plots); }
+    std::vector<std::string_view> key_numbers() const override { return shown(scene().key_numbers); }
 
 private:
     Choice<std::size_t> scenario;  // index into scenes()
@@ -63,6 +63,10 @@ private:
     Real viscous_time() const { return elapsed_[1]; }
     Real pushed() const { return elapsed_[2]; }
     Real divergence_left() const { return elapsed_[3]; }
+
+    // Names of readings, with the divergence that the step leaves in place of that which the projection leaves, where the two
+    // are not the same.
+    std::vector<std::string_view> shown(std::vector<std::string_view> names) const;
 
     void declare_fields();
     void declare_stages();
