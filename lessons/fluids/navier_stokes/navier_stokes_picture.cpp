@@ -102,12 +102,12 @@ void NavierStokes::draw_drives(Scene& picture) const {
         picture.line(position(0, H), position(W, H), Ink::accent, wall_width + 2);
         const Real above = H + 0.035 * size, half = 0.14 * W * std::clamp(Real(lid_speed), Real(-1), Real(1));
         if (lid_speed != 0)
-            picture.arrows.push_back({.from = {position(0.5 * W - half, above)},
-                                      .to = {position(0.5 * W + half, above)},
+            picture.arrows.push_back({.from = {position(0.72 * W - half, above)},
+                                      .to = {position(0.72 * W + half, above)},
                                       .ink = Ink::accent,
                                       .width = 4});
         if (picture.show_labels)
-            picture.label(position(0.5 * W, above), "wall: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
+            picture.label(position(0.72 * W, above), "wall: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
     }
     if (with_forces && stirred()) {
         const Vec<2> middle = stirrer_place(time()), push = (stirring > 0 ? 0.09 : -0.09) * size * stirrer_heading(time());
@@ -118,10 +118,12 @@ void NavierStokes::draw_drives(Scene& picture) const {
     }
     if (with_forces && uniform_force()[0] != 0) {
         const Real above = H + 0.035 * size, half = body_force > 0 ? 0.1 * W : -0.1 * W;
-        picture.arrows.push_back(
-            {.from = {position(0.5 * W - half, above)}, .to = {position(0.5 * W + half, above)}, .ink = Ink::force, .width = 4});
+        picture.arrows.push_back({.from = {position(0.72 * W - half, above)},
+                                  .to = {position(0.72 * W + half, above)},
+                                  .ink = Ink::force,
+                                  .width = 4});
         if (picture.show_labels)
-            picture.label(position(0.5 * W, above), "G = " + format_quantity(body_force, "m/s²"), Ink::force, 0, -16);
+            picture.label(position(0.72 * W, above), "G = " + format_quantity(body_force, "m/s²"), Ink::force, 0, -16);
     }
     if (scene().drives.smoke) {
         const SmokeSource source = smoke_source();
