@@ -57,13 +57,21 @@ void forces(benchmark::State& state) {
 
 // Courant number 2.
 template <int Dim>
-void advection(benchmark::State& state) {
+void advection(benchmark::State& state, AdvectionSettings settings) {
     const StaggeredGrid<Dim> grid = unit_box<Dim>(state.range(0));
-    SemiLagrangian<Dim> advection(grid);
+    SemiLagrangian<Dim> advection(grid, settings);
     FaceField<Dim> u = swirls(grid);
     for (auto _ : state) advection.advect(u, 2 * grid.dx());
     per_cell(state, grid.cells().size());
 }
+
+template <int Dim>
+void advection_linear(benchmark::State& state) {
+    advection<Dim>(state, {});
+}
+void advection_euler(benchmark::State& state) { advection<2>(state, {BackTrace::euler}); }
+void advection_cubic(benchmark::State& state) { advection<2>(state, {BackTrace::midpoint, Interpolation::monotone_cubic}); }
+void advection_mac_cormack(benchmark::State& state) { advection<2>(state, {BackTrace::midpoint, Interpolation::linear, true}); }
 
 // Diffusion number 1.
 template <int Dim>
@@ -80,10 +88,10 @@ void implicit_viscosity(benchmark::State& state) {
 }
 
 // From p = 0, relative residual 1e-5.
-template <int Dim>
+template <int Dim, PressurePreconditioner preconditioner = PressurePreconditioner::multigrid>
 void projection(benchmark::State& state) {
     const StaggeredGrid<Dim> grid = unit_box<Dim>(state.range(0));
-    PressureProjection<Dim> projection(grid, {1e-5, 100});
+    PressureProjection<Dim> projection(grid, {1e-5, 10000, preconditioner});
     const FaceField<Dim> before = swirls(grid);
     FaceField<Dim> u = before;
     Index iterations = 0;
@@ -117,10 +125,19 @@ void whole_step(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(forces<2>)->Name("fluids/forces_2d")->Arg(256);
-BENCHMARK(advection<2>)->Name("fluids/advection_2d")->Arg(64)->Arg(256)->Arg(1024);
-BENCHMARK(advection<3>)->Name("fluids/advection_3d")->Arg(64);
+BENCHMARK(advection_linear<2>)->Name("fluids/advection_2d")->Arg(64)->Arg(256)->Arg(1024);
+BENCHMARK(advection_linear<3>)->Name("fluids/advection_3d")->Arg(64);
+BENCHMARK(advection_euler)->Name("fluids/advection_euler_2d")->Arg(256);
+BENCHMARK(advection_cubic)->Name("fluids/advection_cubic_2d")->Arg(256);
+BENCHMARK(advection_mac_cormack)->Name("fluids/advection_mac_cormack_2d")->Arg(256);
 BENCHMARK(implicit_viscosity<2>)->Name("fluids/implicit_viscosity_2d")->Arg(256);
 BENCHMARK(projection<2>)->Name("fluids/projection_2d")->Arg(64)->Arg(255)->Arg(256)->Arg(1024);
 BENCHMARK(projection<3>)->Name("fluids/projection_3d")->Arg(64);
+BENCHMARK(projection<2, PressurePreconditioner::none>)->Name("fluids/projection_plain_2d")->Arg(64)->Arg(256);
+BENCHMARK(projection<2, PressurePreconditioner::jacobi>)->Name("fluids/projection_jacobi_2d")->Arg(64)->Arg(256);
+BENCHMARK(projection<2, PressurePreconditioner::incomplete_cholesky>)->Name("fluids/projection_cholesky_2d")->Arg(64)->Arg(256);
+BENCHMARK(projection<3, PressurePreconditioner::none>)->Name("fluids/projection_plain_3d")->Arg(64);
+BENCHMARK(projection<3, PressurePreconditioner::jacobi>)->Name("fluids/projection_jacobi_3d")->Arg(64);
+BENCHMARK(projection<3, PressurePreconditioner::incomplete_cholesky>)->Name("fluids/projection_cholesky_3d")->Arg(64);
 BENCHMARK(whole_step<2>)->Name("fluids/whole_step_2d")->Arg(64)->Arg(256);
 BENCHMARK(whole_step<3>)->Name("fluids/whole_step_3d")->Arg(64);
