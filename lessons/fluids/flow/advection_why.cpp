@@ -1,5 +1,7 @@
 #include "advection_why.h"
 
+#include <pliant/fluids/interpolation_stencil.h>
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -44,10 +46,11 @@ Input AdvectionWhy::path(int axis, const Departure<2>& d) const {
     const std::string x = axis == 0 ? "x" : "y", at_start = x + "_d";
     const auto a = static_cast<std::size_t>(axis);
     if (d.departure[a] != d.free_departure[a])
-        return Input::part(at_start, "cells",
-                           {at_start + " = edge   (the path leaves the domain: its nearest point, or the other side of a periodic one)",
-                            {Input::constant("edge", d.departure[a], "cells", "place in the domain")},
-                            [](Values v) { return v[0]; }});
+        return Input::part(
+            at_start, "cells",
+            {at_start + " = edge   (the path leaves the domain: its nearest point, or the other side of a periodic one)",
+             {Input::constant("edge", d.departure[a], "cells", "place in the domain")},
+             [](Values v) { return v[0]; }});
     const bool midpoint = advection_.settings().trace == BackTrace::midpoint;
     const std::string speed = midpoint ? "u_m" : "u_a";
     return Input::part(
@@ -95,28 +98,14 @@ Explanation AdvectionWhy::bilinear(const Carried& what, const Departure<2>& d) c
     return why;
 }
 
-// The cubic along y in each of four columns, then along x. Its weights depend on the samples where a slope is limited.
 AdvectionWhy::Terms AdvectionWhy::cubic_terms(const Carried& what, const GridPlace<2>& place) const {
-    const Surrounding in = surrounding(what.lattice, place);
-    std::array<std::array<Real, 4>, 4> weights;
-    std::array<Real, 4> row;
-    for (std::size_t i = 0; i < 4; ++i) {
-        std::array<Real, 4> column;
-        for (std::size_t j = 0; j < 4; ++j)
-            column[j] = what.old.sample(beside(in.corner, static_cast<Index>(i) - 1, static_cast<Index>(j) - 1));
-        weights[i] = monotone_cubic_weights(column, in.fraction[1]);
-        row[i] = monotone_cubic(column, in.fraction[1]);
-    }
-    const std::array<Real, 4> along = monotone_cubic_weights(row, in.fraction[0]);
+    const auto stencil = interpolation_stencil<2>(what.old, place);
     Terms terms;
-    for (std::size_t j = 0; j < 4; ++j)
-        for (std::size_t i = 0; i < 4; ++i) {
-            const std::string k = std::to_string(4 * j + i + 1);
-            terms.emplace_back(
-                Input::constant("w" + k, along[i] * weights[i][j], "", "weight of this sample in the limited cubic"),
-                sample("q" + k, From::before, what.field,
-                       sample_beyond(what.lattice, beside(in.corner, static_cast<Index>(i) - 1, static_cast<Index>(j) - 1))));
-        }
+    for (const WeightedSample<2>& s : stencil.samples) {
+        const std::string k = std::to_string(terms.size() + 1);
+        terms.emplace_back(Input::constant("w" + k, s.weight, "", "weight of this sample in the limited cubic"),
+                           sample("q" + k, From::before, what.field, sample_beyond(what.lattice, s.at)));
+    }
     return terms;
 }
 
@@ -146,8 +135,7 @@ Input AdvectionWhy::carried_back(const Carried& what, Index index) const {
         const auto along = [&](std::size_t a, Index high) { return high ? in.fraction[a] : 1 - in.fraction[a]; };
         terms.emplace_back(
             Input::constant("w" + std::to_string(k + 1), along(0, k % 2) * along(1, k / 2), "", "bilinear weight of this sample"),
-            carried_sample(what, "q" + std::to_string(k + 1),
-                           sample_beyond(what.lattice, beside(in.corner, k % 2, k / 2))));
+            carried_sample(what, "q" + std::to_string(k + 1), sample_beyond(what.lattice, beside(in.corner, k % 2, k / 2))));
     }
     return Input::part(what.symbol + "̃", what.axis < 0 ? "" : "m/s",
                        weighted_sum("q̃ = Σ w q̂, over the four samples around the place that it goes to", terms));
@@ -158,11 +146,12 @@ Explanation AdvectionWhy::corrected(const Carried& what, Index index) const {
     const Departure<2> back = advection_.departure(what.lattice.place(what.lattice.coordinates(index)), dt_);
     const auto [low, high] = what.old.range_around(back.departure);
     const std::string unit = what.axis < 0 ? "" : "m/s", hat = what.symbol + "̂", tilde = what.symbol + "̃";
-    return {fmt::format("{0}′ = min(max({1} + ½ ({0} − {2}), low), high)", what.symbol, hat, tilde),
-            {Input::part(hat, unit, interpolated(what, index)), sample(what.symbol, From::before, what.field, index),
-             carried_back(what, index), Input::constant("low", low, unit, "smallest of the samples and walls around its departure"),
-             Input::constant("high", high, unit, "largest of them")},
-            [](Values x) { return std::min(std::max(x[0] + 0.5 * (x[1] - x[2]), x[3]), x[4]); }};
+    return {
+        fmt::format("{0}′ = min(max({1} + ½ ({0} − {2}), low), high)", what.symbol, hat, tilde),
+        {Input::part(hat, unit, interpolated(what, index)), sample(what.symbol, From::before, what.field, index),
+         carried_back(what, index), Input::constant("low", low, unit, "smallest of the samples and walls around its departure"),
+         Input::constant("high", high, unit, "largest of them")},
+        [](Values x) { return std::min(std::max(x[0] + 0.5 * (x[1] - x[2]), x[3]), x[4]); }};
 }
 
 }  // namespace pliant::flow

@@ -1,5 +1,5 @@
 // How an advected number came about, for every scheme of SemiLagrangian: the path back, the samples around its end, and
-// MacCormack's correction.
+// MacCormack's correction of the linearly interpolated value.
 #pragma once
 #include "grid_why.h"
 

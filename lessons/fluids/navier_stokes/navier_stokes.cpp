@@ -143,6 +143,23 @@ NavierStokes::NavierStokes()
                               .help = "−∇p: without it fluid piles up and thins out, and there is no pressure",
                               .initial = 1,
                               .effect = Effect::rebuild}),
+      advection(
+          *this,
+          {.key = "advection",
+           .help = "linear interpolation dissipates most; the monotone cubic less; MacCormack's correction makes the linear one "
+                   "second order. None makes a new extremum",
+           .used = [this] { return with_advection || scene().drives.smoke; }},
+          {{"semi_lagrangian", "semi-Lagrangian, linear"},
+           {"monotone_cubic", "semi-Lagrangian, monotone cubic"},
+           {"mac_cormack", "MacCormack"}}),
+      back_trace(
+          *this,
+          {.key = "back_trace",
+           .help = "how a particle is followed back: straight with the velocity where it arrives (Euler), or with the velocity "
+                   "half way",
+           .initial = 1,
+           .used = [this] { return with_advection || scene().drives.smoke; }},
+          {{"euler", "Euler"}, {"midpoint", "midpoint rule"}}),
       scheme(*this,
              {.key = "viscosity_scheme",
               .help = "implicit is stable at every Δt; explicit is the lecture's stencil, refused beyond Δt = Δx²/(4ν)",
