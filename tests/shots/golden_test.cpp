@@ -39,6 +39,8 @@ std::vector<Golden> goldens() {
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
     PictureOptions medium, large;
     medium.size = "720x405", large.size = "920x518";
+    PictureOptions bright = large;
+    bright.theme = "projector";
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
@@ -50,6 +52,20 @@ std::vector<Golden> goldens() {
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
+        {"navier_stokes_cavity",
+         {"fluids/navier_stokes", {"scene=cavity", "resolution=32", "aspect=0.6"}, 60, medium},
+         "aspect=1"},
+        {"navier_stokes_taylor_green",
+         {"fluids/navier_stokes", {"scene=taylor_green", "resolution=32"}, 20, small},
+         "resolution=8"},
+        {"navier_stokes_poiseuille",
+         {"fluids/navier_stokes", {"scene=poiseuille", "resolution=24", "viscosity=0.1", "body_force=0.8"}, 60, bright},
+         "viscosity=0.001"},
+        {"navier_stokes_couette",
+         {"fluids/navier_stokes", {"scene=couette", "resolution=24", "viscosity=0.1"}, 20, large},
+         "viscosity=0.005"},
+        {"navier_stokes_karman", {"fluids/navier_stokes", {"scene=karman", "resolution=48"}, 300, medium}, "reynolds=40"},
+        {"navier_stokes_smoke", {"fluids/navier_stokes", {"scene=smoke", "resolution=32"}, 80, bright}, "buoyancy=1"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }

@@ -48,12 +48,6 @@ public:
     bool closed(int axis, Index face) const;
     Input dx() const;
 
-    // Advection along `flow`, by the midpoint rule with linear interpolation.
-    Explanation advected(const VelocitySampler<2>& flow, Real dt, int axis, Index face) const;
-
-    // A cell-centred quantity, carried in the same way.
-    Explanation carried(const VelocitySampler<2>& flow, Real dt, std::string_view field, Index cell) const;
-
     // viscosity: m²/s, with the symbol ν.
     Input diffusion_number(Input viscosity) const;
     // residual: of the implicit solver, m/s; none for the explicit scheme.
@@ -73,10 +67,6 @@ public:
     Explanation courant(const FaceField<2>& velocity) const;
 
 private:
-    Explanation departure_along(int axis, const GridPlace<2>& arrival, const GridPlace<2>& middle, bool inside,
-                                Real departure) const;
-    Explanation arrived(const VelocitySampler<2>& flow, Real dt, const Lattice<2>& lattice, std::string_view field, Index sample,
-                        std::string_view symbol) const;
     // What stands around a cell in its row of the pressure equation: p of the fluid beside it, and the weight of each way to the
     // air.
     struct Row {
