@@ -128,8 +128,14 @@ private:
     void draw_walls(Scene& scene) const;
     void draw_handles(Scene& scene) const;
     void draw_zoom(Scene& scene) const;
-    void zoom_staggered(Scene& scene, const Vec<2>& corner) const;
-    void zoom_collocated(Scene& scene, const Vec<2>& corner) const;
+    struct Beside {
+        std::array<Real, 4> u;  // left, right, below, above: what the divergence of the selected cell takes
+        Real divergence;
+    };
+    Beside beside_selected() const;
+    std::string selected_sum() const;
+    void zoom_cells(Scene& scene) const;
+    void zoom_velocity(Scene& scene) const;
     void write_notes(Scene& scene) const;
 
     std::unique_ptr<StaggeredGrid<2>> grid_;

@@ -12,7 +12,7 @@
 namespace pliant::projection {
 namespace {
 
-constexpr Index most_arrows = 16;  // along each side
+constexpr Index most_arrows = 24;  // along each side
 
 std::string number(Real value, std::string_view unit = "") { return format_quantity(value, unit, 3); }
 
@@ -25,7 +25,7 @@ void Projection::draw(Scene& scene) const {
     draw_handles(scene);
     draw_zoom(scene);
     write_notes(scene);
-    scene.frame(position(-0.05, -0.16), position(2.12, 1.1));
+    scene.frame(position(-0.03, -0.12), position(1.83, 1.08));
 }
 
 // The pressure pushes along −∇p; a part has its own arrows; every other field is seen with the velocity as it is now.
@@ -36,10 +36,11 @@ Projection::Arrows Projection::arrows_for(std::string_view field) const {
     return {&centre_, 1, Ink::velocity, tally_[done] != 0 ? "u" : "ũ"};
 }
 
-// In every so many-th cell; the longest arrow is a little longer than they are apart.
+// In every so many-th cell, an odd number, so that a checkerboard is seen as one; the longest arrow is a little longer than they
+// are apart.
 void Projection::draw_arrows(Scene& scene) const {
     const Arrows what = arrows_for(scene.colour_by.field);
-    const Index n = resolution, every = std::max<Index>(1, (n + most_arrows - 1) / most_arrows);
+    const Index n = resolution, every = (n + most_arrows - 1) / most_arrows / 2 * 2 + 1;
     const Real longest = what.vectors->colwise().norm().maxCoeff();
     if (!(longest > 1e-9 * std::sqrt(2 * tally_[energy_given]))) return;
     const Real scale = what.sign * 1.15 * static_cast<Real>(every) * dx() / longest;
@@ -98,7 +99,7 @@ void Projection::draw_walls(Scene& scene) const {
 void Projection::draw_handles(Scene& scene) const {
     const auto handle = [&](const Vec<2>& at, Index which, Ink ink) {
         scene.points.push_back(
-            {.at = {position<2>(at)}, .ink = ink, .radius = 6, .pick = {.pickable = true, .on = On::handle, .first = which}});
+            {.at = {position<2>(at)}, .ink = ink, .radius = 5, .pick = {.pickable = true, .on = On::handle, .first = which}});
     };
     const Counts<2> at = grid_->cells().coordinates(selected_cell());
     const Vec<2> low = dx() * Vec<2>(static_cast<Real>(at[0]), static_cast<Real>(at[1]));
@@ -114,6 +115,9 @@ void Projection::draw_handles(Scene& scene) const {
 }
 
 void Projection::write_notes(Scene& scene) const {
+    scene.notes.push_back(selected_sum());
+    scene.notes.push_back(
+        fmt::format("{0} × {0} cells, Δx = {1}, Δt = {2}", Index(resolution), number(dx(), "m"), number(dt, "s")));
     if (tally_[done] == 0) {
         scene.notes.push_back(fmt::format("given: max|∇·ũ| = {}", number(before_.lpNorm<Eigen::Infinity>(), "1/s")));
         return;

@@ -13,13 +13,13 @@ constexpr std::array<std::string_view, 2> stored{"u_in_cells", "v_in_cells"};
 constexpr std::array<const char*, 4> way{"left", "right", "below", "above"};
 
 // The cell one step along an axis; beyond a wall the cell itself, and `inside` says so.
-struct Beside {
+struct CellBeside {
     Index cell;
     bool inside;
 };
-Beside beside(const Lattice<2>& cells, Index cell, int axis, int side) {
+CellBeside beside(const Lattice<2>& cells, Index cell, int axis, int side) {
     const Index n = cells.neighbour(cells.coordinates(cell), axis, side == 0 ? -1 : 1);
-    return n >= 0 ? Beside{n, true} : Beside{cell, false};
+    return n >= 0 ? CellBeside{n, true} : CellBeside{cell, false};
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ Explanation Projection::why_central_divergence(Index cell, From from) const {
     if (from == From::before) why.formula.replace(0, std::string("∇·u").size(), "∇·ũ");
     for (int k = 0; k < 4; ++k) {
         const int axis = k / 2;
-        const Beside b = beside(grid_->cells(), cell, axis, k % 2);
+        const CellBeside b = beside(grid_->cells(), cell, axis, k % 2);
         const std::string symbol = fmt::format("{}_{}", axis == 0 ? "u" : "v", way[static_cast<std::size_t>(k)]);
         const std::string_view field = stored[static_cast<std::size_t>(axis)];
         Input there = flow::sample(b.inside ? symbol : "q", from, field, b.cell);
@@ -49,7 +49,7 @@ std::map<Index, Real> Projection::wide_row(Index cell) const {
     std::map<Index, Real> row;
     for (int k = 0; k < 4; ++k) {
         const int axis = k / 2, side = k % 2;
-        const Beside b = beside(grid_->cells(), cell, axis, side);
+        const CellBeside b = beside(grid_->cells(), cell, axis, side);
         // The divergence adds the cell on the high side and subtracts the low one; beyond a wall the gradient is mirrored.
         const Real sign = (side == 1 ? 1 : -1) * (b.inside ? 1 : -1);
         row[beside(grid_->cells(), b.cell, axis, 1).cell] += sign;
