@@ -21,6 +21,7 @@ constexpr Real longest = 0.12;          // of an arrow there
 Vec<2> middle_of(int i, int j) { return lower_corner + edge * Vec<2>(i + 1.5, j + 1.5); }
 
 std::string number(Real value) { return fmt::format("{:.3g}", value); }
+std::string short_number(Real value) { return fmt::format("{:.2g}", value); }
 
 }  // namespace
 
@@ -61,10 +62,11 @@ void Projection::draw_zoom(Scene& scene) const {
     if (grid_->is_fluid(selected_cell())) zoom_velocity(scene);
     if (!scene.show_labels) return;
     const Real middle = middle_of(0, 0)[0];
-    scene.label(position(middle, middle_of(0, 1)[1] + edge / 2), staggered() ? "staggered grid" : "collocated grid", Ink::text, 0,
-                -14);
+    scene.label(position(middle, middle_of(0, 1)[1] + edge / 2), staggered() ? "u on faces, p in cells" : "u and p in cells",
+                Ink::text, 0, -14);
+    if (!grid_->is_fluid(selected_cell())) return;
     scene.label(position(middle, middle_of(0, -1)[1] - edge / 2),
-                staggered() ? "velocity on faces, p in cells" : "velocity and p in cells", Ink::text, 0, 16);
+                fmt::format("∇·u = {}", format_quantity(beside_selected().divergence, "1/s", 3)), Ink::accent, 0, 16);
 }
 
 // The cell and those around it, with their pressures; what is no fluid is filled.
@@ -90,9 +92,9 @@ void Projection::zoom_cells(Scene& scene) const {
             for (std::size_t k = 0; k < 4; ++k) mesh.ends.push_back(around[k]), mesh.ends.push_back(around[(k + 1) % 4]);
             centres.at.push_back(position<2>(middle));
             if (!scene.show_labels || (i != 0 && j != 0)) continue;
-            const bool aside = !staggered() && j != 0;  // of the arrow
-            const float down = j == 1 ? -13.f : i == 0 && j == 0 ? 10.f : 14.f;
-            scene.label(position<2>(middle), number(pressure_[cell]), Ink::text, aside ? -26.f : 0.f, aside ? 0.f : down);
+            // Where no arrow is.
+            const float down = i == 0 && j == 0 ? 10.f : i != 0 ? 14.f : !staggered() ? 22.f : j == 1 ? -13.f : 14.f;
+            scene.label(position<2>(middle), short_number(pressure_[cell]), Ink::text, 0, down);
         }
     }
     scene.triangles.push_back(std::move(solid));
@@ -115,9 +117,12 @@ void Projection::zoom_velocity(Scene& scene) const {
                 {.from = {position<2>(middle - half)}, .to = {position<2>(middle + half)}, .ink = Ink::velocity, .width = 3.5f});
         }
         if (!scene.show_labels) continue;
-        const Real outward = staggered() ? out : 0;
-        scene.label(position<2>(middle), number(value), Ink::velocity, axis == 0 ? static_cast<float>(34 * outward) : 32.f,
-                    axis == 0 ? -16.f : static_cast<float>(-12 * outward));
+        // Outside the cell, beside the arrow; in the cells beside it above the arrow.
+        const Vec<2> at = !staggered() ? Vec<2>(0, axis == 0 ? -16 : -24)
+                          : axis == 0  ? Vec<2>(26 * out, -16)
+                                       : Vec<2>(24, -12 * out);
+        scene.label(position<2>(middle), short_number(value), Ink::velocity, static_cast<float>(at[0]),
+                    static_cast<float>(at[1]));
     }
 }
 
