@@ -50,6 +50,10 @@ std::vector<Golden> goldens() {
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
+        {"projection", {"fluids/projection", {"resolution=16"}, {}, medium}, "field=jet"},
+        {"projection_collocated",
+         {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, projector},
+         "grid=staggered"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }

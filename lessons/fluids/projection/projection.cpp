@@ -1,6 +1,7 @@
 #include "projection.h"
 
 #include <pliant/fluids/diagnostics.h>
+#include <pliant/fluids/pressure_gradient.h>
 
 namespace pliant::projection {
 namespace {
@@ -137,7 +138,7 @@ void Projection::declare_stages() {
 }
 
 void Projection::give() {
-    tally_[done] = 0;
+    tally_[done] = tally_[projected] = 0;
     const auto number = static_cast<std::uint64_t>(Index(seed));
     for (int a = 0; a < 2; ++a) {
         if (staggered())
@@ -194,24 +195,36 @@ void Projection::project() {
         from_columns(centre_, central_);
         central_divergence(grid_->cells(), dx(), centre_, after_);
     }
+    tally_[projected] = 1;
+}
+
+Points<2> Projection::pressure_gradient() const {
+    Points<2> gradient;
+    if (staggered()) {
+        FaceField<2> faces = grid_->zero_velocity();
+        subtract_gradient(*grid_, pressure_, -dt, faces);
+        cell_velocity(*grid_, faces, gradient);
+    } else {
+        central_gradient(grid_->cells(), dx(), pressure_, gradient);
+        gradient *= dt;
+    }
+    return gradient;
 }
 
 // What was taken out of the velocity, and what is left of it.
 void Projection::split() {
+    gradient_ = pressure_gradient();
     const Real given_twice = 2 * tally_[energy_given] * fluid_area();
-    drift_.setZero();
+    Real product = 0;
     if (staggered()) {
         const HelmholtzParts<2> parts = helmholtz_parts(*grid_, tentative_, VecX(dt * pressure_));
-        cell_velocity(*grid_, parts.gradient, gradient_);
         drift_ = parts.drift;
-        tally_[overlap] = given_twice > 0 ? inner_product(*grid_, parts.gradient, velocity_) / given_twice : 0;
+        product = inner_product(*grid_, parts.gradient, velocity_);
     } else {
-        central_gradient(grid_->cells(), dx(), pressure_, gradient_);
-        gradient_ *= dt;
-        for (int a = 0; a < 2; ++a)
-            if (grid_->periodic(a)) drift_[a] = centre_.row(a).mean();
-        tally_[overlap] = given_twice > 0 ? gradient_.cwiseProduct(centre_).sum() * dx() * dx() / given_twice : 0;
+        for (int a = 0; a < 2; ++a) drift_[a] = grid_->periodic(a) ? centre_.row(a).mean() : Real{0};
+        product = gradient_.cwiseProduct(centre_).sum() * dx() * dx();
     }
+    tally_[overlap] = given_twice > 0 ? product / given_twice : 0;
     solenoidal_ = centre_.colwise() - drift_;
     tally_[done] = 1;
 }

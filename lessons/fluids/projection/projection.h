@@ -63,7 +63,7 @@ private:
     Number cell_x, cell_y;
     std::deque<DrawnArrow> drawn;
 
-    enum Tally : Index { done, passes, initial, energy_given, overlap, tally_count };
+    enum Tally : Index { done, projected, passes, initial, energy_given, overlap, tally_count };
     enum Handle : Index { cell_handle, first_place, first_tip = first_place + Index(arrow_count) };
 
     void declare_fields();
@@ -89,6 +89,7 @@ private:
     ProjectionSettings settings() const { return {tolerance, max_iterations, solver}; }
     GivenField given_field() const;
     void renew_centre();
+    Points<2> pressure_gradient() const;  // Δt ∇p at cell centres, m/s
 
     // --- what is measured (projection_readings.cpp) ---
     Real specific_energy() const;  // J/kg
@@ -118,7 +119,7 @@ private:
 
     // --- the picture (projection_picture.cpp, projection_zoom.cpp) ---
     struct Arrows {
-        const Points<2>* vectors;
+        Points<2> vectors;
         Real sign;
         Ink ink;
         std::string_view name;

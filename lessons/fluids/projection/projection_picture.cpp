@@ -30,10 +30,10 @@ void Projection::draw(Scene& scene) const {
 
 // The pressure pushes along −∇p; a part has its own arrows; every other field is seen with the velocity as it is now.
 Projection::Arrows Projection::arrows_for(std::string_view field) const {
-    if (field == "pressure") return {&gradient_, -1, Ink::force, "−Δt ∇p"};
-    if (field == "gradient_part") return {&gradient_, 1, Ink::force, "Δt ∇p"};
-    if (field == "solenoidal_part") return {&solenoidal_, 1, Ink::velocity, "s"};
-    return {&centre_, 1, Ink::velocity, tally_[done] != 0 ? "u" : "ũ"};
+    if (field == "pressure") return {pressure_gradient(), -1, Ink::force, "−Δt ∇p"};
+    if (field == "gradient_part") return {gradient_, 1, Ink::force, "Δt ∇p"};
+    if (field == "solenoidal_part") return {solenoidal_, 1, Ink::velocity, "s"};
+    return {centre_, 1, Ink::velocity, tally_[projected] != 0 ? "u" : "ũ"};
 }
 
 // In every so many-th cell, an odd number, so that a checkerboard is seen as one; the longest arrow is a little longer than they
@@ -41,14 +41,14 @@ Projection::Arrows Projection::arrows_for(std::string_view field) const {
 void Projection::draw_arrows(Scene& scene) const {
     const Arrows what = arrows_for(scene.colour_by.field);
     const Index n = resolution, every = (n + most_arrows - 1) / most_arrows / 2 * 2 + 1;
-    const Real longest = what.vectors->colwise().norm().maxCoeff();
+    const Real longest = what.vectors.colwise().norm().maxCoeff();
     if (!(longest > 1e-9 * std::sqrt(2 * tally_[energy_given]))) return;
     const Real scale = what.sign * 1.15 * static_cast<Real>(every) * dx() / longest;
     ArrowMarks marks{.from = {}, .to = {}, .ink = what.ink, .width = 1.8f};
     for (Index j = every / 2; j < n; j += every) {
         for (Index i = every / 2; i < n; i += every) {
             const Vec<2> middle = dx() * Vec<2>(static_cast<Real>(i) + 0.5, static_cast<Real>(j) + 0.5);
-            const Vec<2> arrow = scale * what.vectors->col(grid_->cells().index({i, j}));
+            const Vec<2> arrow = scale * what.vectors.col(grid_->cells().index({i, j}));
             if (arrow.norm() < 0.06 * static_cast<Real>(every) * dx()) continue;
             marks.from.push_back(position<2>(middle - 0.5 * arrow));
             marks.to.push_back(position<2>(middle + 0.5 * arrow));
