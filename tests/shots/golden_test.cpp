@@ -37,8 +37,8 @@ std::vector<Golden> goldens() {
     projector.theme = "projector";
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
-    PictureOptions medium, large;
-    medium.size = "720x405", large.size = "920x518";
+    PictureOptions medium, large, full;
+    medium.size = "720x405", large.size = "920x518", full.size = "1280x720";
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
@@ -50,9 +50,9 @@ std::vector<Golden> goldens() {
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
-        {"projection", {"fluids/projection", {"resolution=16"}, {}, medium}, "field=jet"},
+        {"projection", {"fluids/projection", {"resolution=16"}, {}, full}, "field=jet"},
         {"projection_collocated",
-         {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, projector},
+         {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, full},
          "grid=staggered"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
