@@ -57,13 +57,21 @@ void forces(benchmark::State& state) {
 
 // Courant number 2.
 template <int Dim>
-void advection(benchmark::State& state) {
+void advection(benchmark::State& state, AdvectionSettings settings) {
     const StaggeredGrid<Dim> grid = unit_box<Dim>(state.range(0));
-    SemiLagrangian<Dim> advection(grid);
+    SemiLagrangian<Dim> advection(grid, settings);
     FaceField<Dim> u = swirls(grid);
     for (auto _ : state) advection.advect(u, 2 * grid.dx());
     per_cell(state, grid.cells().size());
 }
+
+template <int Dim>
+void advection_linear(benchmark::State& state) {
+    advection<Dim>(state, {});
+}
+void advection_euler(benchmark::State& state) { advection<2>(state, {BackTrace::euler}); }
+void advection_cubic(benchmark::State& state) { advection<2>(state, {BackTrace::midpoint, Interpolation::monotone_cubic}); }
+void advection_mac_cormack(benchmark::State& state) { advection<2>(state, {BackTrace::midpoint, Interpolation::linear, true}); }
 
 // Diffusion number 1.
 template <int Dim>
@@ -117,8 +125,11 @@ void whole_step(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(forces<2>)->Name("fluids/forces_2d")->Arg(256);
-BENCHMARK(advection<2>)->Name("fluids/advection_2d")->Arg(64)->Arg(256)->Arg(1024);
-BENCHMARK(advection<3>)->Name("fluids/advection_3d")->Arg(64);
+BENCHMARK(advection_linear<2>)->Name("fluids/advection_2d")->Arg(64)->Arg(256)->Arg(1024);
+BENCHMARK(advection_linear<3>)->Name("fluids/advection_3d")->Arg(64);
+BENCHMARK(advection_euler)->Name("fluids/advection_euler_2d")->Arg(256);
+BENCHMARK(advection_cubic)->Name("fluids/advection_cubic_2d")->Arg(256);
+BENCHMARK(advection_mac_cormack)->Name("fluids/advection_mac_cormack_2d")->Arg(256);
 BENCHMARK(implicit_viscosity<2>)->Name("fluids/implicit_viscosity_2d")->Arg(256);
 BENCHMARK(projection<2>)->Name("fluids/projection_2d")->Arg(64)->Arg(255)->Arg(256)->Arg(1024);
 BENCHMARK(projection<3>)->Name("fluids/projection_3d")->Arg(64);

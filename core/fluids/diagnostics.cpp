@@ -66,6 +66,8 @@ Real inner_product(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& u, cons
         const std::vector<Index>& closed = grid.closed_faces(a);
         for (std::size_t k = 0; k < closed.size(); ++k)
             sum -= (1 - Real(0.5) * grid.fluid_beside_closed(a)[k]) * u[a][closed[k]] * v[a][closed[k]];
+        // Half of the volume at a surface is air.
+        for (const Index face : grid.surface_faces(a)) sum -= Real(0.5) * u[a][face] * v[a][face];
     }
     return grid.cell_volume() * sum;
 }

@@ -32,20 +32,19 @@ std::vector<Later> later_neighbours(const StaggeredGrid<Dim>& grid, Index cell) 
 }  // namespace
 
 template <int Dim>
-IncompleteCholesky<Dim>::IncompleteCholesky(const StaggeredGrid<Dim>& grid, Real modified)
+IncompleteCholesky<Dim>::IncompleteCholesky(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions, Real modified)
     : n_(grid.cells().count[0]),
       wraps_(grid.periodic(0) && n_ > 1),
       rows_(lattice_rows(grid.cells())),
       inverse_pivot_(VecX::Zero(grid.cells().size())),
       above_(n_) {
     if (!(modified >= 0 && modified <= 1)) throw Refused("modified", modified, "", "a share between 0 and 1");
-    find_pivots(grid, modified);
+    find_pivots(grid, pressure_diagonal(grid, fractions), modified);
 }
 
 template <int Dim>
-void IncompleteCholesky<Dim>::find_pivots(const StaggeredGrid<Dim>& grid, Real modified) {
-    const VecX diagonal = open_face_counts(grid);
-    VecX pivot = diagonal;
+void IncompleteCholesky<Dim>::find_pivots(const StaggeredGrid<Dim>& grid, VecX pivot, Real modified) {
+    const VecX diagonal = pivot;
     for (Index c = 0; c < pivot.size(); ++c) {
         if (diagonal[c] == 0) continue;
         if (pivot[c] < smallest_pivot * diagonal[c]) pivot[c] = diagonal[c];

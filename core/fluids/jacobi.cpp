@@ -3,7 +3,8 @@
 namespace pliant {
 
 template <int Dim>
-Jacobi<Dim>::Jacobi(const StaggeredGrid<Dim>& grid) : inverse_diagonal_(open_face_counts(grid)) {
+Jacobi<Dim>::Jacobi(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions)
+    : inverse_diagonal_(pressure_diagonal(grid, fractions)) {
     for (Real& d : inverse_diagonal_) d = d > 0 ? 1 / d : 0;
 }
 

@@ -9,7 +9,7 @@ namespace pliant {
 template <int Dim>
 class Jacobi final : public Preconditioner<Dim> {
 public:
-    explicit Jacobi(const StaggeredGrid<Dim>& grid);
+    explicit Jacobi(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions = {});
     void precondition(const VecX& r, VecX& z) override { z = inverse_diagonal_.cwiseProduct(r); }
 
 private:

@@ -12,7 +12,8 @@ namespace pliant {
 template <int Dim>
 class Multigrid final : public Preconditioner<Dim> {
 public:
-    explicit Multigrid(const StaggeredGrid<Dim>& grid);
+    // fractions: of the grid's surface, if it has air.
+    explicit Multigrid(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions = {});
 
     // The equation of the finest level.
     const PoissonOperator<Dim>& finest() const { return *levels_.front().op; }

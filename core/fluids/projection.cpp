@@ -28,6 +28,14 @@ PressureProjection<Dim>::PressureProjection(const StaggeredGrid<Dim>& grid, Proj
 }
 
 template <int Dim>
+void PressureProjection<Dim>::domain_changed(const SurfaceFractions<Dim>& fractions) {
+    fractions_ = fractions;
+    regions_ = FluidRegions<Dim>(grid_);
+    own_laplacian_.reset();
+    make_preconditioner(solve_.settings().preconditioner);
+}
+
+template <int Dim>
 void PressureProjection<Dim>::set(ProjectionSettings settings) {
     const bool another = !preconditioner_ || settings.preconditioner != solve_.settings().preconditioner;
     solve_.set(settings);
@@ -39,18 +47,18 @@ void PressureProjection<Dim>::set(ProjectionSettings settings) {
 template <int Dim>
 void PressureProjection<Dim>::make_preconditioner(PressurePreconditioner kind) {
     if (kind == PressurePreconditioner::multigrid) {
-        auto multigrid = std::make_unique<Multigrid<Dim>>(grid_);
+        auto multigrid = std::make_unique<Multigrid<Dim>>(grid_, fractions_);
         laplacian_ = &multigrid->finest();
         preconditioner_ = std::move(multigrid);
         own_laplacian_.reset();
         return;
     }
-    if (!own_laplacian_) own_laplacian_ = pressure_operator(grid_);
+    if (!own_laplacian_) own_laplacian_ = pressure_operator(grid_, fractions_);
     laplacian_ = own_laplacian_.get();
     if (kind == PressurePreconditioner::incomplete_cholesky)
-        preconditioner_ = std::make_unique<IncompleteCholesky<Dim>>(grid_);
+        preconditioner_ = std::make_unique<IncompleteCholesky<Dim>>(grid_, fractions_);
     else if (kind == PressurePreconditioner::jacobi)
-        preconditioner_ = std::make_unique<Jacobi<Dim>>(grid_);
+        preconditioner_ = std::make_unique<Jacobi<Dim>>(grid_, fractions_);
     else
         preconditioner_ = std::make_unique<NoPreconditioner<Dim>>();
 }
@@ -62,6 +70,9 @@ void PressureProjection<Dim>::begin(const FaceField<Dim>& velocity, Real dt) {
     regions_.remove_means(solve_.residual());
     // Below what rounding leaves of a divergence of 0 there is nothing to solve.
     const Real rounding = 8 * Dim * std::numeric_limits<Real>::epsilon() * max_speed(velocity) / grid_.dx();
+    VecX& pressure = solve_.pressure();
+    for (Index c = 0; grid_.has_solids() && c < pressure.size(); ++c)
+        if (!grid_.is_fluid(c)) pressure[c] = 0;
     solve_.begin(Equation(*this), dt, rounding);
 }
 
@@ -72,7 +83,10 @@ void PressureProjection<Dim>::iterate() {
 
 template <int Dim>
 void PressureProjection<Dim>::apply(FaceField<Dim>& velocity) const {
-    subtract_gradient(grid_, solve_.pressure(), solve_.time_step(), velocity);
+    if (grid_.has_air())
+        subtract_gradient(grid_, solve_.pressure(), fractions_, solve_.time_step(), velocity);
+    else
+        subtract_gradient(grid_, solve_.pressure(), solve_.time_step(), velocity);
 }
 
 template <int Dim>

@@ -5,8 +5,9 @@
 
 namespace pliant {
 
-// Solves Δt ∇²p = ∇·ũ for the kinematic pressure p = (pressure)/ρ, m²/s², with ∂p/∂n = 0 at walls and solids, by conjugate
-// gradients with a preconditioner of choice: by default one multigrid V-cycle [McAdamsSifakisTeran2010 §3]. One pass at a time:
+// Solves Δt ∇²p = ∇·ũ for the kinematic pressure p = (pressure)/ρ, m²/s², with ∂p/∂n = 0 at walls and solids and p = 0 at
+// a free surface, by conjugate gradients with a preconditioner of choice: by default one multigrid V-cycle
+// [McAdamsSifakisTeran2010 §3]. One pass at a time:
 //
 //     projection.begin(velocity, dt);
 //     while (!projection.converged()) projection.iterate();
@@ -20,6 +21,9 @@ class PressureProjection {
 public:
     // Keeps a reference to the grid. Throws Refused for settings that are out of range.
     explicit PressureProjection(const StaggeredGrid<Dim>& grid, ProjectionSettings settings = {});
+
+    // The cells of the grid have changed, or where its surface lies. fractions: of the surface faces, if the grid has air.
+    void domain_changed(const SurfaceFractions<Dim>& fractions = {});
 
     // Another preconditioner is made at once and starts its directions anew.
     void set(ProjectionSettings settings);
@@ -62,6 +66,7 @@ private:
     void make_preconditioner(PressurePreconditioner kind);
 
     const StaggeredGrid<Dim>& grid_;
+    SurfaceFractions<Dim> fractions_;
     FluidRegions<Dim> regions_;
     PressureSolve solve_;
     std::unique_ptr<Preconditioner<Dim>> preconditioner_;

@@ -3,6 +3,8 @@
 #include <pliant/fluids/padded_field.h>
 #include <pliant/fluids/staggered_grid.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pliant {
@@ -12,7 +14,8 @@ namespace pliant {
 template <int Dim>
 class VelocitySampler {
 public:
-    explicit VelocitySampler(const StaggeredGrid<Dim>& grid) : components_(padded(grid, std::make_index_sequence<Dim>())) {
+    explicit VelocitySampler(const StaggeredGrid<Dim>& grid, Interpolation interpolation = Interpolation::linear)
+        : components_(padded(grid, interpolation, std::make_index_sequence<Dim>())) {
         for (int a = 0; a < Dim; ++a) {
             extent_[a] = static_cast<Real>(grid.cell_counts()[a]);
             periodic_[a] = grid.periodic(a);
@@ -27,35 +30,34 @@ public:
     const PaddedField<Dim>& component(int axis) const { return components_[axis]; }
 
     // The nearest place in the domain.
-    GridPlace<Dim> confined(GridPlace<Dim> x) const {
-        for (int a = 0; a < Dim; ++a) confine(a, Eigen::Map<Eigen::ArrayXd>(&x[a], 1), Eigen::Map<Eigen::ArrayXd>(&x[a], 1));
-        return x;
-    }
-    // The same for the coordinates of many places along one axis: out = x, moved into the domain.
-    template <class Coordinates, class Out>
-    void confine(int axis, const Coordinates& x, Out&& out) const {
-        // In this order a number that is not finite ends up inside the domain too.
-        const auto between_walls = [&](const auto& y) { return Eigen::ArrayXd::Zero(y.size()).max(y).min(extent_[axis]); };
-        if (periodic_[axis]) {
-            out = x;
-            if (out.minCoeff() < 0 || out.maxCoeff() > extent_[axis]) out -= extent_[axis] * (out / extent_[axis]).floor();
-            out = between_walls(out);
-        } else {
-            out = between_walls(x);
-        }
+    GridPlace<Dim> confined(const GridPlace<Dim>& x) const { return PaddedField<Dim>::lane(confined(both(x)), 0); }
+    [[gnu::always_inline]] PlacePair<Dim> confined(const PlacePair<Dim>& x) const {
+        return for_axes<Dim>([&](auto a) {
+            const Real extent = extent_[a];
+            const auto outside = [&](Real y) { return y < 0 || y > extent; };
+            Pair y = x[a];
+            if (periodic_[a] && (outside(y[0]) || outside(y[1])))
+                y = y - extent * Pair{std::floor(y[0] / extent), std::floor(y[1] / extent)};
+            return clamped(y, 0, extent);
+        });
     }
 
-    // Velocity at a place in the domain.
+    // Velocity at a place in the domain, linearly interpolated.
     GridPlace<Dim> at(const GridPlace<Dim>& x) const {
         GridPlace<Dim> u;
         for (int a = 0; a < Dim; ++a) u[a] = components_[a].at(x);
         return u;
     }
+    // One place as a pair.
+    static PlacePair<Dim> both(const GridPlace<Dim>& x) {
+        return for_axes<Dim>([&](auto a) { return Pair{x[a], x[a]}; });
+    }
 
 private:
     template <std::size_t... Axis>
-    static std::array<PaddedField<Dim>, Dim> padded(const StaggeredGrid<Dim>& grid, std::index_sequence<Axis...>) {
-        return {PaddedField<Dim>(grid.faces(static_cast<int>(Axis)))...};
+    static std::array<PaddedField<Dim>, Dim> padded(const StaggeredGrid<Dim>& grid, Interpolation interpolation,
+                                                    std::index_sequence<Axis...>) {
+        return {PaddedField<Dim>(grid.faces(static_cast<int>(Axis)), interpolation)...};
     }
 
     std::array<PaddedField<Dim>, Dim> components_;
