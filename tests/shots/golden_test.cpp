@@ -37,8 +37,8 @@ std::vector<Golden> goldens() {
     projector.theme = "projector";
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
-    PictureOptions medium, large;
-    medium.size = "720x405", large.size = "920x518";
+    PictureOptions medium, large, full;
+    medium.size = "720x405", large.size = "920x518", full.size = "1280x720";
     PictureOptions bright = large;
     bright.theme = "projector";
     return {
@@ -66,6 +66,10 @@ std::vector<Golden> goldens() {
          "viscosity=0.005"},
         {"navier_stokes_karman", {"fluids/navier_stokes", {"scene=karman", "resolution=48"}, 300, medium}, "reynolds=40"},
         {"navier_stokes_smoke", {"fluids/navier_stokes", {"scene=smoke", "resolution=32"}, 80, bright}, "buoyancy=1"},
+        {"projection", {"fluids/projection", {"resolution=16"}, {}, full}, "field=jet"},
+        {"projection_collocated",
+         {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, full},
+         "grid=staggered"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }
