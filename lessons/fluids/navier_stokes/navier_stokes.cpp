@@ -156,14 +156,17 @@ void NavierStokes::declare_stages() {
          .reads = {"velocity"},
          .writes = {"u_on_faces", "v_on_faces"},
          .active = [this] { return forced(); },
-         .explain = [this](const Question& q) { return why_force(axis_of(q), q.index); }},
+         .explain = [this](const Question& q) { return why_force(flow::axis_of(q.field), q.index); }},
         {.name = "advection",
          .formula = "ũ(x) ← ũ(x − Δt ũ(x − ½Δt ũ(x)))",
          .source = "semi-Lagrangian: Stam1999 §3.2; Bridson2007 §3",
          .run = [this] { advect(); },
          .reads = {"velocity"},
          .writes = {"u_on_faces", "v_on_faces"},
-         .explain = [this](const Question& q) { return why_advected(axis_of(q), q.index); }},
+         .explain =
+             [this](const Question& q) {
+                 return why_on_grid().advected(advection_->flow(), dt, flow::axis_of(q.field), q.index);
+             }},
         {.name = "viscosity",
          .formula = "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
          .source = "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §3.3",
@@ -171,7 +174,7 @@ void NavierStokes::declare_stages() {
          .reads = {"velocity"},
          .writes = {"u_on_faces", "v_on_faces"},
          .active = [this] { return viscosity > 0; },
-         .explain = [this](const Question& q) { return why_diffused(axis_of(q), q.index); }},
+         .explain = [this](const Question& q) { return why_diffused(flow::axis_of(q.field), q.index); }},
         {.name = "projection",
          .formula = "Δt ∇²p = ∇·ũ,   u ← ũ − Δt ∇p",
          .source = "Utrecht slides, pressure projection (p is p/ρ); Chorin1968; Bridson2007 §4.3",

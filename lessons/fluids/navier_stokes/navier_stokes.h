@@ -1,6 +1,7 @@
 // Incompressible flow on a staggered grid, one time step in the four stages of the lecture.
 #pragma once
-#include "flow_fields.h"
+#include "fluids/flow/flow_fields.h"
+#include "fluids/flow/grid_why.h"
 
 #include <pliant/fluids/advection.h>
 #include <pliant/fluids/diffusion.h>
@@ -76,25 +77,10 @@ private:
     Jet hand_jet() const;
 
     // --- how the numbers came about (navier_stokes_why.cpp) ---
-    static int axis_of(const Question& q);
-    bool closed(int axis, Index face) const;
-    Index cell_beside(int axis, Index face, int side) const;
-    Input diffusion_number() const;
+    flow::GridWhy why_on_grid() const;
     Explanation why_force(int axis, Index face) const;
-    Explanation why_advected(int axis, Index face) const;
-    Explanation why_departure(int axis, const GridPlace<2>& arrival, const GridPlace<2>& middle, bool inside,
-                              Real departure) const;
     Explanation why_diffused(int axis, Index face) const;
     std::optional<Explanation> why_projection(const Question& q) const;
-    Explanation why_projected(int axis, Index face) const;
-    Explanation why_pressure(Index cell) const;
-    Explanation why_divergence(Index cell, Input::From from) const;
-    Explanation why_remaining_divergence(Index cell) const;
-    Explanation why_velocity(const Question& q) const;
-    Explanation why_speed(Index cell) const;
-    Explanation why_vorticity(Index cell) const;
-    Explanation why_largest(std::string_view name, const VecX& values, std::string_view field) const;
-    Explanation why_courant() const;
 
     std::optional<Fix> shorter_step(Real cells) const;  // that the fastest fluid may cross
     std::optional<Fix> thicker_fluid(Real wanted) const;
@@ -110,8 +96,6 @@ private:
     void published_profile(int axis, Curve& curve) const;
 
     // --- the picture (navier_stokes_picture.cpp) ---
-    void draw_field(Scene& scene) const;
-    void draw_velocity(Scene& scene) const;
     void draw_walls(Scene& scene) const;
     void write_notes(Scene& scene) const;
     Real arrow_speed() const;
@@ -129,7 +113,7 @@ private:
     Real initial_energy_ = 0;  // J/kg
     // What the stages make of it: ∇·u before and after the projection [1/s].
     VecX divergence_before_, divergence_after_;
-    FlowFields fields_of_flow_;
+    flow::FlowFields fields_of_flow_;
     std::optional<Pull> pull_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pliant::navier_stokes {
+namespace pliant::flow {
 
 SampleBeyond sample_beyond(const Lattice<2>& lattice, Counts<2> at) {
     SampleBeyond s;
@@ -25,4 +25,4 @@ SampleBeyond sample_beyond(const Lattice<2>& lattice, Counts<2> at) {
     return s;
 }
 
-}  // namespace pliant::navier_stokes
+}  // namespace pliant::flow

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace pliant::navier_stokes {
+namespace pliant::flow {
 
 class FlowFields {
 public:
@@ -33,4 +33,4 @@ std::span<const Real> numbers(const Matrix& m) {
     return {m.data(), static_cast<std::size_t>(m.size())};
 }
 
-}  // namespace pliant::navier_stokes
+}  // namespace pliant::flow

@@ -2,7 +2,7 @@
 #pragma once
 #include <pliant/fluids/lattice.h>
 
-namespace pliant::navier_stokes {
+namespace pliant::flow {
 
 // factor × (the sample `index`) + offset
 struct SampleBeyond {
@@ -13,4 +13,4 @@ struct SampleBeyond {
 // at: coordinates of the sample; one step below 0 and up to two steps beyond the last are allowed, as for interpolation.
 SampleBeyond sample_beyond(const Lattice<2>& lattice, Counts<2> at);
 
-}  // namespace pliant::navier_stokes
+}  // namespace pliant::flow

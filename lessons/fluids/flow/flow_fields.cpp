@@ -1,6 +1,6 @@
 #include "flow_fields.h"
 
-namespace pliant::navier_stokes {
+namespace pliant::flow {
 
 void FlowFields::reset(const StaggeredGrid<2>& grid, const FaceField<2>& velocity) {
     grid_ = &grid;
@@ -33,4 +33,4 @@ const VelocitySampler<2>& FlowFields::flow() const {
     return *flow_;
 }
 
-}  // namespace pliant::navier_stokes
+}  // namespace pliant::flow

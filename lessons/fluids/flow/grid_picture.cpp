@@ -1,0 +1,56 @@
+#include "grid_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::flow {
+namespace {
+
+constexpr Real longest_arrow = 1.8;  // in spacings; faster fluid has arrows of this length
+
+}  // namespace
+
+void draw_field(Scene& scene, const Lesson& lesson, const StaggeredGrid<2>& grid) {
+    const Field* field = lesson.find_field(scene.colour_by.field);
+    const On on = field && (field->on == On::x_face || field->on == On::y_face) ? field->on : On::cell;
+    const Lattice<2>& lattice = on == On::x_face ? grid.faces(0) : on == On::y_face ? grid.faces(1) : grid.cells();
+    const auto corner = [&](Real beyond_x, Real beyond_y) {
+        return position((lattice.offset[0] - 0.5 + beyond_x) * grid.dx(), (lattice.offset[1] - 0.5 + beyond_y) * grid.dx());
+    };
+    GridMarks map;
+    map.nx = static_cast<int>(lattice.count[0]);
+    map.ny = static_cast<int>(lattice.count[1]);
+    map.lower = corner(0, 0);
+    map.upper = corner(static_cast<Real>(map.nx), static_cast<Real>(map.ny));
+    map.pick.on = on;
+    map.values = scene.values(lesson, on);
+    if (map.values.empty()) map.values.assign(static_cast<std::size_t>(lattice.size()), 0.0f);
+    scene.grids.push_back(std::move(map));
+}
+
+void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySampler<2>& flow, Real speed, Index most) {
+    const Counts<2>& cells = grid.cell_counts();
+    const Real dx = grid.dx(), longer = static_cast<Real>(std::max(cells[0], cells[1]));
+    const Real apart = std::max(Real(1), longer / static_cast<Real>(most)) * dx, scale = apart / speed;
+    std::array<Index, 2> count;
+    for (int a = 0; a < 2; ++a)
+        count[static_cast<std::size_t>(a)] =
+            std::max<Index>(1, static_cast<Index>(std::lround(static_cast<Real>(cells[a]) * dx / apart)));
+    ArrowMarks arrows{.from = {}, .to = {}, .ink = Ink::velocity, .width = 1.6f};
+    for (Index j = 0; j < count[1]; ++j) {
+        for (Index i = 0; i < count[0]; ++i) {
+            const Vec<2> x{(static_cast<Real>(i) + 0.5) / static_cast<Real>(count[0]) * static_cast<Real>(cells[0]) * dx,
+                           (static_cast<Real>(j) + 0.5) / static_cast<Real>(count[1]) * static_cast<Real>(cells[1]) * dx};
+            const GridPlace<2> u = flow.at({x[0] / dx, x[1] / dx});
+            Vec<2> arrow = scale * Vec<2>(u[0], u[1]);
+            const Real length = arrow.norm();
+            if (length < 0.05 * apart) continue;
+            if (length > longest_arrow * apart) arrow *= longest_arrow * apart / length;
+            arrows.from.push_back(position<2>(x - 0.5 * arrow));
+            arrows.to.push_back(position<2>(x + 0.5 * arrow));
+        }
+    }
+    scene.arrows.push_back(std::move(arrows));
+}
+
+}  // namespace pliant::flow

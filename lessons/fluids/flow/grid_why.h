@@ -1,0 +1,77 @@
+// How the numbers on a staggered grid came about, in the words of every lesson that has one. Their fields are called u_on_faces,
+// v_on_faces, velocity, speed, pressure, divergence_before and divergence_after.
+#pragma once
+#include "face_samples.h"
+
+#include <pliant/fluids/velocity_sampler.h>
+#include <pliant/lesson/explanation.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace pliant::flow {
+
+inline constexpr std::array<std::string_view, 2> face_fields{"u_on_faces", "v_on_faces"};
+inline std::string_view face_field(int axis) { return face_fields[static_cast<std::size_t>(axis)]; }
+inline int axis_of(std::string_view field) { return field == face_fields[0] ? 0 : 1; }
+
+// One number of a field as it stood before the stage or as it stands now.
+Input sample(std::string symbol, Input::From from, std::string_view field, Index index);
+// The same, or what a wall makes of it one step beyond.
+Input sample(std::string symbol, Input::From from, std::string_view field, const SampleBeyond& s);
+
+// A number that a face on a wall or a solid keeps.
+Explanation kept_by_wall(int axis, Index face);
+
+// The four samples around a place, in cells from the corner of the domain.
+struct Surrounding {
+    Counts<2> corner;  // the lower left sample; may lie one step beyond the lattice
+    std::array<Real, 2> fraction;
+};
+Surrounding surrounding(const Lattice<2>& lattice, const GridPlace<2>& place);
+
+// left = Σ w q_k over the four samples around a place in a field before the stage.
+Explanation interpolated(const std::string& left, const Lattice<2>& lattice, std::string_view field, const GridPlace<2>& place);
+
+class GridWhy {
+public:
+    // Keeps a reference to the grid. dt: the time step, as it stands in formulas.
+    GridWhy(const StaggeredGrid<2>& grid, Input dt) : grid_(grid), dt_(std::move(dt)) {}
+
+    bool closed(int axis, Index face) const;
+    Input dx() const;
+
+    // Advection along `flow`, by the midpoint rule with linear interpolation.
+    Explanation advected(const VelocitySampler<2>& flow, Real dt, int axis, Index face) const;
+
+    Input diffusion_number(const Parameter& viscosity) const;
+    // residual: of the implicit solver, m/s; none for the explicit scheme.
+    Explanation diffused(const Parameter& viscosity, const VecX* residual, int axis, Index face) const;
+
+    Explanation divergence(Index cell, Input::From from) const;
+    // The row of the pressure equation that belongs to the cell, solved for its own pressure. What the solver has not removed
+    // yet is the divergence that is left.
+    Explanation pressure(Index cell) const;
+    // During the solver's passes: what the pressure so far would leave.
+    Explanation remaining_divergence(Index cell) const;
+    Explanation projected(int axis, Index face) const;
+
+    Explanation cell_velocity(Index cell, int component) const;
+    Explanation speed(Index cell) const;
+    Explanation vorticity(Index cell) const;
+    Explanation courant(const FaceField<2>& velocity) const;
+
+private:
+    Explanation departure_along(int axis, const GridPlace<2>& arrival, const GridPlace<2>& middle, bool inside,
+                                Real departure) const;
+    std::vector<Input> pressures_beside(Index cell) const;
+
+    const StaggeredGrid<2>& grid_;
+    Input dt_;
+};
+
+// The largest magnitude in a field, with the cell where it is reached.
+Explanation largest(std::string_view name, const VecX& values, std::string_view field);
+
+}  // namespace pliant::flow
