@@ -49,6 +49,10 @@ std::vector<Golden> goldens() {
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
+        {"diffusion_row", {"fluids/diffusion", {}, 10, medium}, "diffusion_number=0.4"},
+        {"diffusion_square",
+         {"fluids/diffusion", {"dimension=2", "start=random", "resolution=16", "boundary=insulated", "cell_x=0"}, 5, medium},
+         "cell_y=3"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
