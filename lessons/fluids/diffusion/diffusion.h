@@ -130,8 +130,18 @@ private:
     void draw_curve(Scene& scene) const;
     void draw_square(Scene& scene) const;
     void draw_cells(Scene& scene, const Position& lower, const Position& upper) const;
-    void draw_stencil(Scene& scene, const Vec<2>& middle, const Vec<2>& apart, const Vec<2>& half) const;
-    void draw_exchange(Scene& scene, const Vec<2>& from, const Vec<2>& to, Real amount, bool upright) const;
+    // Where the stencil is drawn large [m].
+    struct Magnifier {
+        Vec<2> middle;  // of the selected cell
+        Vec<2> apart;   // from there to its neighbours along x and y
+        Vec<2> half;    // of a cell
+    };
+    void draw_stencil(Scene& scene, const Magnifier& large) const;
+    void draw_neighbour(Scene& scene, const Magnifier& large, const Neighbour& n) const;
+    struct Weights {
+        std::string beside, own;
+    };
+    Weights weights() const;
     Vec<2> cell_middle(const Counts<2>& at) const;  // m; beyond the ends for cells beyond a wall
     Vec<2> cell_half() const;
     void write_notes(Scene& scene) const;

@@ -11,7 +11,7 @@ namespace pliant::diffusion {
 namespace {
 
 // In lengths of the row.
-constexpr Real curve_height = 0.15, strip_low = -0.255, strip_high = -0.205;
+constexpr Real curve_height = 0.19, strip_low = -0.32, strip_high = -0.26;
 constexpr Index most_points = 64;
 
 }  // namespace
@@ -49,8 +49,8 @@ void DiffusionLesson::draw_row(Scene& scene) const {
             scene.line(position(static_cast<Real>(i) * dx(), strip_low * L),
                        position(static_cast<Real>(i) * dx(), strip_high * L), Ink::edge, 1);
     draw_curve(scene);
-    draw_stencil(scene, {0.5 * L, -0.42 * L}, {0.3 * L, 0}, {0.095 * L, 0.055 * L});
-    scene.frame(position(-0.1 * L, -0.54 * L), position(1.1 * L, 0.27 * L));
+    draw_stencil(scene, {{0.5 * L, -0.5 * L}, {0.38 * L, 0}, {0.12 * L, 0.065 * L}});
+    scene.frame(position(-0.1 * L, -0.62 * L), position(1.06 * L, 0.3 * L));
 }
 
 void DiffusionLesson::draw_curve(Scene& scene) const {
@@ -59,7 +59,7 @@ void DiffusionLesson::draw_curve(Scene& scene) const {
     scene.line(position(0, 0), position(L, 0), Ink::rest, 1);
     for (const Real end : {Real{0}, L}) {
         const bool wall = boundary != Boundary::periodic;
-        scene.line(position(end, -0.19 * L), position(end, 0.19 * L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 1.5f, !wall);
+        scene.line(position(end, -0.23 * L), position(end, 0.23 * L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 1.5f, !wall);
     }
     for (const Real value : {Real{-1}, Real{0}, Real{1}})
         scene.label(position(0, up * value), format_quantity(value, "m/s"), Ink::text, -34, 0);
@@ -90,8 +90,8 @@ void DiffusionLesson::draw_square(Scene& scene) const {
     draw_cells(scene, position(0, 0), position(L, L));
     const bool wall = boundary != Boundary::periodic;
     scene.box(position(0, 0), position(L, L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 2.0f, !wall);
-    draw_stencil(scene, {1.62 * L, 0.47 * L}, {0.37 * L, 0.3 * L}, {0.125 * L, 0.085 * L});
-    scene.frame(position(-0.05 * L, -0.06 * L), position(2.14 * L, 1.16 * L));
+    draw_stencil(scene, {{1.68 * L, 0.48 * L}, {0.41 * L, 0.31 * L}, {0.14 * L, 0.09 * L}});
+    scene.frame(position(-0.07 * L, -0.06 * L), position(2.25 * L, 1.2 * L));
 }
 
 // --------------------------------------------------------------------------------------------------------------- words
