@@ -139,7 +139,8 @@ private:
     void draw_stencil(Scene& scene, const Magnifier& large) const;
     void draw_neighbour(Scene& scene, const Magnifier& large, const Neighbour& n) const;
     struct Weights {
-        std::string beside, own;
+        std::string beside_symbols, own_symbols;
+        Real beside, own;
     };
     Weights weights() const;
     Vec<2> cell_middle(const Counts<2>& at) const;  // m; beyond the ends for cells beyond a wall

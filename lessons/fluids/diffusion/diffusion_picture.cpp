@@ -54,14 +54,17 @@ void DiffusionLesson::draw_row(Scene& scene) const {
 }
 
 void DiffusionLesson::draw_curve(Scene& scene) const {
-    const Real L = length, up = curve_height * L / scale();
+    // Where u has grown beyond the picture, by tens.
+    const Real grown = std::max(u_.lpNorm<Eigen::Infinity>() / (1.2 * scale()), Real(1));
+    const Real top = std::pow(10, std::ceil(std::log10(grown))) * scale();
+    const Real L = length, up = curve_height * L / top;
     const auto at = [&](Index i) { return position((static_cast<Real>(i) + 0.5) * dx(), up * u_[i]); };
     scene.line(position(0, 0), position(L, 0), Ink::rest, 1);
     for (const Real end : {Real{0}, L}) {
         const bool wall = boundary != Boundary::periodic;
         scene.line(position(end, -0.23 * L), position(end, 0.23 * L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 1.5f, !wall);
     }
-    for (const Real value : {Real{-1}, Real{0}, Real{1}})
+    for (const Real value : {-top, Real{0}, top})
         scene.label(position(0, up * value), format_quantity(value, "m/s"), Ink::text, -34, 0);
     Curve exact;
     exact_profile(exact);
@@ -90,8 +93,8 @@ void DiffusionLesson::draw_square(Scene& scene) const {
     draw_cells(scene, position(0, 0), position(L, L));
     const bool wall = boundary != Boundary::periodic;
     scene.box(position(0, 0), position(L, L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 2.0f, !wall);
-    draw_stencil(scene, {{1.68 * L, 0.48 * L}, {0.41 * L, 0.31 * L}, {0.14 * L, 0.09 * L}});
-    scene.frame(position(-0.07 * L, -0.06 * L), position(2.25 * L, 1.2 * L));
+    draw_stencil(scene, {{1.73 * L, 0.47 * L}, {0.46 * L, 0.35 * L}, {0.17 * L, 0.115 * L}});
+    scene.frame(position(-0.07 * L, -0.06 * L), position(2.38 * L, 1.2 * L));
 }
 
 // --------------------------------------------------------------------------------------------------------------- words

@@ -35,7 +35,11 @@ void DiffusionLesson::declare_fields() {
     fields[4].bound = [this, largest_stencil] { return (1 + rate()) * largest_stencil(); };
 }
 
-Real DiffusionLesson::scale() const { return 1 + (couette() ? std::max(std::abs(wall_low), std::abs(wall_high)) : Real{0}); }
+Real DiffusionLesson::scale() const {
+    const Real walls = couette() ? std::max(std::abs(wall_low), std::abs(wall_high)) : Real{0};
+    if (start == Start::mode) return 1 + walls;
+    return start == Start::zero && walls > 0 ? walls : std::max(Real(1), walls);
+}
 
 // -------------------------------------------------------------------------------------------------------------- probes
 
