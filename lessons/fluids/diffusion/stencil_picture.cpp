@@ -18,7 +18,7 @@ void outline(Scene& scene, const Vec<2>& middle, const Vec<2>& half, Ink ink, fl
 // A magnified cell: its weight in symbols and as a number, and what is weighted.
 void magnified(Scene& scene, const Vec<2>& middle, const Vec<2>& half, const std::string& symbols, Real weight, Real u, Ink ink) {
     scene.label(position<2>(middle), symbols, ink, 0, -17);
-    scene.label(position<2>(middle), "= " + shown(weight), ink, 0, 0);
+    scene.label(position<2>(middle), shown(weight), ink, 0, 0);
     scene.label(position<2>(middle), "× " + shown(u), Ink::text, 0, 17);
     outline(scene, middle, half, ink, 3);
 }
@@ -68,9 +68,9 @@ void DiffusionLesson::draw_neighbour(Scene& scene, const Magnifier& large, const
     const Real beside = sample.factor * u_[sample.index] + sample.offset, gain = rate() * (beside - u_[selected_cell()]);
     const Vec<2> way = n.step * Vec<2>::Unit(n.axis), half = large.half[n.axis] * way, apart = large.apart[n.axis] * way;
     const Weights w = weights();
-    magnified(scene, large.middle + apart, large.half, w.beside_symbols, w.beside, beside, beyond ? Ink::ground : Ink::force);
+    magnified(scene, large.middle + apart, large.half, w.beside_symbols, w.beside, beside, beyond ? Ink::rest : Ink::force);
     if (beyond) name_wall(scene, large.middle + apart, large.half, n.axis == 0);
-    outline(scene, cell_middle(beyond ? at : lattice_.coordinates(sample.index)), cell_half(), beyond ? Ink::ground : Ink::force,
+    outline(scene, cell_middle(beyond ? at : lattice_.coordinates(sample.index)), cell_half(), beyond ? Ink::rest : Ink::force,
             2, beyond);
     if (!scene.show_arrows || literal()) return;
 
