@@ -39,6 +39,8 @@ std::vector<Golden> goldens() {
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
     PictureOptions medium, large;
     medium.size = "720x405", large.size = "920x518";
+    PictureOptions full;
+    full.size = "1280x720";
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
@@ -49,9 +51,9 @@ std::vector<Golden> goldens() {
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
-        {"diffusion_row", {"fluids/diffusion", {}, 10, medium}, "diffusion_number=0.4"},
+        {"diffusion_row", {"fluids/diffusion", {}, 10, full}, "diffusion_number=0.4"},
         {"diffusion_square",
-         {"fluids/diffusion", {"dimension=2", "start=random", "resolution=16", "boundary=insulated", "cell_x=0"}, 5, medium},
+         {"fluids/diffusion", {"dimension=2", "start=random", "resolution=16", "boundary=insulated", "cell_x=0"}, 5, full},
          "cell_y=3"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},

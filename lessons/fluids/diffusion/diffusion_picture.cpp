@@ -14,6 +14,14 @@ namespace {
 constexpr Real curve_height = 0.19, strip_low = -0.32, strip_high = -0.26;
 constexpr Index most_points = 64;
 
+// The next of 1, 2, 5, 10, 20, …: for an axis that has to hold what has grown.
+Real rounded_up(Real x) {
+    const Real decade = std::pow(10, std::floor(std::log10(x)));
+    for (const Real step : {1, 2, 5})
+        if (x <= step * decade * (1 + 1e-12)) return step * decade;
+    return 10 * decade;
+}
+
 }  // namespace
 
 void DiffusionLesson::draw(Scene& scene) const {
@@ -49,14 +57,12 @@ void DiffusionLesson::draw_row(Scene& scene) const {
             scene.line(position(static_cast<Real>(i) * dx(), strip_low * L),
                        position(static_cast<Real>(i) * dx(), strip_high * L), Ink::edge, 1);
     draw_curve(scene);
-    draw_stencil(scene, {{0.5 * L, -0.5 * L}, {0.38 * L, 0}, {0.12 * L, 0.065 * L}});
+    draw_stencil(scene, {{0.5 * L, -0.5 * L}, {0.4 * L, 0}, {0.115 * L, 0.068 * L}});
     scene.frame(position(-0.1 * L, -0.62 * L), position(1.06 * L, 0.3 * L));
 }
 
 void DiffusionLesson::draw_curve(Scene& scene) const {
-    // Where u has grown beyond the picture, by tens.
-    const Real grown = std::max(u_.lpNorm<Eigen::Infinity>() / (1.2 * scale()), Real(1));
-    const Real top = std::pow(10, std::ceil(std::log10(grown))) * scale();
+    const Real top = rounded_up(std::max(u_.lpNorm<Eigen::Infinity>() / 1.2, scale()) / scale()) * scale();
     const Real L = length, up = curve_height * L / top;
     const auto at = [&](Index i) { return position((static_cast<Real>(i) + 0.5) * dx(), up * u_[i]); };
     scene.line(position(0, 0), position(L, 0), Ink::rest, 1);
@@ -68,9 +74,11 @@ void DiffusionLesson::draw_curve(Scene& scene) const {
         scene.label(position(0, up * value), format_quantity(value, "m/s"), Ink::text, -34, 0);
     Curve exact;
     exact_profile(exact);
-    LineMarks solution{.ends = {}, .ink = Ink::rest, .width = 2, .dashed = true};
+    // Its pieces are shorter than a dash: some are left out.
+    LineMarks solution{.ends = {}, .ink = Ink::rest, .width = 2};
     for (std::size_t k = 0; k + 1 < exact.position.size(); ++k)
-        for (const std::size_t e : {k, k + 1}) solution.ends.push_back(position(exact.position[e], up * exact.value[e]));
+        if (k / 3 % 2 == 0)
+            for (const std::size_t e : {k, k + 1}) solution.ends.push_back(position(exact.position[e], up * exact.value[e]));
     scene.lines.push_back(std::move(solution));
 
     LineMarks curve{.ends = {}, .ink = Ink::velocity, .width = 2.5f};
@@ -93,8 +101,8 @@ void DiffusionLesson::draw_square(Scene& scene) const {
     draw_cells(scene, position(0, 0), position(L, L));
     const bool wall = boundary != Boundary::periodic;
     scene.box(position(0, 0), position(L, L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 2.0f, !wall);
-    draw_stencil(scene, {{1.73 * L, 0.47 * L}, {0.46 * L, 0.35 * L}, {0.17 * L, 0.115 * L}});
-    scene.frame(position(-0.07 * L, -0.06 * L), position(2.38 * L, 1.2 * L));
+    draw_stencil(scene, {{1.8 * L, 0.5 * L}, {0.5 * L, 0.39 * L}, {0.2 * L, 0.14 * L}});
+    scene.frame(position(-0.06 * L, -0.07 * L), position(2.53 * L, 1.2 * L));
 }
 
 // --------------------------------------------------------------------------------------------------------------- words

@@ -70,8 +70,8 @@ void DiffusionLesson::draw_neighbour(Scene& scene, const Magnifier& large, const
     const Weights w = weights();
     magnified(scene, large.middle + apart, large.half, w.beside_symbols, w.beside, beside, beyond ? Ink::rest : Ink::force);
     if (beyond) name_wall(scene, large.middle + apart, large.half, n.axis == 0);
-    outline(scene, cell_middle(beyond ? at : lattice_.coordinates(sample.index)), cell_half(), beyond ? Ink::rest : Ink::force,
-            2, beyond);
+    outline(scene, cell_middle(beyond ? at : lattice_.coordinates(sample.index)), cell_half(), beyond ? Ink::rest : Ink::force, 2,
+            beyond);
     if (!scene.show_arrows || literal()) return;
 
     if (std::abs(gain) > 1e-12 * scale()) exchange(scene, large.middle + apart - half, large.middle + half, gain);
