@@ -40,7 +40,7 @@ std::vector<Golden> goldens() {
     PictureOptions medium, large;
     medium.size = "720x405", large.size = "920x518";
     PictureOptions full;
-    full.size = "1280x720";
+    full.size = "1120x630";
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
