@@ -23,7 +23,7 @@ ParameterInfo wall(std::string_view key, std::string_view symbol, std::string_vi
 }
 
 ParameterInfo cell(std::string_view key, std::string_view symbol, std::string_view help) {
-    return {.key = key, .symbol = symbol, .help = help, .initial = 12, .useful = {0, 31}, .accepted = Interval{0, 255}};
+    return {.key = key, .symbol = symbol, .help = help, .initial = 12, .useful = {0, 127}, .accepted = Interval{0, 255}};
 }
 
 const Registration<DiffusionLesson> registration{
