@@ -228,6 +228,28 @@ TEST_CASE("diffusion: a wave shorter than two cells is taken for a longer one", 
     CHECK_FALSE(after(1, {{"mode", "32"}, {"boundary", "insulated"}}).lesson().probe("factor_measured").value());
 }
 
+TEST_CASE("diffusion: what a lamp offers mends what it shows", "[diffusion]") {
+    const auto check = [](const Runner::Assignments& scene, std::string_view name) {
+        Runner runner = start(scene);
+        const Assumption& broken = assumption(runner, name);
+        INFO(name);
+        REQUIRE(broken.in_use());
+        CHECK(broken.value() > broken.limit());
+        const auto fix = broken.fix();
+        REQUIRE(fix);
+        CHECK_FALSE(fix->label.empty());
+        runner.assign(fix->assign);
+        const Assumption& mended = assumption(runner, name);
+        CHECK((!mended.in_use() || mended.value() <= mended.limit()));
+    };
+    const char* dimension = GENERATE("1", "2");
+    check({{"dimension", dimension}, {"diffusion_number", "0.6"}}, "explicit limit");
+    check({{"dimension", dimension}, {"scheme", "implicit"}, {"diffusion_number", "10"}}, "mode resolved in time");
+    check({{"dimension", dimension}, {"mode", "20"}}, "mode resolved in space");
+    check({{"dimension", dimension}, {"boundary", "fixed"}, {"mode", "1000"}}, "mode resolved in space");
+    check({{"dimension", dimension}, {"form", "lecture"}}, "the slide's formula is complete");
+}
+
 TEST_CASE("diffusion: the cell of the stencil is a handle", "[diffusion]") {
     Runner row = start({{"length", "2"}});
     CHECK(row.lesson().can_pull() == On::handle);

@@ -31,6 +31,11 @@ Input DiffusionLesson::why_rate() const {
     return viscosity > 0 ? Input::of(diffusion_number) : Input::constant("r", 0, "", "νΔt/Δx² without viscosity");
 }
 
+Input DiffusionLesson::why_dx() const {
+    return Input::part("Δx", "m",
+                       {"Δx = L / n", {Input::of(length), Input::of(resolution)}, [](Values x) { return x[0] / x[1]; }});
+}
+
 Input DiffusionLesson::why_time_step() const {
     if (viscosity == 0) return Input::constant("Δt", 1, "s", "any: nothing diffuses");
     return Input::part("Δt", "s", {"Δt = r Δx² / ν", {Input::of(diffusion_number), why_dx(), Input::of(viscosity)}, [](Values x) {
