@@ -113,7 +113,7 @@ private:
     // --- how the numbers came about (diffusion_why.cpp) ---
     Input why_rate() const;
     Input why_dx() const;
-    Input why_time_step() const;
+    Explanation why_time_step() const;
     std::vector<Input> why_neighbours(Index cell, Input::From from, const char* mark) const;
     std::optional<Explanation> why_neighbourhood(const Question& q) const;
     Explanation why_updated(Index cell) const;

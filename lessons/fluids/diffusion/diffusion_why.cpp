@@ -36,11 +36,11 @@ Input DiffusionLesson::why_dx() const {
                        {"Δx = L / n", {Input::of(length), Input::of(resolution)}, [](Values x) { return x[0] / x[1]; }});
 }
 
-Input DiffusionLesson::why_time_step() const {
-    if (viscosity == 0) return Input::constant("Δt", 1, "s", "any: nothing diffuses");
-    return Input::part("Δt", "s", {"Δt = r Δx² / ν", {Input::of(diffusion_number), why_dx(), Input::of(viscosity)}, [](Values x) {
-                                       return x[0] * x[1] * x[1] / x[2];
-                                   }});
+Explanation DiffusionLesson::why_time_step() const {
+    if (viscosity == 0) return fixed_value("Δt = 1   (any: without viscosity nothing diffuses)", 1);
+    return {"Δt = r Δx² / ν", {Input::of(diffusion_number), why_dx(), Input::of(viscosity)}, [](Values x) {
+                return x[0] * x[1] * x[1] / x[2];
+            }};
 }
 
 // What the stencil takes from around a cell; beyond a wall what continues u there.
@@ -71,7 +71,7 @@ Explanation DiffusionLesson::why_updated(Index cell) const {
     const Input s = Input::now("s", "stencil", cell);
     if (literal())
         return {"u′ = ν Δt s   (as on the slide: the number of ν Δt in m²)",
-                {Input::of(viscosity), why_time_step(), s},
+                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), s},
                 [](Values x) { return x[0] * x[1] * x[2]; }};
     return {"u′ = u + r s", {Input::before("u", "u", cell), why_rate(), s}, [](Values x) { return x[0] + x[1] * x[2]; }};
 }
@@ -127,9 +127,9 @@ Explanation DiffusionLesson::why_theory() const {
          {Input::constant("κ", modes_.phase(mode), "rad", "phase from one cell to the next: 2πm/n, or πm/n between walls")},
          [d = dims()](Values x) { return 4 * d * std::sin(x[0] / 2) * std::sin(x[0] / 2); }});
     if (literal())
-        return {"G_r = −ν Δt Λ", {Input::of(viscosity), why_time_step(), std::move(Lambda)}, [](Values x) {
-                    return -x[0] * x[1] * x[2];
-                }};
+        return {"G_r = −ν Δt Λ",
+                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), std::move(Lambda)},
+                [](Values x) { return -x[0] * x[1] * x[2]; }};
     if (is_explicit()) return {"G_r = 1 − r Λ", {why_rate(), std::move(Lambda)}, [](Values x) { return 1 - x[0] * x[1]; }};
     return {"G_r = 1 / (1 + r Λ)", {why_rate(), std::move(Lambda)}, [](Values x) { return 1 / (1 + x[0] * x[1]); }};
 }
