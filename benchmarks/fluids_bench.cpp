@@ -80,10 +80,10 @@ void implicit_viscosity(benchmark::State& state) {
 }
 
 // From p = 0, relative residual 1e-5.
-template <int Dim>
+template <int Dim, PressurePreconditioner preconditioner = PressurePreconditioner::multigrid>
 void projection(benchmark::State& state) {
     const StaggeredGrid<Dim> grid = unit_box<Dim>(state.range(0));
-    PressureProjection<Dim> projection(grid, {1e-5, 100});
+    PressureProjection<Dim> projection(grid, {1e-5, 10000, preconditioner});
     const FaceField<Dim> before = swirls(grid);
     FaceField<Dim> u = before;
     Index iterations = 0;
@@ -122,5 +122,11 @@ BENCHMARK(advection<3>)->Name("fluids/advection_3d")->Arg(64);
 BENCHMARK(implicit_viscosity<2>)->Name("fluids/implicit_viscosity_2d")->Arg(256);
 BENCHMARK(projection<2>)->Name("fluids/projection_2d")->Arg(64)->Arg(255)->Arg(256)->Arg(1024);
 BENCHMARK(projection<3>)->Name("fluids/projection_3d")->Arg(64);
+BENCHMARK(projection<2, PressurePreconditioner::none>)->Name("fluids/projection_plain_2d")->Arg(64)->Arg(256);
+BENCHMARK(projection<2, PressurePreconditioner::jacobi>)->Name("fluids/projection_jacobi_2d")->Arg(64)->Arg(256);
+BENCHMARK(projection<2, PressurePreconditioner::incomplete_cholesky>)->Name("fluids/projection_cholesky_2d")->Arg(64)->Arg(256);
+BENCHMARK(projection<3, PressurePreconditioner::none>)->Name("fluids/projection_plain_3d")->Arg(64);
+BENCHMARK(projection<3, PressurePreconditioner::jacobi>)->Name("fluids/projection_jacobi_3d")->Arg(64);
+BENCHMARK(projection<3, PressurePreconditioner::incomplete_cholesky>)->Name("fluids/projection_cholesky_3d")->Arg(64);
 BENCHMARK(whole_step<2>)->Name("fluids/whole_step_2d")->Arg(64)->Arg(256);
 BENCHMARK(whole_step<3>)->Name("fluids/whole_step_3d")->Arg(64);

@@ -58,18 +58,23 @@ Real max_divergence(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& veloci
 }
 
 template <int Dim>
-Real kinetic_energy(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity) {
+Real inner_product(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& u, const FaceField<Dim>& v) {
     Real sum = 0;
     for (int a = 0; a < Dim; ++a) {
-        sum += velocity[a].squaredNorm();
+        sum += u[a].dot(v[a]);
         // Take back what the closed faces do not have: half of the volume on a wall, all of it inside a solid.
         const std::vector<Index>& closed = grid.closed_faces(a);
-        for (std::size_t k = 0; k < closed.size(); ++k) {
-            const Real u = velocity[a][closed[k]];
-            sum -= (1 - Real(0.5) * grid.fluid_beside_closed(a)[k]) * u * u;
-        }
+        for (std::size_t k = 0; k < closed.size(); ++k)
+            sum -= (1 - Real(0.5) * grid.fluid_beside_closed(a)[k]) * u[a][closed[k]] * v[a][closed[k]];
+        // Half of the volume at a surface is air.
+        for (const Index face : grid.surface_faces(a)) sum -= Real(0.5) * u[a][face] * v[a][face];
     }
-    return Real(0.5) * grid.cell_volume() * sum;
+    return grid.cell_volume() * sum;
+}
+
+template <int Dim>
+Real kinetic_energy(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity) {
+    return Real(0.5) * inner_product(grid, velocity, velocity);
 }
 
 template <int Dim>
@@ -122,6 +127,8 @@ template void divergence(const StaggeredGrid<2>&, const FaceField<2>&, VecX&);
 template void divergence(const StaggeredGrid<3>&, const FaceField<3>&, VecX&);
 template Real max_divergence(const StaggeredGrid<2>&, const FaceField<2>&);
 template Real max_divergence(const StaggeredGrid<3>&, const FaceField<3>&);
+template Real inner_product(const StaggeredGrid<2>&, const FaceField<2>&, const FaceField<2>&);
+template Real inner_product(const StaggeredGrid<3>&, const FaceField<3>&, const FaceField<3>&);
 template Real kinetic_energy(const StaggeredGrid<2>&, const FaceField<2>&);
 template Real kinetic_energy(const StaggeredGrid<3>&, const FaceField<3>&);
 template Real max_speed(const FaceField<2>&);

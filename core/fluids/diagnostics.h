@@ -12,8 +12,12 @@ void divergence(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity, 
 template <int Dim>
 Real max_divergence(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity);
 
-// ½ ∫ |u|² dV over the fluid, m^(Dim+2)/s²: times the density it is the kinetic energy. A face belongs half to each of the
-// two cells beside it, so that a face on a wall counts half.
+// ∫ u·v dV over the fluid, m^(Dim+2)/s². A face belongs half to each of the two cells beside it, so that a face on a wall counts
+// half.
+template <int Dim>
+Real inner_product(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& u, const FaceField<Dim>& v);
+
+// ½ ∫ |u|² dV over the fluid, m^(Dim+2)/s²: times the density it is the kinetic energy.
 template <int Dim>
 Real kinetic_energy(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity);
 

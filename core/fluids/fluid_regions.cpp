@@ -7,21 +7,23 @@
 namespace pliant {
 
 template <int Dim>
-FluidRegions<Dim>::FluidRegions(const StaggeredGrid<Dim>& grid) : grid_(grid) {
-    if (grid.has_solids())
-        label_cells();
-    else
+FluidRegions<Dim>::FluidRegions(const StaggeredGrid<Dim>& grid) : grid_(&grid) {
+    if (!grid.has_solids()) {
         cells_ = {grid.cells().size()};
+        return;
+    }
+    label_cells();
+    if (grid.has_air()) find_surfaces();
 }
 
 // Numbers the regions in the order of their first cells.
 template <int Dim>
 void FluidRegions<Dim>::label_cells() {
-    const Lattice<Dim>& lattice = grid_.cells();
+    const Lattice<Dim>& lattice = grid_->cells();
     label_.assign(static_cast<std::size_t>(lattice.size()), -1);
     std::vector<Index> open_ends;
     for (Index seed = 0; seed < lattice.size(); ++seed) {
-        if (!grid_.is_fluid(seed) || label_[seed] >= 0) continue;
+        if (!grid_->is_fluid(seed) || label_[seed] >= 0) continue;
         const auto region = static_cast<Index>(cells_.size());
         cells_.push_back(0);
         label_[seed] = region;
@@ -32,12 +34,21 @@ void FluidRegions<Dim>::label_cells() {
             ++cells_[region];
             for (int k = 0; k < 2 * Dim; ++k) {
                 const Index next = lattice.neighbour(lattice.coordinates(cell), k / 2, k % 2 == 0 ? -1 : 1);
-                if (next < 0 || !grid_.is_fluid(next) || label_[next] >= 0) continue;
+                if (next < 0 || !grid_->is_fluid(next) || label_[next] >= 0) continue;
                 label_[next] = region;
                 open_ends.push_back(next);
             }
         }
     }
+}
+
+template <int Dim>
+void FluidRegions<Dim>::find_surfaces() {
+    surface_.assign(cells_.size(), false);
+    for (int a = 0; a < Dim; ++a)
+        for (const Index face : grid_->surface_faces(a))
+            for (int side = 0; side < 2; ++side)
+                if (const Index cell = grid_->cell_beside(a, face, side); grid_->is_fluid(cell)) surface_[label_[cell]] = true;
 }
 
 template <int Dim>
@@ -49,7 +60,8 @@ void FluidRegions<Dim>::remove_means(VecX& values) const {
     std::vector<Real> mean(cells_.size(), 0);
     for (Index c = 0; c < values.size(); ++c)
         if (label_[c] >= 0) mean[label_[c]] += values[c];
-    for (std::size_t r = 0; r < mean.size(); ++r) mean[r] /= static_cast<Real>(cells_[r]);
+    for (std::size_t r = 0; r < mean.size(); ++r)
+        mean[r] = has_surface(static_cast<Index>(r)) ? 0 : mean[r] / static_cast<Real>(cells_[r]);
     for (Index c = 0; c < values.size(); ++c) values[c] = label_[c] >= 0 ? values[c] - mean[label_[c]] : 0;
 }
 
@@ -57,12 +69,12 @@ template <int Dim>
 void FluidRegions<Dim>::check_flux(const FaceField<Dim>& velocity) const {
     constexpr Real rounding = 1e-10;  // of the flux through all prescribed faces, far above what summing them costs
     std::vector<Real> net(cells_.size(), 0), gross(cells_.size(), 0);
-    const Real area = grid_.cell_volume() / grid_.dx();
+    const Real area = grid_->cell_volume() / grid_->dx();
     for (int a = 0; a < Dim; ++a) {
-        for (Index face : grid_.closed_faces(a)) {
+        for (Index face : grid_->closed_faces(a)) {
             for (int side = 0; side < 2; ++side) {
-                const Index cell = grid_.cell_beside(a, face, side);
-                if (cell < 0 || !grid_.is_fluid(cell)) continue;
+                const Index cell = grid_->cell_beside(a, face, side);
+                if (cell < 0 || !grid_->is_fluid(cell)) continue;
                 const Real inward = (side == 1 ? 1 : -1) * area * velocity[a][face];
                 net[region_of(cell)] += inward;
                 gross[region_of(cell)] += std::abs(inward);
@@ -70,7 +82,7 @@ void FluidRegions<Dim>::check_flux(const FaceField<Dim>& velocity) const {
         }
     }
     for (std::size_t r = 0; r < net.size(); ++r) {
-        if (std::abs(net[r]) <= rounding * gross[r]) continue;
+        if (has_surface(static_cast<Index>(r)) || std::abs(net[r]) <= rounding * gross[r]) continue;
         Failure failure;
         failure.field = "velocity";
         failure.what = fmt::format(

@@ -54,9 +54,26 @@ void add_jet(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, 
     }
 }
 
+template <int Dim>
+void add_buoyancy(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, int axis, Real acceleration,
+                  const VecX& quantity) {
+    const std::vector<Index>& closed = grid.closed_faces(axis);
+    auto next_closed = closed.begin();
+    for (Index face = 0; face < velocity[axis].size(); ++face) {
+        if (next_closed != closed.end() && *next_closed == face) {
+            ++next_closed;
+            continue;
+        }
+        const Real mean = Real(0.5) * (quantity[grid.cell_beside(axis, face, 0)] + quantity[grid.cell_beside(axis, face, 1)]);
+        velocity[axis][face] += dt * (acceleration * mean);
+    }
+}
+
 template void add_jet(const StaggeredGrid<2>&, FaceField<2>&, Real, const Vec<2>&, Real, const Vec<2>&);
 template void add_jet(const StaggeredGrid<3>&, FaceField<3>&, Real, const Vec<3>&, Real, const Vec<3>&);
 template void add_uniform_force(const StaggeredGrid<2>&, FaceField<2>&, Real, const Vec<2>&);
 template void add_uniform_force(const StaggeredGrid<3>&, FaceField<3>&, Real, const Vec<3>&);
+template void add_buoyancy(const StaggeredGrid<2>&, FaceField<2>&, Real, int, Real, const VecX&);
+template void add_buoyancy(const StaggeredGrid<3>&, FaceField<3>&, Real, int, Real, const VecX&);
 
 }  // namespace pliant

@@ -40,9 +40,17 @@ template <int Dim>
 void add_jet(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, const Vec<Dim>& centre, Real radius,
              const Vec<Dim>& acceleration);
 
+// Buoyancy: along `axis`, the acceleration times the mean of a cell-centred quantity on the two sides of each open face, m/s² for
+// a quantity of 1.
+template <int Dim>
+void add_buoyancy(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, int axis, Real acceleration,
+                  const VecX& quantity);
+
 extern template void add_jet(const StaggeredGrid<2>&, FaceField<2>&, Real, const Vec<2>&, Real, const Vec<2>&);
 extern template void add_jet(const StaggeredGrid<3>&, FaceField<3>&, Real, const Vec<3>&, Real, const Vec<3>&);
 extern template void add_uniform_force(const StaggeredGrid<2>&, FaceField<2>&, Real, const Vec<2>&);
 extern template void add_uniform_force(const StaggeredGrid<3>&, FaceField<3>&, Real, const Vec<3>&);
+extern template void add_buoyancy(const StaggeredGrid<2>&, FaceField<2>&, Real, int, Real, const VecX&);
+extern template void add_buoyancy(const StaggeredGrid<3>&, FaceField<3>&, Real, int, Real, const VecX&);
 
 }  // namespace pliant

@@ -58,10 +58,25 @@ LowFaceWeights<Dim> coarsened_weights(const Lattice<Dim>& fine, const LowFaceWei
     return sums;
 }
 
+// The surface is farther from the centre of a coarse cell than from that of a fine one, by half a fine cell. half: that way over
+// the area of a fine face, in units of the finest level.
+template <int Dim>
+VecX coarsened_surface(const Lattice<Dim>& fine, const VecX& weights, Real half) {
+    if (weights.size() == 0) return {};
+    const Lattice<Dim> coarse = coarsened(fine);
+    VecX sums = VecX::Zero(coarse.size());
+    for (Index c = 0; c < fine.size(); ++c) {
+        Counts<Dim> at = fine.coordinates(c);
+        for (int b = 0; b < Dim; ++b) at[b] /= fine.count[b] > 1 ? 2 : 1;
+        sums[coarse.index(at)] += weights[c] / (1 + half * weights[c]);
+    }
+    return sums;
+}
+
 }  // namespace
 
 template <int Dim>
-Multigrid<Dim>::Multigrid(const StaggeredGrid<Dim>& grid) {
+Multigrid<Dim>::Multigrid(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions) {
     const Lattice<Dim> finest = grid.cells();
     Lattice<Dim> cells = finest;
 
@@ -81,16 +96,21 @@ Multigrid<Dim>::Multigrid(const StaggeredGrid<Dim>& grid) {
         weights = coarsened_weights(cells, uniform_weights(cells, uniform_weight(finest, cells)));
         cells = coarsened(cells);
     }
+    VecX surface = surface_weights(grid, fractions);
+    Real half = 0.5;
     const VecX* fine_diagonal = nullptr;
     for (;; cells = coarsened(cells)) {
         LowFaceWeights<Dim> coarse_weights = coarsened_weights(cells, weights);
-        auto op = std::make_unique<WeightedPoisson<Dim>>(cells, std::move(weights));
+        VecX coarse_surface = coarsened_surface(cells, surface, half);
+        if (Dim == 3) half /= 2;
+        auto op = std::make_unique<WeightedPoisson<Dim>>(cells, std::move(weights), std::move(surface));
         const VecX& diagonal = op->diagonal();
         if (fine_diagonal) share_among_active(levels_.back(), *fine_diagonal, diagonal);
         fine_diagonal = &diagonal;
         add_level(cells, std::move(op));
         if (coarsest(cells)) return;
         weights = std::move(coarse_weights);
+        surface = std::move(coarse_surface);
     }
 }
 

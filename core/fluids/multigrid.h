@@ -2,7 +2,7 @@
 // [McAdamsSifakisTeran2010 §3-4].
 #pragma once
 #include <pliant/fluids/grid_transfer.h>
-#include <pliant/fluids/poisson_operator.h>
+#include <pliant/fluids/preconditioner.h>
 
 namespace pliant {
 
@@ -10,16 +10,17 @@ namespace pliant {
 // along every axis of more than one; a coarse face weighs the sum of the fine faces that it covers over the coarsening
 // factor, which is A of the coarse grid in the units of the fine one.
 template <int Dim>
-class Multigrid {
+class Multigrid final : public Preconditioner<Dim> {
 public:
-    explicit Multigrid(const StaggeredGrid<Dim>& grid);
+    // fractions: of the grid's surface, if it has air.
+    explicit Multigrid(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions = {});
 
     // The equation of the finest level.
     const PoissonOperator<Dim>& finest() const { return *levels_.front().op; }
     int levels() const { return static_cast<int>(levels_.size()); }
 
     // z ≈ A⁻¹ r by one V-cycle from z = 0: a forward sweep on the way down and its transpose on the way up.
-    void precondition(const VecX& r, VecX& z);
+    void precondition(const VecX& r, VecX& z) override;
 
 private:
     struct Level {

@@ -31,12 +31,12 @@ struct WeightedPoisson<Dim>::Stencil {
 };
 
 template <int Dim>
-WeightedPoisson<Dim>::WeightedPoisson(const Lattice<Dim>& cells, LowFaceWeights<Dim> weights)
+WeightedPoisson<Dim>::WeightedPoisson(const Lattice<Dim>& cells, LowFaceWeights<Dim> weights, VecX surface)
     : n_(cells.count[0]),
       wraps_(cells.periodic(0) && n_ > 1),
       rows_(lattice_rows(cells)),
       weights_(std::move(weights)),
-      diagonal_(VecX::Zero(cells.size())),
+      diagonal_(surface.size() > 0 ? std::move(surface) : VecX::Zero(cells.size()).eval()),
       inverse_diagonal_(VecX::Zero(cells.size())),
       zeros_(VecX::Zero(n_)) {
     for (int a = 0; a < Dim; ++a) {
@@ -126,17 +126,63 @@ LowFaceWeights<Dim> open_faces(const StaggeredGrid<Dim>& grid) {
     LowFaceWeights<Dim> weights;
     for (int a = 0; a < Dim; ++a) {
         weights[a] = VecX::Ones(cells.size());
-        for (Index face : grid.closed_faces(a)) {
-            const Index above = grid.cell_beside(a, face, 1);
-            if (above >= 0) weights[a][above] = 0;
+        for (const std::vector<Index>* faces : {&grid.closed_faces(a), &grid.surface_faces(a)}) {
+            for (Index face : *faces) {
+                const Index above = grid.cell_beside(a, face, 1);
+                if (above >= 0) weights[a][above] = 0;
+            }
         }
     }
     return weights;
+}
+
+template <int Dim>
+VecX surface_weights(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions) {
+    if (!grid.has_air()) return {};
+    VecX weights = VecX::Zero(grid.cells().size());
+    for (int a = 0; a < Dim; ++a) {
+        const std::vector<Index>& faces = grid.surface_faces(a);
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            const Index below = grid.cell_beside(a, faces[k], 0);
+            const Index cell = grid.is_fluid(below) ? below : grid.cell_beside(a, faces[k], 1);
+            weights[cell] += 1 / fractions[a][static_cast<Index>(k)];
+        }
+    }
+    return weights;
+}
+
+template <int Dim>
+VecX pressure_diagonal(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions) {
+    const Lattice<Dim>& cells = grid.cells();
+    VecX counts = VecX::Zero(cells.size());
+    if (grid.has_air()) counts = surface_weights(grid, fractions);
+    for (Index c = 0; c < counts.size(); ++c) {
+        if (!grid.is_fluid(c)) continue;
+        const Counts<Dim> at = cells.coordinates(c);
+        for (int k = 0; k < 2 * Dim; ++k) {
+            const Index n = cells.neighbour(at, k / 2, k % 2 == 0 ? -1 : 1);
+            if (n >= 0 && n != c && grid.is_fluid(n)) counts[c] += 1;
+        }
+    }
+    return counts;
+}
+
+template <int Dim>
+std::unique_ptr<PoissonOperator<Dim>> pressure_operator(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions) {
+    if (grid.has_solids())
+        return std::make_unique<WeightedPoisson<Dim>>(grid.cells(), open_faces(grid), surface_weights(grid, fractions));
+    return std::make_unique<UniformPoisson<Dim>>(grid.cells(), 1);
 }
 
 template class WeightedPoisson<2>;
 template class WeightedPoisson<3>;
 template LowFaceWeights<2> open_faces(const StaggeredGrid<2>&);
 template LowFaceWeights<3> open_faces(const StaggeredGrid<3>&);
+template VecX surface_weights(const StaggeredGrid<2>&, const SurfaceFractions<2>&);
+template VecX surface_weights(const StaggeredGrid<3>&, const SurfaceFractions<3>&);
+template VecX pressure_diagonal(const StaggeredGrid<2>&, const SurfaceFractions<2>&);
+template VecX pressure_diagonal(const StaggeredGrid<3>&, const SurfaceFractions<3>&);
+template std::unique_ptr<PoissonOperator<2>> pressure_operator(const StaggeredGrid<2>&, const SurfaceFractions<2>&);
+template std::unique_ptr<PoissonOperator<3>> pressure_operator(const StaggeredGrid<3>&, const SurfaceFractions<3>&);
 
 }  // namespace pliant

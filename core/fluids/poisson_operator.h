@@ -1,5 +1,7 @@
-// The pressure equation of one grid level: A p = b with (A p)_c = Σ w (p_c − p_n) over the faces of cell c. On the finest level
-// w is 1 on open faces and 0 on closed ones, and A = −Δx² ∇² with ∂p/∂n = 0 at walls and solids [Bridson2007 §4.3].
+// The pressure equation of one grid level: A p = b with (A p)_c = Σ w (p_c − p_n) + s p_c over the faces of cell c. On the
+// finest level w is 1 between fluid and fluid and 0 elsewhere, and s is 1/θ for each neighbour of air, where p = 0 lies at the
+// part θ of the way to its centre: A = −Δx² ∇² with ∂p/∂n = 0 at walls and solids [Bridson2007 §4.3] and p = 0 at the surface
+// [Gibou2002 §2].
 #pragma once
 #include <pliant/fluids/box_laplacian.h>
 #include <pliant/fluids/staggered_grid.h>
@@ -43,12 +45,13 @@ using LowFaceWeights = AxisArrays<Dim>;
 template <int Dim>
 class WeightedPoisson final : public PoissonOperator<Dim> {
 public:
-    WeightedPoisson(const Lattice<Dim>& cells, LowFaceWeights<Dim> weights);
+    // surface: the s of each cell; empty: 0 everywhere.
+    WeightedPoisson(const Lattice<Dim>& cells, LowFaceWeights<Dim> weights, VecX surface = {});
     Real apply(const VecX& x, VecX& y) const override;
     void residual(const VecX& b, const VecX& x, VecX& r) const override;
     void relax(const VecX& b, VecX& x, SweepOrder sweep) const override;
 
-    // Sum of the weights of a cell's faces; 0 where no equation is to be solved.
+    // Sum of the weights of a cell's faces and of s; 0 where no equation is to be solved.
     const VecX& diagonal() const { return diagonal_; }
 
 private:
@@ -66,9 +69,22 @@ private:
     VecX zeros_;  // stands for a row beyond a wall
 };
 
-// 1 on the low faces of the cells that are open, 0 on those that are closed.
+// 1 on the low faces of the cells between fluid and fluid, 0 on the others.
 template <int Dim>
 LowFaceWeights<Dim> open_faces(const StaggeredGrid<Dim>& grid);
+
+// s of every cell, Σ 1/θ over its neighbours of air; empty where the grid has no air.
+template <int Dim>
+VecX surface_weights(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions);
+
+// The diagonal of A on the finest level: the number of fluid neighbours of every cell, and s; 0 in cells without fluid.
+template <int Dim>
+VecX pressure_diagonal(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions = {});
+
+// A of the finest level.
+template <int Dim>
+std::unique_ptr<PoissonOperator<Dim>> pressure_operator(const StaggeredGrid<Dim>& grid,
+                                                        const SurfaceFractions<Dim>& fractions = {});
 
 extern template class WeightedPoisson<2>;
 extern template class WeightedPoisson<3>;

@@ -38,7 +38,23 @@ void subtract_gradient(const StaggeredGrid<Dim>& grid, const VecX& p, Real scale
     });
 }
 
+template <int Dim>
+void subtract_gradient(const StaggeredGrid<Dim>& grid, const VecX& p, const SurfaceFractions<Dim>& fractions, Real scale,
+                       FaceField<Dim>& velocity) {
+    subtract_gradient(grid, p, scale, velocity);
+    for (int a = 0; a < Dim; ++a) {
+        const std::vector<Index>& faces = grid.surface_faces(a);
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            const Real steeper = 1 / fractions[a][static_cast<Index>(k)] - 1;
+            const Real rise = p[grid.cell_beside(a, faces[k], 1)] - p[grid.cell_beside(a, faces[k], 0)];
+            velocity[a][faces[k]] -= scale / grid.dx() * steeper * rise;
+        }
+    }
+}
+
 template void subtract_gradient(const StaggeredGrid<2>&, const VecX&, Real, FaceField<2>&);
 template void subtract_gradient(const StaggeredGrid<3>&, const VecX&, Real, FaceField<3>&);
+template void subtract_gradient(const StaggeredGrid<2>&, const VecX&, const SurfaceFractions<2>&, Real, FaceField<2>&);
+template void subtract_gradient(const StaggeredGrid<3>&, const VecX&, const SurfaceFractions<3>&, Real, FaceField<3>&);
 
 }  // namespace pliant

@@ -7,4 +7,10 @@ namespace pliant {
 template <int Dim>
 void subtract_gradient(const StaggeredGrid<Dim>& grid, const VecX& p, Real scale, FaceField<Dim>& velocity);
 
+// The same at a free surface: where the pressure falls to 0 within the part θ of the way to the next centre, its slope is
+// steeper.
+template <int Dim>
+void subtract_gradient(const StaggeredGrid<Dim>& grid, const VecX& p, const SurfaceFractions<Dim>& fractions, Real scale,
+                       FaceField<Dim>& velocity);
+
 }  // namespace pliant

@@ -8,6 +8,12 @@
 namespace pliant {
 namespace {
 
+void check_types(const std::vector<CellType>& types, Index cells) {
+    if (!types.empty() && static_cast<Index>(types.size()) != cells)
+        throw Refused("types", static_cast<Real>(types.size()), "",
+                      fmt::format("one type for each of the {} cells, or none", cells));
+}
+
 template <int Dim>
 void check(const StaggeredGridInfo<Dim>& info) {
     if (!(info.dx > 0) || !std::isfinite(info.dx)) throw Refused("dx", info.dx, "m", "a finite cell size above 0");
@@ -23,9 +29,7 @@ void check(const StaggeredGridInfo<Dim>& info) {
                     throw Refused(fmt::format("walls[{}][{}].velocity[{}]", a, side, b), v[b], "m/s", "a finite number");
         }
     }
-    if (!info.types.empty() && static_cast<Index>(info.types.size()) != cells)
-        throw Refused("types", static_cast<Real>(info.types.size()), "",
-                      fmt::format("one type for each of the {} cells, or none", cells));
+    check_types(info.types, cells);
 }
 
 // What the component across `axis` meets beyond the walls of axis `along`.
@@ -46,10 +50,25 @@ std::array<LatticeSide, 2> sides_of_component(const StaggeredGridInfo<Dim>& info
 template <int Dim>
 StaggeredGrid<Dim>::StaggeredGrid(StaggeredGridInfo<Dim> info) : info_(std::move(info)) {
     check(info_);
-    // A map without a single solid cell is the plain box.
-    if (std::all_of(info_.types.begin(), info_.types.end(), [](CellType t) { return t == CellType::fluid; })) info_.types.clear();
     lay_out();
-    fluid_cells_ = has_solids() ? std::count(info_.types.begin(), info_.types.end(), CellType::fluid) : cells_.size();
+    find_faces();
+}
+
+template <int Dim>
+void StaggeredGrid<Dim>::set_types(const std::vector<CellType>& types) {
+    check_types(types, cells_.size());
+    info_.types = types;
+    find_faces();
+}
+
+template <int Dim>
+void StaggeredGrid<Dim>::find_faces() {
+    // A map of nothing but fluid is the plain box.
+    std::vector<CellType>& types = info_.types;
+    const auto count = [&](CellType type) { return std::count(types.begin(), types.end(), type); };
+    if (count(CellType::fluid) == static_cast<std::ptrdiff_t>(types.size())) types.clear();
+    fluid_cells_ = has_solids() ? count(CellType::fluid) : cells_.size();
+    has_air_ = count(CellType::air) > 0;
     for (int a = 0; a < Dim; ++a) find_closed_faces(a);
 }
 
@@ -89,17 +108,25 @@ Index StaggeredGrid<Dim>::cell_beside(int axis, Index face, int side) const {
 template <int Dim>
 void StaggeredGrid<Dim>::find_closed_faces(int axis) {
     const Lattice<Dim>& lattice = faces_[axis];
-    if (has_solids()) openness_[axis] = VecX::Ones(lattice.size());
+    closed_[axis].clear();
+    beside_closed_[axis].clear();
+    surface_[axis].clear();
+    if (has_solids())
+        openness_[axis].setOnes(lattice.size());
+    else
+        openness_[axis].resize(0);
     for (Index face = 0; face < lattice.size(); ++face) {
         const Index at = lattice.coordinates(face)[axis];
         const bool on_wall = !info_.periodic[axis] && (at == 0 || at == info_.cells[axis]);
         if (!on_wall && !has_solids()) continue;
-        int fluid = 0;
+        int fluid = 0, barriers = 0;
         for (int side = 0; side < 2; ++side) {
             const Index cell = cell_beside(axis, face, side);
             fluid += cell >= 0 && is_fluid(cell);
+            barriers += cell < 0 || type(cell) == CellType::solid;
         }
-        if (fluid == 2) continue;
+        if (fluid == 1 && barriers == 0) surface_[axis].push_back(face);
+        if (fluid > 0 && barriers == 0) continue;
         closed_[axis].push_back(face);
         beside_closed_[axis].push_back(static_cast<std::uint8_t>(fluid));
         if (has_solids()) openness_[axis][face] = 0;
@@ -107,11 +134,36 @@ void StaggeredGrid<Dim>::find_closed_faces(int axis) {
 }
 
 template <int Dim>
-Real StaggeredGrid<Dim>::closed_value(int axis, Index face) const {
-    // A solid cell next to a wall shields the fluid from the wall's motion.
+bool StaggeredGrid<Dim>::beside_solid(int axis, Index face) const {
     for (int side = 0; side < 2; ++side) {
         const Index cell = cell_beside(axis, face, side);
-        if (cell >= 0 && !is_fluid(cell)) return 0;
+        if (cell >= 0 && type(cell) == CellType::solid) return true;
+    }
+    return false;
+}
+
+template <int Dim>
+bool StaggeredGrid<Dim>::prescribed(int axis, Index face) const {
+    int solid = 0, wall = 0;
+    for (int side = 0; side < 2; ++side) {
+        const Index cell = cell_beside(axis, face, side);
+        wall += cell < 0;
+        solid += cell >= 0 && type(cell) == CellType::solid;
+    }
+    // Along the faces inside a solid the fluid may slide.
+    if (solid == 2) return info_.solid_slip == Slip::none;
+    return wall + solid > 0;
+}
+
+template <int Dim>
+Real StaggeredGrid<Dim>::prescribed_value(int axis, Index face) const {
+    // A solid cell next to a wall shields the fluid from the wall's motion.
+    if (beside_solid(axis, face)) {
+        if (!info_.solid_velocity) return 0;
+        const GridPlace<Dim> place = faces_[axis].place(faces_[axis].coordinates(face));
+        Vec<Dim> x;
+        for (int a = 0; a < Dim; ++a) x[a] = place[a] * info_.dx;
+        return info_.solid_velocity(x)[axis];
     }
     const bool high = faces_[axis].coordinates(face)[axis] != 0;
     return info_.walls[axis][high ? 1 : 0].velocity[axis];
@@ -127,7 +179,8 @@ FaceField<Dim> StaggeredGrid<Dim>::zero_velocity() const {
 template <int Dim>
 void StaggeredGrid<Dim>::impose_walls(FaceField<Dim>& velocity) const {
     for (int a = 0; a < Dim; ++a)
-        for (Index face : closed_[a]) velocity[a][face] = closed_value(a, face);
+        for (Index face : closed_[a])
+            if (prescribed(a, face)) velocity[a][face] = prescribed_value(a, face);
 }
 
 template class StaggeredGrid<2>;

@@ -129,7 +129,10 @@ TEST_CASE("a trace has each stage's fields before and after") {
     runner.step();
     runner.run_to_stage("projection");
     const Lesson& lesson = runner.lesson();
-    const Stage& projection = lesson.stages.back();
+    const auto stage = [&](std::string_view name) -> const Stage& {
+        return *std::ranges::find(lesson.stages, name, &Stage::name);
+    };
+    const Stage& projection = stage("projection");
     const auto before = trace.before(lesson, projection, "velocity"), after = trace.after(lesson, projection, "velocity");
     REQUIRE(before.size() == after.size());
     REQUIRE(!before.empty());
@@ -137,7 +140,7 @@ TEST_CASE("a trace has each stage's fields before and after") {
     const auto now = lesson.field("velocity").view();
     CHECK(std::equal(after.begin(), after.end(), now.begin()));
     // The stage before it left what the projection found.
-    const auto advected = trace.after(lesson, lesson.stages[2], "velocity");
+    const auto advected = trace.after(lesson, stage("viscosity"), "velocity");
     CHECK(std::equal(before.begin(), before.end(), advected.begin()));
     runner.trace_to(nullptr);
 }

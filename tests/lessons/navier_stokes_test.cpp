@@ -49,6 +49,7 @@ TEST_CASE("navier_stokes: the stages run in the lecture's order, and only those 
     CHECK(stage_names(start({{"viscosity", "0"}})) == Names{"external_forces", "advection", "projection"});
     CHECK(stage_names(start({{"stirring", "0"}})) == Names{"advection", "viscosity", "projection"});
     CHECK(stage_names(start({{"scene", "cavity"}})) == Names{"advection", "viscosity", "projection"});
+    CHECK(stage_names(start({{"scene", "cavity"}, {"lid_speed", "0"}})) == Names{"advection", "projection"});
     CHECK(stage_names(start({{"scene", "taylor_green"}, {"viscosity", "0"}})) == Names{"advection", "projection"});
 }
 
@@ -138,13 +139,10 @@ TEST_CASE("navier_stokes: the exact energy follows a viscosity that is changed o
 TEST_CASE("navier_stokes: the cavity at Re = 100 meets the published table, whichever way its lid moves", "[slow]") {
     for (const char* lid : {"1", "-2"}) {
         const bool fast = lid[0] == '-';
-        Runner runner = start({{"scene", "cavity"},
-                               {"viscosity", fast ? "0.02" : "0.01"},
-                               {"lid_speed", lid},
-                               {"time_step", fast ? "0.025" : "0.05"},
-                               {"resolution", "64"}});
+        Runner runner =
+            start({{"scene", "cavity"}, {"lid_speed", lid}, {"time_step", fast ? "0.025" : "0.05"}, {"resolution", "64"}});
         for (int k = 0; k < 500; ++k) runner.step();
-        CHECK_THAT(value(runner, "reynolds"), WithinRel(100.0, 1e-12));
+        CHECK_THAT(value(runner, "reynolds_number"), WithinRel(100.0, 1e-12));
         CHECK(value(runner, "table_difference") < (fast ? 0.04 : 0.02));
         Curve measured, table;
         const Line& u = *std::ranges::find(runner.lesson().lines, "u_center", &Line::name);

@@ -2,6 +2,7 @@
 #include "fluids_grids.h"
 
 #include <pliant/fluids/diagnostics.h>
+#include <pliant/fluids/multigrid.h>
 #include <pliant/fluids/pressure_gradient.h>
 #include <pliant/fluids/projection.h>
 #include <pliant/math/error.h>

@@ -21,6 +21,7 @@ std::string sum_of_symbols(const std::vector<Input>& inputs) {
 }  // namespace
 
 Explanation GridWhy::divergence(Index cell, Input::From from) const {
+    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (a solid cell)", 0);
     const Counts<2> at = grid_.cells().coordinates(cell);
     Explanation why{"∇·u = (u_right − u_left + v_above − v_below) / Δx", {}, {}};
     const std::array<const char*, 4> names{"u_left", "u_right", "v_below", "v_above"};
@@ -50,6 +51,7 @@ std::vector<Input> GridWhy::pressures_beside(Index cell) const {
 }
 
 Explanation GridWhy::pressure(Index cell) const {
+    if (!grid_.is_fluid(cell)) return fixed_value("p = 0   (a solid cell)", 0);
     std::vector<Input> inputs = pressures_beside(cell);
     const std::size_t n = inputs.size();
     if (n == 0)
@@ -67,6 +69,7 @@ Explanation GridWhy::pressure(Index cell) const {
 }
 
 Explanation GridWhy::remaining_divergence(Index cell) const {
+    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (a solid cell)", 0);
     std::vector<Input> inputs = pressures_beside(cell);
     const std::size_t n = inputs.size();
     std::string formula = n ? fmt::format("∇·u = d̃ − Δt ({} − {} p) / Δx²", sum_of_symbols(inputs), n) : "∇·u = d̃";

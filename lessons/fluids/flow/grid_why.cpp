@@ -79,19 +79,27 @@ Explanation GridWhy::departure_along(int axis, const GridPlace<2>& arrival, cons
             {Input::constant("edge", departure, "cells", "place in the domain")},
             [](Values v) { return v[0]; }};
     return {fmt::format("{0}_d = {0} − Δt u_m / Δx", x),
-            {Input::constant(x, arrival[axis], "cells", "place of the face, from the corner of the domain"), dt_,
+            {Input::constant(x, arrival[axis], "cells", "place that it comes to, from the corner of the domain"), dt_,
              Input::part("u_m", "m/s", interpolated("u_m", grid_.faces(axis), face_field(axis), middle)), dx()},
             [](Values v) { return v[0] - v[1] * v[2] / v[3]; }};
 }
 
 Explanation GridWhy::advected(const VelocitySampler<2>& flow, Real dt, int axis, Index face) const {
     if (closed(axis, face)) return kept_by_wall(axis, face);
-    const Lattice<2>& faces = grid_.faces(axis);
-    const Counts<2> at = faces.coordinates(face);
-    const GridPlace<2> x = faces.place(at);
+    return arrived(flow, dt, grid_.faces(axis), face_field(axis), face, "u");
+}
+
+Explanation GridWhy::carried(const VelocitySampler<2>& flow, Real dt, std::string_view field, Index cell) const {
+    return arrived(flow, dt, grid_.cells(), field, cell, "q");
+}
+
+// What a particle brings that is at a sample now.
+Explanation GridWhy::arrived(const VelocitySampler<2>& flow, Real dt, const Lattice<2>& lattice, std::string_view field,
+                             Index index, std::string_view symbol) const {
+    const GridPlace<2> x = lattice.place(lattice.coordinates(index));
     const Real cells_per_speed = dt / grid_.dx();
 
-    // The same path as the stage's: the velocity at the face, half a step back, the velocity there, a whole step back.
+    // The same path as the stage's: the velocity at the sample, half a step back, the velocity there, a whole step back.
     const auto back = [&](const GridPlace<2>& speed, Real step) {
         return GridPlace<2>{x[0] - step * speed[0], x[1] - step * speed[1]};
     };
@@ -99,21 +107,21 @@ Explanation GridWhy::advected(const VelocitySampler<2>& flow, Real dt, int axis,
     const GridPlace<2> free_end = back(flow.at(middle), cells_per_speed);
     const GridPlace<2> departure = flow.confined(free_end);
 
-    const Surrounding in = surrounding(faces, departure);
-    Explanation why{"u′ = (1 − s) (1 − t) u₁ + s (1 − t) u₂ + (1 − s) t u₃ + s t u₄", {}, {}};
+    const Surrounding in = surrounding(lattice, departure);
+    Explanation why{fmt::format("{0}′ = (1 − s) (1 − t) {0}₁ + s (1 − t) {0}₂ + (1 − s) t {0}₃ + s t {0}₄", symbol), {}, {}};
     for (int a = 0; a < 2; ++a) {
-        const std::string symbol = a == 0 ? "s" : "t", place = a == 0 ? "x_d" : "y_d";
+        const std::string part = a == 0 ? "s" : "t", place = a == 0 ? "x_d" : "y_d";
         const bool inside = departure[a] == free_end[a];
         why.inputs.push_back(Input::part(
-            symbol, "",
-            {fmt::format("{} = {} − x₁", symbol, place),
+            part, "",
+            {fmt::format("{} = {} − x₁", part, place),
              {Input::part(place, "cells", departure_along(a, x, middle, inside, departure[a])),
               Input::constant("x₁", departure[a] - in.fraction[a], "cells", "place of the sample below or to the left")},
              [](Values v) { return v[0] - v[1]; }}));
     }
     for (Index k = 0; k < 4; ++k)
-        why.inputs.push_back(sample(fmt::format("u{}", std::array{"₁", "₂", "₃", "₄"}[static_cast<std::size_t>(k)]), From::before,
-                                    face_field(axis), sample_beyond(faces, {in.corner[0] + k % 2, in.corner[1] + k / 2})));
+        why.inputs.push_back(sample(fmt::format("{}{}", symbol, std::array{"₁", "₂", "₃", "₄"}[static_cast<std::size_t>(k)]),
+                                    From::before, field, sample_beyond(lattice, {in.corner[0] + k % 2, in.corner[1] + k / 2})));
     why.evaluate = [](Values v) {
         const Real s = v[0], t = v[1];
         return (1 - s) * (1 - t) * v[2] + s * (1 - t) * v[3] + (1 - s) * t * v[4] + s * t * v[5];
@@ -121,12 +129,12 @@ Explanation GridWhy::advected(const VelocitySampler<2>& flow, Real dt, int axis,
     return why;
 }
 
-Input GridWhy::diffusion_number(const Parameter& viscosity) const {
+Input GridWhy::diffusion_number(Input viscosity) const {
     return Input::part(
-        "r", "", {"r = ν Δt / Δx²", {Input::of(viscosity), dt_, dx()}, [](Values x) { return x[0] * x[1] / (x[2] * x[2]); }});
+        "r", "", {"r = ν Δt / Δx²", {std::move(viscosity), dt_, dx()}, [](Values x) { return x[0] * x[1] / (x[2] * x[2]); }});
 }
 
-Explanation GridWhy::diffused(const Parameter& viscosity, const VecX* residual, int axis, Index face) const {
+Explanation GridWhy::diffused(Input viscosity, const VecX* residual, int axis, Index face) const {
     if (closed(axis, face)) return kept_by_wall(axis, face);
     const bool implicit = residual != nullptr;
     const std::string_view field = face_field(axis);
@@ -136,7 +144,7 @@ Explanation GridWhy::diffused(const Parameter& viscosity, const VecX* residual, 
                              : "u′ = u + r (u_left + u_right + u_below + u_above − 4 u)",
                     {},
                     {}};
-    why.inputs = {sample("u", From::before, field, face), diffusion_number(viscosity)};
+    why.inputs = {sample("u", From::before, field, face), diffusion_number(std::move(viscosity))};
     const std::array<const char*, 4> names{"left", "right", "below", "above"};
     for (int k = 0; k < 4; ++k) {
         Counts<2> beside = at;

@@ -45,9 +45,13 @@ public:
     // Advection along `flow`, by the midpoint rule with linear interpolation.
     Explanation advected(const VelocitySampler<2>& flow, Real dt, int axis, Index face) const;
 
-    Input diffusion_number(const Parameter& viscosity) const;
+    // A cell-centred quantity, carried in the same way.
+    Explanation carried(const VelocitySampler<2>& flow, Real dt, std::string_view field, Index cell) const;
+
+    // viscosity: m²/s, with the symbol ν.
+    Input diffusion_number(Input viscosity) const;
     // residual: of the implicit solver, m/s; none for the explicit scheme.
-    Explanation diffused(const Parameter& viscosity, const VecX* residual, int axis, Index face) const;
+    Explanation diffused(Input viscosity, const VecX* residual, int axis, Index face) const;
 
     Explanation divergence(Index cell, Input::From from) const;
     // The row of the pressure equation that belongs to the cell, solved for its own pressure. What the solver has not removed
@@ -65,6 +69,8 @@ public:
 private:
     Explanation departure_along(int axis, const GridPlace<2>& arrival, const GridPlace<2>& middle, bool inside,
                                 Real departure) const;
+    Explanation arrived(const VelocitySampler<2>& flow, Real dt, const Lattice<2>& lattice, std::string_view field, Index sample,
+                        std::string_view symbol) const;
     std::vector<Input> pressures_beside(Index cell) const;
 
     const StaggeredGrid<2>& grid_;

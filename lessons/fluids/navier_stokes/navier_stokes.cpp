@@ -3,20 +3,11 @@
 #include <pliant/lesson/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 namespace pliant::navier_stokes {
 namespace {
-
-using std::numbers::pi;
-
-// The stirrer pushes the fluid within about this distance ahead of it, on its way around a figure of eight.
-constexpr Real stirrer_radius = 0.06, stirrer_width = 0.3, stirrer_height = 0.25, stirrer_period = 8;  // m, m, m, s
-// A pull is a jet at its start, of this acceleration per metre that it is drawn out.
-constexpr Real pull_radius = 0.06, pull_stiffness = 40;  // m, 1/s²
-constexpr Index most_iterations = 200;
 
 const Registration<NavierStokes> registration{
     {.id = "fluids/navier_stokes",
@@ -24,17 +15,23 @@ const Registration<NavierStokes> registration{
      .summary = "Forces, advection, viscosity, projection: one step of an incompressible fluid on a staggered grid.",
      .demo_steps = 300}};
 
+std::vector<Option> scene_options() {
+    std::vector<Option> options;
+    for (const FlowScene& s : scenes()) options.push_back({s.key, s.label});
+    return options;
+}
+
 }  // namespace
 
 NavierStokes::NavierStokes()
     : scenario(*this,
                {.key = "scene",
-                .help = "a stirred box with walls to slide along, a cavity driven by its lid, or periodic Taylor–Green vortices",
+                .help = "what the fluid is in and what drives it; the presets have one or two of each with fitting numbers",
                 .effect = Effect::rebuild},
-               {{"box", "stirred box"}, {"cavity", "lid-driven cavity"}, {"taylor_green", "Taylor–Green vortices"}}),
+               scene_options()),
       resolution(*this, {.key = "resolution",
                          .symbol = "n",
-                         .help = "cells along each side of the square; Δx = 1 m / n",
+                         .help = "cells along the length L; Δx = L/n",
                          .initial = 96,
                          .useful = {8, 256},
                          .accepted = Interval{1, 512},
@@ -46,7 +43,18 @@ NavierStokes::NavierStokes()
                         .initial = 1e-4,
                         .useful = {1e-6, 1},
                         .accepted = Interval{0, 1e6},
-                        .scale = Scale::log}),
+                        .scale = Scale::log,
+                        .used = [this] { return scene().reynolds_length == 0; }}),
+      reynolds(*this,
+               {.key = "reynolds",
+                .symbol = "Re",
+                .help = "U L/ν of the cavity, with its width; U D/ν of the vortex street, with the disc's diameter. It sets "
+                        "the viscosity of these scenes",
+                .initial = 100,
+                .useful = {1, 1e4},
+                .accepted = Interval{1e-6, 1e9},
+                .scale = Scale::log,
+                .used = [this] { return scene().reynolds_length > 0; }}),
       dt(*this, {.key = "time_step",
                  .symbol = "Δt",
                  .unit = "s",
@@ -55,6 +63,41 @@ NavierStokes::NavierStokes()
                  .useful = {1e-3, 0.5},
                  .accepted = Interval{0, 10, true},
                  .scale = Scale::log}),
+      aspect(*this, {.key = "aspect",
+                     .symbol = "H/W",
+                     .help = "height over width of the box or the cavity, rounded to whole cells",
+                     .initial = 1,
+                     .useful = {0.25, 3},
+                     .accepted = Interval{0.1, 10},
+                     .effect = Effect::rebuild,
+                     .used = [this] { return scene().any_aspect; }}),
+      size(*this, {.key = "size",
+                   .symbol = "L",
+                   .unit = "m",
+                   .help = "width of the box, height of the channels; the vortex street has a channel of 2 L × 0.75 L",
+                   .initial = 1,
+                   .useful = {0.01, 100},
+                   .accepted = Interval{1e-6, 1e6},
+                   .scale = Scale::log,
+                   .effect = Effect::rebuild}),
+      lid_speed(*this, {.key = "lid_speed",
+                        .symbol = "U",
+                        .unit = "m/s",
+                        .help = "of the upper wall, to the right",
+                        .initial = 1,
+                        .useful = {-2, 2},
+                        .accepted = Interval{-1e6, 1e6},
+                        .effect = Effect::rebuild,
+                        .used = [this] { return scene().drives.lid; }}),
+      inflow(*this, {.key = "inflow",
+                     .symbol = "U",
+                     .unit = "m/s",
+                     .help = "speed at which the fluid enters on the left, and leaves on the right: as much out as in",
+                     .initial = 1,
+                     .useful = {0.1, 2},
+                     .accepted = Interval{0, 1e6},
+                     .effect = Effect::rebuild,
+                     .used = [this] { return scene().drives.inflow; }}),
       stirring(*this, {.key = "stirring",
                        .symbol = "S",
                        .unit = "m/s²",
@@ -62,187 +105,137 @@ NavierStokes::NavierStokes()
                        .initial = 6,
                        .useful = {-20, 20},
                        .accepted = Interval{-1e6, 1e6},
-                       .used = [this] { return scenario == Scenario::box; }}),
-      lid_speed(*this, {.key = "lid_speed",
-                        .symbol = "U",
-                        .unit = "m/s",
-                        .help = "of the upper wall, to the right",
-                        .initial = 1,
-                        .useful = {-2, 2},
-                        .accepted = Interval{-1e3, 1e3},
-                        .effect = Effect::rebuild,
-                        .used = [this] { return scenario == Scenario::cavity; }}),
+                       .used = [this] { return scene().drives.stirrer; }}),
+      body_force(*this, {.key = "body_force",
+                         .symbol = "G",
+                         .unit = "m/s²",
+                         .help = "body force per unit mass along the channel: a slope's share of gravity, or a pressure drop per "
+                                 "length and density",
+                         .initial = 0.1,
+                         .useful = {-1, 1},
+                         .accepted = Interval{-1e6, 1e6},
+                         .effect = Effect::rebuild,
+                         .used = [this] { return scene().drives.body_force; }}),
+      buoyancy(*this, {.key = "buoyancy",
+                       .symbol = "β",
+                       .unit = "m/s²",
+                       .help = "upward force per unit mass where the smoke is densest: g times its relative lightness",
+                       .initial = 2,
+                       .useful = {-5, 5},
+                       .accepted = Interval{-1e6, 1e6},
+                       .used = [this] { return scene().drives.smoke; }}),
+      order(
+          *this,
+          {.key = "order",
+           .help = "of the stages: the lecture's forces, advection, viscosity, projection; or another, and what then is left of "
+                   "the divergence at the end of the step",
+           .effect = Effect::rebuild},
+          {{"lecture", "forces, advection, viscosity, projection"},
+           {"projection_first", "projection, forces, advection, viscosity"},
+           {"advection_last", "forces, viscosity, projection, advection"},
+           {"forces_last", "advection, viscosity, projection, forces"}}),
+      with_forces(*this, {.key = "with_forces", .help = "f: without it nothing pushes the fluid but walls", .initial = 1}),
+      with_advection(*this, {.key = "with_advection",
+                             .help = "(u·∇)u: without it the fluid does not carry itself along, as in very thick flow",
+                             .initial = 1}),
+      with_viscosity(*this, {.key = "with_viscosity", .help = "ν ∇²u: without it walls drag nothing along", .initial = 1}),
+      with_projection(*this, {.key = "with_projection",
+                              .help = "−∇p: without it fluid piles up and thins out, and there is no pressure",
+                              .initial = 1,
+                              .effect = Effect::rebuild}),
+      scheme(*this,
+             {.key = "viscosity_scheme",
+              .help = "implicit is stable at every Δt; explicit is the lecture's stencil, refused beyond Δt = Δx²/(4ν)",
+              .used = [this] { return with_viscosity && nu() > 0; }},
+             {{"implicit", "implicit Euler"}, {"explicit", "explicit Euler"}}),
       tolerance(*this, {.key = "tolerance",
                         .symbol = "τ",
                         .help = "the pressure solver stops when max|∇·u| ≤ τ max|∇·ũ|",
                         .initial = 1e-4,
                         .useful = {1e-8, 0.5},
                         .accepted = Interval{1e-12, 1, false, true},
-                        .scale = Scale::log}),
-      scheme(*this,
-             {.key = "viscosity_scheme",
-              .help = "implicit is stable at every Δt; explicit is the lecture's stencil, refused beyond Δt = Δx²/(4ν)",
-              .used = [this] { return viscosity > 0; }},
-             {{"implicit", "implicit Euler"}, {"explicit", "explicit Euler"}}) {
+                        .scale = Scale::log,
+                        .used = [this] { return bool(with_projection); }}),
+      max_iterations(*this, {.key = "max_iterations",
+                             .help = "of the pressure solver; when they are not enough the run stops and says what is left",
+                             .initial = 200,
+                             .useful = {1, 200},
+                             .accepted = Interval{1, 10000},
+                             .used = [this] { return bool(with_projection); }}) {
     declare_fields();
     declare_stages();
     declare_probes();
+    declare_wake_probes();
     declare_lines();
     declare_checks();
 }
 
 void NavierStokes::check() const {
-    if (scheme != Scheme::explicit_euler || viscosity == 0) return;
-    const Real limit = dx() * dx() / (4 * viscosity);
+    if (scheme != Scheme::explicit_euler || !with_viscosity || nu() == 0) return;
+    const Real limit = dx() * dx() / (4 * nu());
     if (dt > limit * (1 + 1e-12))
         throw Refused(
             "time_step", dt, "s",
             fmt::format("at most Δx²/(4ν) = {:.4g} s, where explicit viscosity is stable for viscosity = {:.4g} m²/s and "
                         "resolution = {}, or set viscosity_scheme to implicit",
-                        limit, Real(viscosity), Index(resolution)));
+                        limit, nu(), Index(resolution)));
+}
+
+// -------------------------------------------------------------------------------------------------- what follows from them
+
+Real NavierStokes::width() const { return static_cast<Real>(grid_->cell_counts()[0]) * dx(); }
+Real NavierStokes::height() const { return static_cast<Real>(grid_->cell_counts()[1]) * dx(); }
+
+Real NavierStokes::reference_speed() const {
+    return scene().drives.lid ? std::abs(lid_speed) : scene().drives.inflow ? Real(inflow) : Real{0};
+}
+
+Real NavierStokes::nu() const {
+    const Real length = scene().reynolds_length;
+    return length > 0 ? reference_speed() * length * size / reynolds : Real(viscosity);
+}
+
+Input NavierStokes::nu_input() const {
+    const Real length = scene().reynolds_length;
+    if (length == 0) return Input::of(viscosity);
+    return Input::part(
+        "ν", "m²/s",
+        {"ν = |U| l L / Re",
+         {Input::of(scene().drives.lid ? static_cast<const Parameter&>(lid_speed) : inflow),
+          Input::constant("l", length, "", "length of the Reynolds number in units of L"), Input::of(size), Input::of(reynolds)},
+         [](std::span<const Real> x) { return std::abs(x[0]) * x[1] * x[2] / x[3]; }});
 }
 
 // ------------------------------------------------------------------------------------------------------ the initial state
 
-StaggeredGridInfo<2> NavierStokes::domain() const {
-    StaggeredGridInfo<2> info;
-    info.cells = {resolution, resolution};
-    info.dx = dx();
-    info.periodic.fill(scenario == Scenario::taylor_green);
-    if (scenario == Scenario::cavity) {
-        for (auto& axis : info.walls)
-            for (Wall<2>& wall : axis) wall.slip = Slip::none;
-        info.walls[1][1].velocity = {lid_speed, 0};
-    }
-    return info;
-}
-
 void NavierStokes::reset() {
-    grid_ = std::make_unique<StaggeredGrid<2>>(domain());
-    advection_ = std::make_unique<SemiLagrangian<2>>(*grid_);
-    diffusion_ = std::make_unique<Viscosity<2>>(*grid_);
-    projection_ = std::make_unique<PressureProjection<2>>(*grid_, ProjectionSettings{tolerance, most_iterations});
+    put_stages_in_order();
+    grid_ = std::make_unique<StaggeredGrid<2>>(domain(scene(), settings()));
+    advection_.reset();
+    diffusion_.reset();
+    projection_.reset();
     velocity_ = grid_->zero_velocity();
-    if (scenario == Scenario::taylor_green) start_taylor_green();
+    if (scene().start) scene().start(*grid_, settings(), velocity_);
     grid_->impose_walls(velocity_);
-    pressure_ = VecX::Zero(grid_->cells().size());
+    const Index cells = grid_->cells().size(), pressures = with_projection ? cells : 0;
+    for (VecX* array : {&pressure_, &divergence_before_, &divergence_after_}) *array = VecX::Zero(pressures);
+    smoke_ = VecX::Zero(scene().drives.smoke ? cells : 0);
+    fill_source();
     elapsed_.setZero();
-    divergence(*grid_, velocity_, divergence_after_);
-    divergence_before_ = divergence_after_;
+    wake_.reset();
+    if (scene().readings.wake) {
+        // Two and a half diameters behind the middle of the disc.
+        const Vec<2> place =
+            (obstacle_centre(scene()) + Vec<2>(2.5 * scene().obstacle, 0)) * static_cast<Real>(Index(resolution));
+        const Lattice<2>& faces = grid_->faces(1);
+        Counts<2> at{static_cast<Index>(place[0]), std::lround(place[1])};
+        for (int a = 0; a < 2; ++a) at[a] = std::min(at[a], faces.count[a] - 1);
+        wake_face_ = faces.index(at);
+        // The stream starts as it flows around the disc without friction.
+        if (with_projection) PressureProjection<2>(*grid_, {1e-6, 1000}).project(velocity_, dt);
+    }
     fields_of_flow_.reset(*grid_, velocity_);
     initial_energy_ = specific_energy();
-}
-
-// u = sin 2πx cos 2πy, v = −cos 2πx sin 2πy, in m/s [TaylorGreen1937].
-void NavierStokes::start_taylor_green() {
-    for (int axis = 0; axis < 2; ++axis) {
-        const Lattice<2>& faces = grid_->faces(axis);
-        for (Index f = 0; f < faces.size(); ++f) {
-            const GridPlace<2> at = faces.place(faces.coordinates(f));
-            const Real x = 2 * pi * at[0] * dx(), y = 2 * pi * at[1] * dx();
-            velocity_[axis][f] = axis == 0 ? std::sin(x) * std::cos(y) : -std::cos(x) * std::sin(y);
-        }
-    }
-}
-
-// ------------------------------------------------------------------------------------------------------------- the stages
-
-void NavierStokes::declare_stages() {
-    stages = {
-        {.name = "external_forces",
-         .formula = "ũ ← u + Δt f,   f: force per unit mass",
-         .source = "Utrecht slides, Navier–Stokes equations; Stam1999 §3.1",
-         .run = [this] { external_forces(); },
-         .reads = {"velocity"},
-         .writes = {"u_on_faces", "v_on_faces"},
-         .active = [this] { return forced(); },
-         .explain = [this](const Question& q) { return why_force(flow::axis_of(q.field), q.index); }},
-        {.name = "advection",
-         .formula = "ũ(x) ← ũ(x − Δt ũ(x − ½Δt ũ(x)))",
-         .source = "semi-Lagrangian: Stam1999 §3.2; Bridson2007 §3",
-         .run = [this] { advect(); },
-         .reads = {"velocity"},
-         .writes = {"u_on_faces", "v_on_faces"},
-         .explain =
-             [this](const Question& q) {
-                 return why_on_grid().advected(advection_->flow(), dt, flow::axis_of(q.field), q.index);
-             }},
-        {.name = "viscosity",
-         .formula = "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
-         .source = "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §3.3",
-         .run = [this] { diffuse(); },
-         .reads = {"velocity"},
-         .writes = {"u_on_faces", "v_on_faces"},
-         .active = [this] { return viscosity > 0; },
-         .explain = [this](const Question& q) { return why_diffused(flow::axis_of(q.field), q.index); }},
-        {.name = "projection",
-         .formula = "Δt ∇²p = ∇·ũ,   u ← ũ − Δt ∇p",
-         .source = "Utrecht slides, pressure projection (p is p/ρ); Chorin1968; Bridson2007 §4.3",
-         .run = [this] { projection_pass(); },
-         .reads = {"velocity", "pressure"},
-         .writes = {"divergence_before", "pressure", "divergence_after", "u_on_faces", "v_on_faces"},
-         .again = [this] { return !projection_->converged(); },
-         .begin = [this] { begin_projection(); },
-         .end = [this] { end_projection(); },
-         .explain = [this](const Question& q) { return why_projection(q); }}};
-}
-
-// The middle of the stirrer: a figure of eight around the middle of the box.
-Vec<2> NavierStokes::stirrer_place() const {
-    const Real angle = 2 * pi * time() / stirrer_period;
-    return {0.5 + stirrer_width * std::sin(angle), 0.5 + stirrer_height * std::sin(2 * angle)};
-}
-
-Vec<2> NavierStokes::stirrer_heading() const {
-    const Real angle = 2 * pi * time() / stirrer_period;
-    return Vec<2>(stirrer_width * std::cos(angle), 2 * stirrer_height * std::cos(2 * angle)).normalized();
-}
-
-NavierStokes::Jet NavierStokes::stirrer_jet() const { return {stirrer_place(), stirrer_radius, stirring * stirrer_heading()}; }
-
-NavierStokes::Jet NavierStokes::hand_jet() const {
-    return {pull_->from.head<2>(), pull_radius, pull_stiffness * (pull_->to - pull_->from).head<2>()};
-}
-
-void NavierStokes::external_forces() {
-    const auto push = [this](const Jet& jet) { add_jet<2>(*grid_, velocity_, dt, jet.centre, jet.radius, jet.acceleration); };
-    if (stirred()) push(stirrer_jet());
-    if (pull_) push(hand_jet());
-    fields_of_flow_.renew();
-}
-
-void NavierStokes::advect() {
-    advection_->advect(velocity_, dt);
-    fields_of_flow_.renew();
-}
-
-void NavierStokes::diffuse() {
-    if (scheme == Scheme::explicit_euler)
-        diffusion_->diffuse_explicitly(velocity_, viscosity, dt);
-    else
-        diffusion_->diffuse_implicitly(velocity_, viscosity, dt);
-    fields_of_flow_.renew();
-}
-
-void NavierStokes::begin_projection() {
-    divergence(*grid_, velocity_, divergence_before_);
-    projection_->set({tolerance, most_iterations});
-    projection_->pressure() = pressure_;
-    projection_->begin(velocity_, dt);
-}
-
-void NavierStokes::projection_pass() {
-    projection_->iterate();
-    pressure_ = projection_->pressure();
-    // The residual of the solver is the divergence that this pressure leaves.
-    divergence_after_ = -dt / (dx() * dx()) * projection_->residual();
-}
-
-void NavierStokes::end_projection() {
-    projection_->apply(velocity_);
-    divergence(*grid_, velocity_, divergence_after_);
-    elapsed_ += Eigen::Array2d(dt, viscosity * dt);
-    fields_of_flow_.renew();
 }
 
 std::string NavierStokes::blow_up_hint() const {
@@ -254,6 +247,7 @@ std::string NavierStokes::blow_up_hint() const {
 }
 
 std::optional<Fix> NavierStokes::fix(const Failure& failure) const {
+    if (failure.field == "pressure" && max_iterations < 200) return Fix{"200 iterations", {{"max_iterations", "200"}}};
     if (failure.field == "pressure") return Fix{"tolerance = 1e-4", {{"tolerance", "1e-4"}}};
     const Real step = rounded_down(2 * dx() / std::max(max_speed(velocity_), dx() / dt));
     return Fix{fmt::format("Δt = {}", format_quantity(step, "s")), {{"time_step", format_exact(step)}}};

@@ -2,6 +2,8 @@
 #pragma once
 #include "fluids/flow/flow_fields.h"
 #include "fluids/flow/grid_why.h"
+#include "scenes.h"
+#include "wake_signal.h"
 
 #include <pliant/fluids/advection.h>
 #include <pliant/fluids/diffusion.h>
@@ -14,11 +16,11 @@
 
 namespace pliant::navier_stokes {
 
-enum class Scenario { box, cavity, taylor_green };
 enum class Scheme { implicit_euler, explicit_euler };
+enum class Order { lecture, projection_first, advection_last, forces_last };
 
-// The unit square, 1 m by 1 m: a closed box with walls to slide along, a cavity whose lid drives the fluid, or a periodic array
-// of vortices.
+// A box that is stirred, a cavity with a lid, vortices, two channels, a disc in a stream, smoke: see scenes.h. Lengths are in
+// units of L, the parameter `size`.
 class NavierStokes final : public Lesson {
 public:
     NavierStokes();
@@ -28,44 +30,65 @@ public:
     void reset() override;
     Real time_step() const override { return dt; }
     void draw(Scene& scene) const override;
-    std::optional<On> can_pull() const override { return On::cell; }
+    std::optional<On> can_pull() const override { return with_forces ? std::optional(On::cell) : std::nullopt; }
     void pull(const std::optional<Pull>& pull) override { pull_ = pull; }
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return "kinetic_energy"; }
-    ColourBy first_colours() const override { return {scenario == Scenario::cavity ? "speed" : "vorticity"}; }
-    std::vector<std::string_view> first_plots() const override;
-    std::vector<std::string_view> key_numbers() const override;
+    ColourBy first_colours() const override { return {std::string(scene().colours), scene().component}; }
+    std::vector<std::string_view> first_plots() const override { return scene().plots; }
+    std::vector<std::string_view> key_numbers() const override { return scene().key_numbers; }
 
 private:
-    Choice<Scenario> scenario;
+    Choice<std::size_t> scenario;  // index into scenes()
     Whole resolution;
-    Number viscosity, dt, stirring, lid_speed, tolerance;
+    Number viscosity, reynolds, dt, aspect, size, lid_speed, inflow, stirring, body_force, buoyancy;
+    Choice<Order> order;
+    Switch with_forces, with_advection, with_viscosity, with_projection;
     Choice<Scheme> scheme;
+    Number tolerance;
+    Whole max_iterations;
+
+    const FlowScene& scene() const { return scenes()[scenario]; }
+    SceneSettings settings() const { return {resolution, size, aspect, lid_speed, inflow}; }
+    Real dx() const { return size / static_cast<Real>(Index(resolution)); }
+    Real height() const;           // of the domain, m
+    Real width() const;            // m
+    Real reference_speed() const;  // U of the scene: of the lid or the inflow, m/s; 0 for none
+    Real nu() const;               // m²/s, given or set by the Reynolds number
+    Input nu_input() const;
+    // Up to now: the time, s; ∫ν dt, m²; ∫G dt, m/s; and the largest divergence that the latest step left, 1/s.
+    Real time() const { return elapsed_[0]; }
+    Real viscous_time() const { return elapsed_[1]; }
+    Real pushed() const { return elapsed_[2]; }
+    Real divergence_left() const { return elapsed_[3]; }
 
     void declare_fields();
     void declare_stages();
     void declare_probes();
+    void declare_wake_probes();
     void declare_lines();
     void declare_checks();
 
-    // --- the stages ---
+    // --- the stages (navier_stokes_stages.cpp) ---
+    void put_stages_in_order();
+    void end_stage(std::string_view name);
+    void end_step();
     void external_forces();
     void advect();
     void diffuse();
     void begin_projection();
     void projection_pass();
     void end_projection();
+    void carry_smoke();
+    void fill_source();
 
-    StaggeredGridInfo<2> domain() const;
-    void start_taylor_green();
-    bool stirred() const { return scenario == Scenario::box && stirring != 0; }
-    bool forced() const { return stirred() || pull_.has_value(); }
-    Real dx() const { return Real(1) / static_cast<Real>(Index(resolution)); }
-    Real time() const { return elapsed_[0]; }
-    Vec<2> stirrer_place() const;    // m
-    Vec<2> stirrer_heading() const;  // unit vector
+    bool stirred() const { return scene().drives.stirrer && stirring != 0; }
+    bool forced() const;
+    Vec<2> uniform_force() const { return {scene().drives.body_force ? Real(body_force) : Real{0}, 0}; }
+    Vec<2> stirrer_place(Real time) const;    // m
+    Vec<2> stirrer_heading(Real time) const;  // unit vector
 
     // A push of the fluid around a place.
     struct Jet {
@@ -73,46 +96,69 @@ private:
         Real radius;          // m
         Vec<2> acceleration;  // m/s²
     };
-    Jet stirrer_jet() const;
+    Jet stirrer_jet(Real time) const;
     Jet hand_jet() const;
 
     // --- how the numbers came about (navier_stokes_why.cpp) ---
     flow::GridWhy why_on_grid() const;
     Explanation why_force(int axis, Index face) const;
+    Input why_jet(const std::string& symbol, const Jet& jet, Input strength, Real direction, int axis, Index face) const;
+    Input why_buoyancy(Index face) const;
+    Explanation why_advected(int axis, Index face) const;
     Explanation why_diffused(int axis, Index face) const;
     std::optional<Explanation> why_projection(const Question& q) const;
+    Explanation why_smoke(Index cell) const;
+    Explanation why_strouhal() const;
 
     std::optional<Fix> shorter_step(Real cells) const;  // that the fastest fluid may cross
     std::optional<Fix> thicker_fluid(Real wanted) const;
 
     // --- what is measured ---
-    std::optional<Real> reynolds() const;
+    std::optional<Real> reynolds_number() const;
     std::optional<Real> effective_viscosity() const;
+    std::optional<Real> strouhal() const;
+    Real wake_velocity() const;
     Real interpolation_viscosity() const;
     Real specific_energy() const;  // J/kg
     std::optional<Real> table_difference() const;
-    Real velocity_on_centre_line(int axis, Real along) const;  // component across `axis`, m/s, at a distance from the wall in m
+    std::optional<Real> profile_difference() const;
+    // Component across `axis`, m/s, on the line through the middle along the other axis, at a distance from the wall in m.
+    Real velocity_on_centre_line(int axis, Real along) const;
     void profile(int axis, Curve& curve) const;
     void published_profile(int axis, Curve& curve) const;
+    void steady_profile(Curve& curve) const;
+    void present_profile(Curve& curve) const;
+    // Of a channel at this time; none is known where forces or viscosity have changed on the way. y in m, result in m/s.
+    bool has_closed_form() const;
+    Real closed_form(Real y) const;
 
     // --- the picture (navier_stokes_picture.cpp) ---
     void draw_walls(Scene& scene) const;
+    void draw_openings(Scene& scene) const;
+    void draw_obstacle(Scene& scene) const;
+    void draw_drives(Scene& scene) const;
     void write_notes(Scene& scene) const;
     Real arrow_speed() const;
 
     std::unique_ptr<StaggeredGrid<2>> grid_;
+    // Made when their stage first runs: a term that is off has no arrays.
     std::unique_ptr<SemiLagrangian<2>> advection_;
     std::unique_ptr<Viscosity<2>> diffusion_;
     std::unique_ptr<PressureProjection<2>> projection_;
 
-    // What defines now: the velocity on the faces [m/s], the last pressure [m²/s²], from which the solver starts, and the time
-    // [s] with ∫ν dt [m²] up to it.
+    // What defines now: the velocity on the faces [m/s], the last pressure [m²/s²], from which the solver starts, the smoke, what
+    // has passed, and the rhythm of the wake.
     FaceField<2> velocity_;
-    VecX pressure_;
-    Eigen::Array2d elapsed_ = Eigen::Array2d::Zero();
+    VecX pressure_, smoke_;
+    Eigen::Array4d elapsed_ = Eigen::Array4d::Zero();
+    WakeSignal wake_;
     Real initial_energy_ = 0;  // J/kg
+    std::vector<Index> source_cells_;
+    Index wake_face_ = 0;  // where the wake is watched
     // What the stages make of it: ∇·u before and after the projection [1/s].
     VecX divergence_before_, divergence_after_;
+    Real force_time_ = 0;  // s, at which the latest forces acted
+    mutable VecX divergence_now_;
     flow::FlowFields fields_of_flow_;
     std::optional<Pull> pull_;
 };

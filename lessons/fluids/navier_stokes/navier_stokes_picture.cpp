@@ -1,4 +1,4 @@
-// The figure: a heat map of the field that is chosen, the velocity as arrows, and the walls.
+// The figure: a heat map of the field that is chosen, the velocity as arrows, the walls, and what drives the fluid.
 #include "fluids/flow/grid_picture.h"
 #include "navier_stokes.h"
 
@@ -6,69 +6,143 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 namespace pliant::navier_stokes {
 namespace {
 
+using std::numbers::pi;
+
 constexpr float wall_width = 5;  // px
+
+void circle(Scene& scene, const Vec<2>& centre, Real radius, Ink ink, float width) {
+    constexpr int sides = 48;
+    LineMarks line{.ends = {}, .ink = ink, .width = width};
+    for (int k = 0; k < sides; ++k)
+        for (int end = 0; end < 2; ++end) {
+            const Real angle = 2 * pi * (k + end) / sides;
+            line.ends.push_back(position<2>(centre + radius * Vec<2>(std::cos(angle), std::sin(angle))));
+        }
+    scene.lines.push_back(std::move(line));
+}
 
 }  // namespace
 
-void NavierStokes::draw(Scene& scene) const {
-    flow::draw_field(scene, *this, *grid_);
-    if (scene.show_arrows) flow::draw_velocity(scene, *grid_, fields_of_flow_.flow(), arrow_speed());
-    draw_walls(scene);
-    write_notes(scene);
-    scene.frame(position(-0.06, -0.06), position(1.06, 1.12));
+void NavierStokes::draw(Scene& picture) const {
+    flow::draw_field(picture, *this, *grid_);
+    if (picture.show_arrows)
+        flow::draw_velocity(picture, *grid_, fields_of_flow_.flow(), arrow_speed(), scene().obstacle > 0 ? 24 : 18);
+    if (scene().obstacle > 0) draw_obstacle(picture);
+    draw_walls(picture);
+    draw_drives(picture);
+    write_notes(picture);
+    picture.frame(position(-0.06 * size, -0.06 * size),
+                  position(width() + 0.06 * size, height() + 0.12 * std::max(Real(size), height())));
 }
 
 // The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
 Real NavierStokes::arrow_speed() const {
-    switch (scenario) {
-        case Scenario::box:
-            return 0.7;
-        case Scenario::cavity:
-            return lid_speed == 0 ? 1 : 0.4 * std::abs(lid_speed);
-        case Scenario::taylor_green:
-            return 1;
-    }
-    return 1;
+    const Real U = reference_speed();
+    return scene().arrow_speed * (U > 0 ? U : 1);
 }
 
-void NavierStokes::draw_walls(Scene& scene) const {
-    if (scenario == Scenario::taylor_green) {
-        scene.box(position(0, 0), position(1, 1), Ink::rest, 2, true);
-        if (scene.show_labels)
-            scene.label(position(0.5, 1), "periodic: what leaves on one side enters on the other", Ink::text, 0, -14);
-        return;
+void NavierStokes::draw_walls(Scene& picture) const {
+    const Real W = width(), H = height();
+    const auto side = [&](int axis, const Position& from, const Position& to) {
+        const bool open = axis == 0 && scene().drives.inflow, periodic = grid_->periodic(axis);
+        if (open) return;
+        picture.line(from, to, periodic ? Ink::rest : Ink::ground, periodic ? 2 : wall_width, periodic);
+    };
+    side(0, position(0, 0), position(0, H));
+    side(0, position(W, 0), position(W, H));
+    side(1, position(0, 0), position(W, 0));
+    side(1, position(0, H), position(W, H));
+    if (!picture.show_labels) return;
+    if (grid_->periodic(1))
+        picture.label(position(0.5 * W, H), "periodic: what leaves on one side enters on the other", Ink::text, 0, -14);
+    else if (grid_->periodic(0))
+        picture.label(position(0.5 * W, 0), "periodic: what leaves on the right enters on the left", Ink::text, 0, 14);
+    if (scene().drives.inflow) draw_openings(picture);
+}
+
+void NavierStokes::draw_openings(Scene& picture) const {
+    picture.label(position(0, height()), "in: U = " + format_quantity(inflow, "m/s"), Ink::velocity, 40, -16);
+    picture.label(position(width(), height()), "out: U", Ink::velocity, -24, -16);
+    picture.label(position(0.5 * width(), height()), "walls to slide along", Ink::text, 0, -16);
+}
+
+void NavierStokes::draw_obstacle(Scene& picture) const {
+    TriangleMarks squares{.corners = {}, .triangles = {}, .ink = Ink::ground};
+    const Lattice<2>& cells = grid_->cells();
+    for (Index c = 0; c < cells.size(); ++c) {
+        if (grid_->is_fluid(c)) continue;
+        const Counts<2> at = cells.coordinates(c);
+        const int first = static_cast<int>(squares.corners.size());
+        for (int k = 0; k < 4; ++k)
+            squares.corners.push_back(
+                position(static_cast<Real>(at[0] + (k & 1)) * dx(), static_cast<Real>(at[1] + (k >> 1)) * dx()));
+        squares.triangles.push_back({first, first + 1, first + 3});
+        squares.triangles.push_back({first, first + 3, first + 2});
     }
-    scene.box(position(0, 0), position(1, 1), Ink::ground, wall_width);
-    if (scenario == Scenario::cavity) {
-        scene.line(position(0, 1), position(1, 1), Ink::accent, wall_width + 2);
-        if (lid_speed == 0) return;
-        const Real half = 0.14 * std::clamp(Real(lid_speed), Real(-1), Real(1));
-        scene.arrows.push_back(
-            {.from = {position(0.5 - half, 1.035)}, .to = {position(0.5 + half, 1.035)}, .ink = Ink::accent, .width = 4});
-        if (scene.show_labels)
-            scene.label(position(0.5, 1.035), "lid: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
-    } else if (stirred()) {
-        const Vec<2> middle = stirrer_place(), push = (stirring > 0 ? 0.09 : -0.09) * stirrer_heading();
-        scene.points.push_back({.at = {position<2>(middle)}, .ink = Ink::force, .radius = 6});
-        scene.arrows.push_back(
+    picture.triangles.push_back(std::move(squares));
+    const Vec<2> centre = size * obstacle_centre(scene());
+    circle(picture, centre, size * scene().obstacle / 2, Ink::ground, 2);
+    if (!scene().readings.wake || !picture.show_labels) return;
+    const Lattice<2>& faces = grid_->faces(1);
+    const GridPlace<2> place = faces.place(faces.coordinates(wake_face_));
+    const Position probe = position(place[0] * dx(), place[1] * dx());
+    picture.points.push_back({.at = {probe}, .ink = Ink::accent, .radius = 5});
+    picture.label(probe, "v", Ink::accent, 0, -14);
+}
+
+void NavierStokes::draw_drives(Scene& picture) const {
+    const Real W = width(), H = height();
+    if (scene().drives.lid) {
+        picture.line(position(0, H), position(W, H), Ink::accent, wall_width + 2);
+        const Real above = H + 0.035 * size, half = 0.14 * W * std::clamp(Real(lid_speed), Real(-1), Real(1));
+        if (lid_speed != 0)
+            picture.arrows.push_back({.from = {position(0.5 * W - half, above)},
+                                      .to = {position(0.5 * W + half, above)},
+                                      .ink = Ink::accent,
+                                      .width = 4});
+        if (picture.show_labels)
+            picture.label(position(0.5 * W, above), "wall: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
+    }
+    if (with_forces && stirred()) {
+        const Vec<2> middle = stirrer_place(time()), push = (stirring > 0 ? 0.09 : -0.09) * size * stirrer_heading(time());
+        picture.points.push_back({.at = {position<2>(middle)}, .ink = Ink::force, .radius = 6});
+        picture.arrows.push_back(
             {.from = {position<2>(middle)}, .to = {position<2>(middle + push)}, .ink = Ink::force, .width = 4});
-        if (scene.show_labels) scene.label(position<2>(middle), "f", Ink::force, 0, -16);
+        if (picture.show_labels) picture.label(position<2>(middle), "f", Ink::force, 0, -16);
     }
-    if (pull_) scene.arrow(position(pull_->from[0], pull_->from[1]), position(pull_->to[0], pull_->to[1]), Ink::force, "jet");
+    if (with_forces && uniform_force()[0] != 0) {
+        const Real above = H + 0.035 * size, half = body_force > 0 ? 0.1 * W : -0.1 * W;
+        picture.arrows.push_back(
+            {.from = {position(0.5 * W - half, above)}, .to = {position(0.5 * W + half, above)}, .ink = Ink::force, .width = 4});
+        if (picture.show_labels)
+            picture.label(position(0.5 * W, above), "G = " + format_quantity(body_force, "m/s²"), Ink::force, 0, -16);
+    }
+    if (scene().drives.smoke) {
+        const SmokeSource source = smoke_source();
+        circle(picture, size * source.centre, size * source.radius, Ink::accent, 2.5f);
+        if (picture.show_labels)
+            picture.label(position<2>(size * (source.centre + Vec<2>(0, -source.radius))), "source", Ink::accent, 0, 10);
+    }
+    if (pull_) picture.arrow(position(pull_->from[0], pull_->from[1]), position(pull_->to[0], pull_->to[1]), Ink::force, "jet");
 }
 
-void NavierStokes::write_notes(Scene& scene) const {
-    scene.notes.push_back(fmt::format("{0} × {0} cells, Δx = {1}", Index(resolution), format_quantity(dx(), "m", 3)));
-    std::string fluid = "ν = " + format_quantity(viscosity, "m²/s", 3);
-    if (const auto Re = reynolds()) fluid += ", Re = U · 1 m / ν = " + format_quantity(*Re, "", 3);
-    scene.notes.push_back(std::move(fluid));
-    if (scene.show_arrows) scene.notes.push_back("arrow of one spacing: " + format_quantity(arrow_speed(), "m/s", 3));
+void NavierStokes::write_notes(Scene& picture) const {
+    const Counts<2>& cells = grid_->cell_counts();
+    picture.notes.push_back(fmt::format("{} × {} cells, Δx = {}", cells[0], cells[1], format_quantity(dx(), "m", 3)));
+    std::string fluid = with_viscosity ? "ν = " + format_quantity(nu(), "m²/s", 3) : "without viscosity";
+    if (scene().reynolds_length > 0 && with_viscosity)
+        fluid += fmt::format(", Re = U {} / ν = {}", scene().obstacle > 0 ? "D" : "L", format_quantity(reynolds, "", 3));
+    if (scene().readings.profile && with_viscosity && nu() > 0)
+        fluid += ", H²/ν = " + format_quantity(height() * height() / nu(), "s", 3);
+    picture.notes.push_back(std::move(fluid));
+    if (picture.show_arrows) picture.notes.push_back("arrow of one spacing: " + format_quantity(arrow_speed(), "m/s", 3));
 }
 
 }  // namespace pliant::navier_stokes

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+#include <pliant/fluids/pressure_solve.h>
+#include <pliant/math/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+
+PressureSolve::PressureSolve(Index cells, Real dx) : dx_(dx) {
+    for (VecX* array : {&pressure_, &residual_, &direction_, &z_, &product_}) *array = VecX::Zero(cells);
+    scalars_ = VecX::Zero(scalar_count);
+}
+
+void PressureSolve::set(const ProjectionSettings& settings) {
+    if (!(settings.tolerance > 0 && settings.tolerance < 1))
+        throw Refused("tolerance", settings.tolerance, "", "a number between 0 and 1");
+    if (settings.max_iterations < 1)
+        throw Refused("max_iterations", static_cast<Real>(settings.max_iterations), "", "at least 1");
+    settings_ = settings;
+}
+
+void PressureSolve::forget_directions() {
+    direction_.setZero();
+    scalars_[residual_dot_z] = 0;
+}
+
+void PressureSolve::begin(const PressureEquation& equation, Real dt, Real rounding) {
+    if (!(dt > 0) || !std::isfinite(dt)) throw Refused("time_step", dt, "s", "a finite time above 0");
+    if (!residual_.allFinite()) {
+        Failure failure;
+        failure.field = "velocity";
+        failure.what = "the divergence of the velocity is not finite";
+        throw Diverged(failure);
+    }
+    const Real largest = residual_.lpNorm<Eigen::Infinity>();
+    scalars_.setZero();
+    scalars_[step] = dt;
+    scalars_[initial] = largest;
+    scalars_[target] = std::max(settings_.tolerance * largest, rounding);
+    residual_ *= -dx_ * dx_ / dt;
+    direction_.setZero();
+    if (largest <= rounding)
+        pressure_.setZero();
+    else
+        start_from_last_pressure(equation);
+    measure();
+}
+
+// Of all multiples of the last pressure, takes the one nearest to the solution in the energy norm, α = b·p / p·Ap. It never
+// starts farther away than p = 0.
+void PressureSolve::start_from_last_pressure(const PressureEquation& equation) {
+    const Real energy = equation.multiply(pressure_, product_);
+    const Real factor = energy > 0 ? residual_.dot(pressure_) / energy : 0;
+    pressure_ *= factor;
+    residual_ -= factor * product_;
+}
+
+void PressureSolve::measure() { scalars_[remaining] = residual_.lpNorm<Eigen::Infinity>() * scalars_[step] / (dx_ * dx_); }
+
+void PressureSolve::iterate(const PressureEquation& equation) {
+    if (converged()) return;
+    if (iterations() >= settings_.max_iterations) give_up("the pressure solver reached its limit of iterations");
+
+    // The next direction: the preconditioned residual, made conjugate to the directions before.
+    equation.precondition(residual_, z_);
+    const Real r_dot_z = residual_.dot(z_);
+    if (!(r_dot_z > 0)) give_up("the pressure solver stagnated");
+    const Real beta = scalars_[residual_dot_z] > 0 ? r_dot_z / scalars_[residual_dot_z] : 0;
+    direction_ = z_ + beta * direction_;
+
+    // As far along it as lowers the error most.
+    const Real curvature = equation.multiply(direction_, product_);
+    if (!(curvature > 0)) give_up("the pressure solver stagnated");
+    const Real alpha = r_dot_z / curvature;
+    pressure_ += alpha * direction_;
+    residual_ -= alpha * product_;
+    equation.remove_unseen(pressure_);
+    scalars_[residual_dot_z] = r_dot_z;
+    scalars_[passes] += 1;
+    measure();
+}
+
+void PressureSolve::give_up(const char* why) const {
+    Failure failure;
+    failure.stage = "projection";
+    failure.field = "pressure";
+    failure.what = fmt::format(
+        "{}: after {} iterations the residual is {:.3g} m²/s² and the largest divergence left is {:.3g} 1/s, {:.3g} of the "
+        "{:.3g} 1/s before",
+        why, iterations(), residual_.lpNorm<Eigen::Infinity>(), remaining_divergence(),
+        remaining_divergence() / initial_divergence(), initial_divergence());
+    failure.limit = fmt::format("{:.3g} 1/s was asked for, within {} iterations", scalars_[target], settings_.max_iterations);
+    throw Diverged(failure);
+}
+
+}  // namespace pliant

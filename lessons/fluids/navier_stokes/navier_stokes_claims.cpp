@@ -1,0 +1,190 @@
+// F1 and F6: what the lectures say of splitting and of compressible fluids, measured stage by stage.
+#include <fmt/format.h>
+#include <pliant/fluids/diagnostics.h>
+#include <pliant/fluids/isothermal_gas.h>
+#include <pliant/fluids/projection.h>
+#include <pliant/lesson/format.h>
+#include <pliant/lesson/runner.h>
+#include <pliant/study/claims.h>
+#include <pliant/study/claims_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pliant::navier_stokes {
+namespace {
+
+using std::numbers::pi;
+
+Runner start(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/navier_stokes"), parameters); }
+
+Real reading(const Runner& runner, std::string_view probe) { return *runner.value(runner.lesson().probe(probe)); }
+
+VecX numbers_of(const Runner& runner, std::string_view field) {
+    const auto view = runner.lesson().field(field).view();
+    return Eigen::Map<const VecX>(view.data(), static_cast<Index>(view.size()));
+}
+
+void run_for(Runner& runner, int steps) {
+    for (int k = 0; k < steps; ++k) runner.step();
+}
+
+// ------------------------------------------------------------------------------------------------------------------ F1
+
+// How far the forces are from adding Δt f, relative to it: a uniform force on a fluid that moves already.
+Real error_of_forces() {
+    Runner runner = start({{"scene", "poiseuille"}, {"resolution", "16"}, {"body_force", "0.5"}, {"viscosity", "0.1"}});
+    run_for(runner, 3);
+    const VecX before = numbers_of(runner, "u_on_faces");
+    runner.run_to_stage("external_forces");
+    const VecX added = numbers_of(runner, "u_on_faces") - before;
+    return (added.array() / (0.5 * runner.time_step()) - 1).abs().maxCoeff();
+}
+
+// The largest speed behind the advection over that before it.
+Real growth_by_advection() {
+    Runner runner = start({{"resolution", "32"}});
+    run_for(runner, 40);
+    runner.run_to_stage("external_forces");
+    const Real before = reading(runner, "max_speed");
+    runner.run_to_stage("advection");
+    return reading(runner, "max_speed") / before;
+}
+
+// How far the viscosity is from multiplying the wave sin 2πx cos 2πy by 1/(1 + 8 r sin²(πΔx)).
+Real error_of_viscosity() {
+    Runner runner = start({{"scene", "taylor_green"},
+                           {"resolution", "32"},
+                           {"viscosity", "0.01"},
+                           {"with_advection", "false"},
+                           {"time_step", "0.02"}});
+    const VecX before = numbers_of(runner, "u_on_faces");
+    runner.run_to_stage("viscosity");
+    const VecX after = numbers_of(runner, "u_on_faces");
+    const Real dx = Real(1) / 32, r = 0.01 * 0.02 / (dx * dx), sine = std::sin(pi * dx);
+    return (after - before / (1 + 8 * r * sine * sine)).lpNorm<Eigen::Infinity>();
+}
+
+// The divergence that a step leaves, over that which its projection found.
+Real left_by(const char* order) {
+    Runner runner = start({{"resolution", "32"}, {"order", order}, {"tolerance", "1e-8"}});
+    run_for(runner, 20);
+    return reading(runner, "divergence_left") / reading(runner, "max_divergence_before");
+}
+
+// The order of the splitting: the energy of a cavity that sets out, at one time on one grid, with three time steps.
+Real order_of_splitting() {
+    const auto energy = [](const char* time_step, int steps) {
+        Runner runner = start({{"scene", "cavity"}, {"resolution", "16"}, {"time_step", time_step}, {"tolerance", "1e-9"}});
+        run_for(runner, steps);
+        return reading(runner, "kinetic_energy");
+    };
+    const Real coarse = energy("0.02", 20), middle = energy("0.01", 40), fine = energy("0.005", 80);
+    return std::log2(std::abs((coarse - middle) / (middle - fine)));
+}
+
+Finding splitting() {
+    const Real forces = error_of_forces(), advection = growth_by_advection(), viscosity = error_of_viscosity();
+    const Real lecture = left_by("lecture"), first = left_by("projection_first"), order = order_of_splitting();
+    const Real figure = std::max({forces, advection - 1, viscosity, lecture});
+    const bool holds = figure < 1e-7 && first > 0.1 && std::abs(order - 1) < 0.3;
+    return {
+        .figure = figure,
+        .verdict = holds ? Verdict::reproduced : Verdict::refuted,
+        .text = fmt::format(
+            "Forces add Δt f to {}; advection multiplies the largest speed by {}; viscosity damps a wave by its factor to {}; "
+            "the projection leaves {} of the divergence. With the projection first, a step ends with {} times the divergence "
+            "that it removed. The error of splitting is of order {} in Δt.",
+            steady_figure(forces), format_quantity(advection, "", 3), steady_figure(viscosity), steady_figure(lecture),
+            format_quantity(first, "", 2), format_quantity(order, "", 2))};
+}
+
+const ClaimRegistration f1{
+    {.id = "F1",
+     .lesson = "fluids/navier_stokes",
+     .statement =
+         "A step runs forces, advection, viscosity, projection, one after the other, and each stage does what its term says.",
+     .source = "U, S, T: Navier–Stokes equations, operator splitting",
+     .experiment =
+         "The velocity before and after each stage is compared with what its term alone would do; then the stages run in "
+         "another order, and with three time steps.",
+     .figure = "largest relative deviation of a stage from its term",
+     .criterion = "≤ 10⁻⁷; another order leaves divergence; splitting is of order 1 ± 0.3 in Δt",
+     .question = "The projection is made first in the step, not last. At the end of the step the velocity",
+     .answers = {"is free of divergence all the same", "has the divergence that forces and advection made", "is zero"},
+     .right_answer = 1,
+     .scene = {{"scene", "box"}, {"order", "projection_first"}},
+     .measure = splitting}};
+
+// ------------------------------------------------------------------------------------------------------------------ F6
+
+constexpr Index tube_cells = 128;
+constexpr Real push = 0.5;  // of the speed of sound
+
+// The same start for both fluids in a tube that closes onto itself: u = ½ c sin 2πx, squeezed in one place, thinned in another.
+Real speed_at(Real x) { return push * std::sin(2 * pi * x); }
+
+struct GasRun {
+    Real mass_error, densest, thinnest;
+};
+GasRun compressible() {
+    IsothermalGas gas({.cells = tube_cells, .dx = Real(1) / tube_cells, .ends = TubeEnds::periodic});
+    for (Index i = 0; i < tube_cells; ++i) gas.momentum()[i] = speed_at((static_cast<Real>(i) + 0.5) / tube_cells);
+    const Real mass = gas.mass();
+    GasRun run{0, 1, 1};
+    for (int k = 0; k < 300; ++k) {
+        gas.step(0.9 * gas.stable_step());
+        run.mass_error = std::max(run.mass_error, std::abs(gas.mass() / mass - 1));
+        run.densest = std::max(run.densest, gas.density().maxCoeff());
+        run.thinnest = std::min(run.thinnest, gas.density().minCoeff());
+    }
+    return run;
+}
+
+// What flows out of the worst cell per time over what did before the projection: the rate at which the density would change.
+Real incompressible() {
+    StaggeredGridInfo<2> info;
+    info.cells = {tube_cells, 1};
+    info.dx = Real(1) / tube_cells;
+    info.periodic = {true, true};
+    const StaggeredGrid<2> grid(info);
+    FaceField<2> u = grid.zero_velocity();
+    for (Index i = 0; i < tube_cells; ++i) u[0][i] = 0.25 + speed_at(static_cast<Real>(i) / tube_cells);
+    const Real before = max_divergence(grid, u);
+    PressureProjection<2>(grid, {.tolerance = 1e-10}).project(u, 0.01);
+    return max_divergence(grid, u) / before;
+}
+
+Finding mass_of_a_gas() {
+    const GasRun gas = compressible();
+    const Real left = incompressible();
+    const bool holds = gas.mass_error < 1e-12 && gas.densest > 1.2 && gas.thinnest < 0.9 && left < 1e-9;
+    return {.figure = gas.mass_error,
+            .verdict = holds ? Verdict::reproduced : Verdict::refuted,
+            .text = fmt::format(
+                "The gas keeps its mass to {} while its density runs from {} to {} of what it was. The "
+                "incompressible fluid, pushed in the same way, keeps its density: the projection takes the divergence "
+                "to {} of what it was, and the tube flows as one.",
+                steady_figure(gas.mass_error), format_quantity(gas.thinnest, "", 3), format_quantity(gas.densest, "", 3),
+                steady_figure(left))};
+}
+
+const ClaimRegistration f6{
+    {.id = "F6",
+     .lesson = "fluids/navier_stokes",
+     .statement = "Compressible fluids can conserve mass too, but their density must change to do so.",
+     .source = "U, T: Navier–Stokes equations, pressure projection",
+     .experiment = "A gas in a closed loop of tube is pushed together in one half and apart in the other, and followed by "
+                   "finite volumes; the same push is projected in an incompressible fluid.",
+     .figure = "largest relative change of the gas's mass",
+     .criterion = "≤ 10⁻¹², with densities below 0.9 and above 1.2; incompressible: divergence ≤ 10⁻⁹ of what it was",
+     .question = "A gas is pushed together in one place. Its mass stays the same, since",
+     .answers = {"its velocity becomes free of divergence at once", "its density grows there and falls elsewhere",
+                 "it does not: gas is lost"},
+     .right_answer = 1,
+     .scene = {{"scene", "box"}, {"with_projection", "false"}},
+     .measure = mass_of_a_gas}};
+
+}  // namespace
+}  // namespace pliant::navier_stokes

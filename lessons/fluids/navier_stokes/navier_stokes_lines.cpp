@@ -1,0 +1,161 @@
+// Profiles: on the centre lines of boxes, against published numbers for the cavity, and across channels, against closed forms.
+#include "cavity_tables.h"
+#include "navier_stokes.h"
+
+#include <pliant/fluids/channel_flow.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::navier_stokes {
+
+void NavierStokes::declare_lines() {
+    const auto walled = [this] { return scene().readings.centre_lines; };
+    lines = {
+        {.name = "u_center",
+         .unit = "m/s",
+         .position_name = "y",
+         .position_unit = "m",
+         .help = "horizontal velocity on the vertical line through the middle; the table is that of the steady square cavity at "
+                 "Re = 100",
+         .sample = [this](Curve& curve) { profile(0, curve); },
+         .reference = [this](Curve& curve) { published_profile(0, curve); },
+         .reference_name = "Ghia et al. 1982",
+         .reference_points = true,
+         .used = walled},
+        {.name = "v_center",
+         .unit = "m/s",
+         .position_name = "x",
+         .position_unit = "m",
+         .help = "vertical velocity on the horizontal line through the middle; the table is that of the steady square cavity at "
+                 "Re = 100",
+         .sample = [this](Curve& curve) { profile(1, curve); },
+         .reference = [this](Curve& curve) { published_profile(1, curve); },
+         .reference_name = "Ghia et al. 1982",
+         .reference_points = true,
+         .used = walled},
+        {.name = "profile",
+         .unit = "m/s",
+         .position_name = "y",
+         .position_unit = "m",
+         .help = "velocity along the channel, from wall to wall; pushed, the steady one is G y (H − y)/(2ν), dragged, U y/H",
+         .sample = [this](Curve& curve) { profile(0, curve); },
+         .reference = [this](Curve& curve) { scene().drives.lid ? present_profile(curve) : steady_profile(curve); },
+         .reference_name = "closed form",
+         .used = [this] { return scene().readings.profile; },
+         .others = {{.name = "closed form at this time",
+                     .sample = [this](Curve& curve) { scene().drives.lid ? void() : present_profile(curve); }},
+                    {.name = "steady: U y/H",
+                     .sample = [this](Curve& curve) { scene().drives.lid ? steady_profile(curve) : void(); }}}}};
+}
+
+// The component across `axis` on the centre line along the other axis: at the walls and at every row of faces between.
+void NavierStokes::profile(int axis, Curve& curve) const {
+    curve.position.clear();
+    curve.value.clear();
+    const Index rows = grid_->cell_counts()[1 - axis];
+    for (Index i = -1; i <= rows; ++i) {
+        const Real along = std::clamp((static_cast<Real>(i) + Real(0.5)) * dx(), Real(0), static_cast<Real>(rows) * dx());
+        curve.position.push_back(along);
+        curve.value.push_back(velocity_on_centre_line(axis, along));
+    }
+}
+
+Real NavierStokes::velocity_on_centre_line(int axis, Real along) const {
+    GridPlace<2> place;
+    for (int a = 0; a < 2; ++a) {
+        const Real n = static_cast<Real>(grid_->cell_counts()[a]);
+        place[static_cast<std::size_t>(a)] = a == axis ? n / 2 : std::clamp(along / dx(), Real(0), n);
+    }
+    return fields_of_flow_.flow().component(axis).at(place);
+}
+
+// ------------------------------------------------------------------------------------------------------------- the cavity
+
+// A lid that moves to the left makes the mirror image.
+void NavierStokes::published_profile(int axis, Curve& curve) const {
+    curve.position.clear();
+    curve.value.clear();
+    const Counts<2>& cells = grid_->cell_counts();
+    const bool square_cavity = scene().drives.lid && cells[0] == cells[1];
+    if (!square_cavity || lid_speed == 0 || std::abs(reynolds - 100) > 0.5 || !with_viscosity) return;
+    const bool mirrored = lid_speed < 0;
+    const auto add = [&](const TableRow& row) {
+        curve.position.push_back(width() * (axis == 1 && mirrored ? 1 - row.position : row.position));
+        curve.value.push_back((axis == 0 ? Real(lid_speed) : std::abs(lid_speed)) * row.velocity);
+    };
+    if (axis == 0)
+        std::for_each(u_on_vertical_line.begin(), u_on_vertical_line.end(), add);
+    else if (mirrored)
+        std::for_each(v_on_horizontal_line.rbegin(), v_on_horizontal_line.rend(), add);
+    else
+        std::for_each(v_on_horizontal_line.begin(), v_on_horizontal_line.end(), add);
+}
+
+std::optional<Real> NavierStokes::table_difference() const {
+    if (!scene().readings.centre_lines) return std::nullopt;
+    std::optional<Real> largest;
+    Curve published;
+    for (int axis = 0; axis < 2; ++axis) {
+        published_profile(axis, published);
+        for (std::size_t k = 0; k < published.position.size(); ++k) {
+            const Real difference = std::abs(velocity_on_centre_line(axis, published.position[k]) - published.value[k]);
+            largest = std::max(largest.value_or(0), difference);
+        }
+    }
+    return largest;
+}
+
+// --------------------------------------------------------------------------------------------------------- the channels
+
+bool NavierStokes::has_closed_form() const {
+    if (!scene().readings.profile || pull_) return false;
+    if (scene().drives.lid) return true;
+    const auto kept = [this](Real integral, Real value) {
+        return std::abs(integral - value * time()) <= 1e-9 * std::abs(integral);
+    };
+    return kept(viscous_time(), with_viscosity ? nu() : Real{0}) && kept(pushed(), with_forces ? Real(body_force) : Real{0});
+}
+
+Real NavierStokes::closed_form(Real y) const {
+    if (scene().drives.lid) return couette_start_up(y, height(), lid_speed, viscous_time());
+    return poiseuille_start_up(y, height(), with_forces ? Real(body_force) : Real{0}, with_viscosity ? nu() : Real{0}, time());
+}
+
+namespace {
+// At the walls and in the middle of every row of cells.
+template <class Speed>
+void sample_across(Index rows, Real dx, Curve& curve, const Speed& speed) {
+    curve.position.clear();
+    curve.value.clear();
+    for (Index i = -1; i <= rows; ++i) {
+        const Real y = std::clamp((static_cast<Real>(i) + Real(0.5)) * dx, Real(0), static_cast<Real>(rows) * dx);
+        curve.position.push_back(y);
+        curve.value.push_back(speed(y));
+    }
+}
+}  // namespace
+
+void NavierStokes::present_profile(Curve& curve) const {
+    if (!has_closed_form()) return;
+    sample_across(grid_->cell_counts()[1], dx(), curve, [this](Real y) { return closed_form(y); });
+}
+
+void NavierStokes::steady_profile(Curve& curve) const {
+    if (nu() == 0 || !with_viscosity) return;
+    sample_across(grid_->cell_counts()[1], dx(), curve, [this](Real y) {
+        return scene().drives.lid ? lid_speed * y / height() : poiseuille_speed(y, height(), body_force, nu());
+    });
+}
+
+std::optional<Real> NavierStokes::profile_difference() const {
+    if (!has_closed_form()) return std::nullopt;
+    Real largest = 0;
+    for (Index j = 0; j < grid_->cell_counts()[1]; ++j) {
+        const Real y = (static_cast<Real>(j) + Real(0.5)) * dx();
+        largest = std::max(largest, std::abs(velocity_on_centre_line(0, y) - closed_form(y)));
+    }
+    return largest;
+}
+
+}  // namespace pliant::navier_stokes

@@ -1,0 +1,201 @@
+// The stages of a step, in the lecture's order or another.
+#include "navier_stokes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <ranges>
+
+namespace pliant::navier_stokes {
+namespace {
+
+using std::numbers::pi;
+
+// The stirrer pushes the fluid within about this distance ahead of it, on its way around a figure of eight.
+constexpr Real stirrer_radius = 0.06, stirrer_width = 0.3, stirrer_height = 0.25;  // L, L, height of the box
+constexpr Real stirrer_period = 8;                                                 // s
+// A pull is a jet at its start, of this acceleration per metre that it is drawn out.
+constexpr Real pull_radius = 0.06, pull_stiffness = 40;  // L, 1/s²
+
+using Names = std::array<std::string_view, 5>;
+Names names_in(Order order) {
+    switch (order) {
+        case Order::lecture:
+            break;
+        case Order::projection_first:
+            return {"projection", "external_forces", "advection", "viscosity", "smoke"};
+        case Order::advection_last:
+            return {"external_forces", "viscosity", "projection", "advection", "smoke"};
+        case Order::forces_last:
+            return {"advection", "viscosity", "projection", "external_forces", "smoke"};
+    }
+    return {"external_forces", "advection", "viscosity", "projection", "smoke"};
+}
+
+}  // namespace
+
+void NavierStokes::declare_stages() {
+    stages = {
+        {.name = "external_forces",
+         .formula = "ũ ← u + Δt f,   f: force per unit mass",
+         .source = "Utrecht slides, Navier–Stokes equations; Stam1999 §3.1",
+         .run = [this] { external_forces(); },
+         .reads = {"velocity"},
+         .writes = {"u_on_faces", "v_on_faces"},
+         .active = [this] { return with_forces && forced(); },
+         .explain = [this](const Question& q) { return why_force(flow::axis_of(q.field), q.index); }},
+        {.name = "advection",
+         .formula = "ũ(x) ← ũ(x − Δt ũ(x − ½Δt ũ(x)))",
+         .source = "semi-Lagrangian: Stam1999 §3.2; Bridson2007 §3",
+         .run = [this] { advect(); },
+         .reads = {"velocity"},
+         .writes = {"u_on_faces", "v_on_faces"},
+         .active = [this] { return bool(with_advection); },
+         .explain = [this](const Question& q) { return why_advected(flow::axis_of(q.field), q.index); }},
+        {.name = "viscosity",
+         .formula = "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
+         .source = "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §3.3",
+         .run = [this] { diffuse(); },
+         .reads = {"velocity"},
+         .writes = {"u_on_faces", "v_on_faces"},
+         .active = [this] { return with_viscosity && nu() > 0; },
+         .explain = [this](const Question& q) { return why_diffused(flow::axis_of(q.field), q.index); }},
+        {.name = "projection",
+         .formula = "Δt ∇²p = ∇·ũ,   u ← ũ − Δt ∇p",
+         .source = "Utrecht slides, pressure projection (p is p/ρ); Chorin1968; Bridson2007 §4.3",
+         .run = [this] { projection_pass(); },
+         .reads = {"velocity", "pressure"},
+         .writes = {"divergence_before", "pressure", "divergence_after", "u_on_faces", "v_on_faces"},
+         .active = [this] { return bool(with_projection); },
+         .again = [this] { return !projection_->converged(); },
+         .begin = [this] { begin_projection(); },
+         .end = [this] { end_projection(); },
+         .explain = [this](const Question& q) { return why_projection(q); }},
+        {.name = "smoke",
+         .formula = "s(x) ← s(x − Δt u(x − ½Δt u(x))),   s = 1 in the source",
+         .source = "Stam1999 §3.4: a substance is carried by the flow",
+         .run = [this] { carry_smoke(); },
+         .reads = {"velocity", "smoke"},
+         .writes = {"smoke"},
+         .active = [this] { return scene().drives.smoke; },
+         .explain = [this](const Question& q) { return why_smoke(q.index); }}};
+    for (Stage& s : stages)
+        s.end = [this, name = s.name, end = s.end] {
+            if (end) end();
+            end_stage(name);
+        };
+}
+
+void NavierStokes::put_stages_in_order() {
+    const Names names = names_in(order);
+    const auto rank = [&](const Stage& s) { return std::ranges::find(names, s.name) - names.begin(); };
+    if (!std::ranges::is_sorted(stages, {}, rank)) std::ranges::sort(stages, {}, rank);
+}
+
+// Every stage that changes the velocity, and the step itself, which ends with the last stage in use.
+void NavierStokes::end_stage(std::string_view name) {
+    fields_of_flow_.renew();
+    const auto last = std::ranges::find_if(stages | std::views::reverse, &Stage::in_use);
+    if (last->name == name) end_step();
+}
+
+void NavierStokes::end_step() {
+    elapsed_[0] += dt;
+    if (with_viscosity) elapsed_[1] += nu() * dt;
+    if (with_forces) elapsed_[2] += uniform_force()[0] * dt;
+    elapsed_[3] = max_divergence(*grid_, velocity_);
+    if (scene().readings.wake) wake_.note(time(), wake_velocity(), 0.05 * reference_speed());
+}
+
+// ------------------------------------------------------------------------------------------------------------------ forces
+
+bool NavierStokes::forced() const {
+    return stirred() || pull_.has_value() || uniform_force() != Vec<2>::Zero() || (scene().drives.smoke && buoyancy != 0);
+}
+
+// The middle of the stirrer: a figure of eight around the middle of the box.
+Vec<2> NavierStokes::stirrer_place(Real time) const {
+    const Real angle = 2 * pi * time / stirrer_period;
+    return {width() * (0.5 + stirrer_width * std::sin(angle)), height() * (0.5 + stirrer_height * std::sin(2 * angle))};
+}
+
+Vec<2> NavierStokes::stirrer_heading(Real time) const {
+    const Real angle = 2 * pi * time / stirrer_period;
+    return Vec<2>(width() * stirrer_width * std::cos(angle), 2 * height() * stirrer_height * std::cos(2 * angle)).normalized();
+}
+
+NavierStokes::Jet NavierStokes::stirrer_jet(Real time) const {
+    return {stirrer_place(time), stirrer_radius * size, stirring * stirrer_heading(time)};
+}
+
+NavierStokes::Jet NavierStokes::hand_jet() const {
+    return {pull_->from.head<2>(), pull_radius * size, pull_stiffness * (pull_->to - pull_->from).head<2>()};
+}
+
+void NavierStokes::external_forces() {
+    const auto push = [this](const Jet& jet) { add_jet<2>(*grid_, velocity_, dt, jet.centre, jet.radius, jet.acceleration); };
+    force_time_ = time();
+    if (stirred()) push(stirrer_jet(force_time_));
+    add_uniform_force<2>(*grid_, velocity_, dt, uniform_force());
+    if (scene().drives.smoke) add_buoyancy<2>(*grid_, velocity_, dt, 1, buoyancy, smoke_);
+    if (pull_) push(hand_jet());
+}
+
+// --------------------------------------------------------------------------------------------------- the fluid's own terms
+
+void NavierStokes::advect() {
+    if (!advection_) advection_ = std::make_unique<SemiLagrangian<2>>(*grid_);
+    advection_->advect(velocity_, dt);
+}
+
+void NavierStokes::diffuse() {
+    if (!diffusion_) diffusion_ = std::make_unique<Viscosity<2>>(*grid_);
+    if (scheme == Scheme::explicit_euler)
+        diffusion_->diffuse_explicitly(velocity_, nu(), dt);
+    else
+        diffusion_->diffuse_implicitly(velocity_, nu(), dt);
+}
+
+void NavierStokes::begin_projection() {
+    if (!projection_) projection_ = std::make_unique<PressureProjection<2>>(*grid_);
+    divergence(*grid_, velocity_, divergence_before_);
+    projection_->set({tolerance, max_iterations});
+    projection_->pressure() = pressure_;
+    projection_->begin(velocity_, dt);
+}
+
+void NavierStokes::projection_pass() {
+    projection_->iterate();
+    pressure_ = projection_->pressure();
+    // The residual of the solver is the divergence that this pressure leaves.
+    divergence_after_ = -dt / (dx() * dx()) * projection_->residual();
+}
+
+void NavierStokes::end_projection() {
+    projection_->apply(velocity_);
+    divergence(*grid_, velocity_, divergence_after_);
+}
+
+// ------------------------------------------------------------------------------------------------------------------- smoke
+
+void NavierStokes::carry_smoke() {
+    if (!advection_) advection_ = std::make_unique<SemiLagrangian<2>>(*grid_);
+    advection_->advect(smoke_, velocity_, dt);
+    for (const Index cell : source_cells_) smoke_[cell] = 1;
+}
+
+void NavierStokes::fill_source() {
+    source_cells_.clear();
+    if (!scene().drives.smoke) return;
+    const SmokeSource source = smoke_source();
+    const Lattice<2>& cells = grid_->cells();
+    for (Index c = 0; c < cells.size(); ++c) {
+        const GridPlace<2> at = cells.place(cells.coordinates(c));
+        const Vec<2> place = Vec<2>(at[0], at[1]) / static_cast<Real>(Index(resolution));
+        if ((place - source.centre).norm() < source.radius) source_cells_.push_back(c);
+    }
+    for (const Index cell : source_cells_) smoke_[cell] = 1;
+}
+
+}  // namespace pliant::navier_stokes
