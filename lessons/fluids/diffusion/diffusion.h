@@ -127,6 +127,7 @@ private:
 
     // --- the picture (diffusion_picture.cpp, stencil_picture.cpp) ---
     void draw_row(Scene& scene) const;
+    void draw_exchanges(Scene& scene) const;
     void draw_curve(Scene& scene) const;
     void draw_square(Scene& scene) const;
     void draw_cells(Scene& scene, const Position& lower, const Position& upper) const;

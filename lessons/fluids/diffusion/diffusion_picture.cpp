@@ -56,9 +56,26 @@ void DiffusionLesson::draw_row(Scene& scene) const {
         for (Index i = 0; i <= lattice_.count[0]; ++i)
             scene.line(position(static_cast<Real>(i) * dx(), strip_low * L),
                        position(static_cast<Real>(i) * dx(), strip_high * L), Ink::edge, 1);
+    draw_exchanges(scene);
     draw_curve(scene);
     draw_stencil(scene, {{0.5 * L, -0.5 * L}, {0.4 * L, 0}, {0.115 * L, 0.068 * L}});
     scene.frame(position(-0.1 * L, -0.62 * L), position(1.06 * L, 0.3 * L));
+}
+
+// What passes between the cells of the row, as arrows over the faces between them: a whole cell long from a difference
+// of a fifth of the scale on.
+void DiffusionLesson::draw_exchanges(Scene& scene) const {
+    if (!scene.show_arrows || literal() || lattice_.count[0] > most_points) return;
+    ArrowMarks arrows{.from = {}, .to = {}, .ink = Ink::velocity, .width = 2};
+    const Real y = (strip_high + 0.022) * length;
+    for (Index i = 1; i < lattice_.count[0]; ++i) {
+        const Real reach = 0.5 * dx() * std::clamp(5 * (u_[i - 1] - u_[i]) / scale(), Real(-1), Real(1));
+        if (std::abs(reach) < 0.1 * dx()) continue;
+        const Real face = static_cast<Real>(i) * dx();
+        arrows.from.push_back(position(face - reach, y));
+        arrows.to.push_back(position(face + reach, y));
+    }
+    scene.arrows.push_back(std::move(arrows));
 }
 
 void DiffusionLesson::draw_curve(Scene& scene) const {

@@ -91,10 +91,7 @@ void DiffusionLesson::declare_probes() {
          .unit = "s",
          .help = "rΔx²/ν: half the cell size means a quarter of the time step",
          .value = [this] { return time_step(); },
-         .explain = [this]() -> Explanation {
-             const Input step = why_time_step();
-             return {"Δt = Δt", {step}, [](std::span<const Real> x) { return x[0]; }};
-         }},
+         .explain = [this] { return why_time_step(); }},
         {.name = "solver_iterations",
          .help = "of the conjugate gradients in the latest implicit step",
          .value = [this]() -> std::optional<Real> {
