@@ -16,7 +16,8 @@ public:
     // One type per cell, or none; what is not solid makes no difference.
     void set_solids(std::vector<CellType> solids) { solids_ = std::move(solids); }
 
-    const VelocitySampler<Dim>& carrier() const { return advection_.flow(); }  // the velocity of the latest advection
+    const StaggeredGrid<Dim>& box() const { return box_; }               // of all cells, without solids
+    const SemiLagrangian<Dim>& advection() const { return advection_; }  // the latest that carried the surface
 
     VecX& distance() { return distance_; }
     const VecX& distance() const { return distance_; }

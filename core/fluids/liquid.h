@@ -60,7 +60,7 @@ public:
     const SurfaceFractions<Dim>& fractions() const { return fractions_; }
     const LevelSet<Dim>& surface() const { return surface_; }
     const VelocityExtrapolation<Dim>& extrapolation() const { return extrapolation_; }
-    const VelocitySampler<Dim>& carrier() const { return advection_.flow(); }  // the velocity that carried the latest advection
+    const SemiLagrangian<Dim>& advection() const { return advection_; }  // the latest that carried the velocity
 
     Real volume() const { return surface_.volume(); }  // m^Dim
     // The volume that is kept: that of the start, until it is set.

@@ -41,6 +41,8 @@ std::vector<Golden> goldens() {
     medium.size = "720x405", large.size = "920x518", full.size = "1280x720";
     PictureOptions bright = large;
     bright.theme = "projector";
+    PictureOptions wide;
+    wide.size = "1120x630";
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
@@ -51,6 +53,10 @@ std::vector<Golden> goldens() {
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
+        {"diffusion_row", {"fluids/diffusion", {}, 10, wide}, "diffusion_number=0.4"},
+        {"diffusion_square",
+         {"fluids/diffusion", {"dimension=2", "start=random", "resolution=16", "boundary=insulated", "cell_x=0"}, 5, wide},
+         "seed=2"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
         {"navier_stokes_cavity",
          {"fluids/navier_stokes", {"scene=cavity", "resolution=32", "aspect=0.6"}, 60, medium},

@@ -47,3 +47,19 @@ TEST_CASE("the head of v turns about the middle of its circle", "[session]") {
     s.undo();
     CHECK(value(s, "v_angle") == 30);
 }
+
+TEST_CASE("the cell of the diffusion stencil follows the hand, and the run goes on", "[session]") {
+    Session s("fluids/diffusion");
+    s.step();
+    s.pull(Pull{0, {0.39, -0.29, 0}, {0.999, -0.29, 0}});
+    CHECK(value(s, "cell_x") == 31);
+    CHECK(s.runner().place().step == 1);
+    s.pull(Pull{0, {0.39, -0.29, 0}, {0.51, 3, 0}});
+    CHECK(value(s, "cell_x") == 16);
+    CHECK(value(s, "cell_y") == 12);  // a row has no other
+    s.pull(std::nullopt);
+    s.step();
+    CHECK(s.runner().place().step == 2);
+    s.undo();
+    CHECK(value(s, "cell_x") == 12);
+}

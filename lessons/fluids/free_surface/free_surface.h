@@ -1,5 +1,6 @@
 // A liquid with a free surface in a tank, one time step in stages.
 #pragma once
+#include "fluids/flow/advection_why.h"
 #include "fluids/flow/flow_fields.h"
 #include "fluids/flow/grid_why.h"
 
@@ -80,6 +81,7 @@ private:
     Explanation why_force(int axis, Index face) const;
     Explanation why_advected(int axis, Index face) const;
     std::optional<Explanation> why_projection(const Question& q) const;
+    Explanation why_carried(Index cell) const;
     Explanation why_continued(int axis, Index face) const;
     Explanation why_redistanced(Index cell) const;
     Explanation why_slope(Index cell, int axis, std::string symbol) const;

@@ -45,8 +45,7 @@ void FreeSurface::draw(Scene& picture) const {
 // The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
 Real FreeSurface::arrow_speed() const {
     const Real falling = 0.5 * std::sqrt(2 * gravity * tank_top());
-    const Real waving =
-        scene == Pouring::wave ? std::abs(wave_height) * wave_frequency() : pi * paddle_stroke / paddle_period;
+    const Real waving = scene == Pouring::wave ? std::abs(wave_height) * wave_frequency() : pi * paddle_stroke / paddle_period;
     const Real speed = scene == Pouring::wave || scene == Pouring::paddle ? waving : falling;
     return speed > 0 ? speed : 1;
 }

@@ -79,9 +79,8 @@ Explanation FreeSurface::why_force(int axis, Index face) const {
 }
 
 Explanation FreeSurface::why_advected(int axis, Index face) const {
-    const flow::GridWhy why = why_on_grid();
-    if (why.closed(axis, face)) return kept(axis, face);
-    return why.advected(liquid_->carrier(), dt, axis, face);
+    if (why_on_grid().closed(axis, face)) return kept(axis, face);
+    return flow::AdvectionWhy(liquid_->grid(), liquid_->advection(), dt, Input::of(dt)).velocity(axis, face);
 }
 
 std::optional<Explanation> FreeSurface::why_projection(const Question& q) const {
@@ -93,6 +92,11 @@ std::optional<Explanation> FreeSurface::why_projection(const Question& q) const 
     if (!applied) return std::nullopt;
     const int axis = flow::axis_of(q.field);
     return why.closed(axis, q.index) ? kept(axis, q.index) : why.projected(axis, q.index);
+}
+
+Explanation FreeSurface::why_carried(Index cell) const {
+    const LevelSet<2>& surface = liquid_->surface();
+    return flow::AdvectionWhy(surface.box(), surface.advection(), dt, Input::of(dt)).quantity("distance", cell);
 }
 
 Explanation FreeSurface::why_continued(int axis, Index face) const {
