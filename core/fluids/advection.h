@@ -18,6 +18,8 @@ struct AdvectionSettings {
     // Carries the result back again, takes half of what that misses as the error, and removes it, as far as the result stays
     // within the samples around the departure [Selle2008 §3].
     bool mac_cormack = false;
+
+    bool operator==(const AdvectionSettings&) const = default;
 };
 
 // The path of the particle that arrives at a place, in cells from the corner of the domain. `middle` and `departure` have been
