@@ -178,11 +178,11 @@ void AdvectionLesson::declare_checks() {
         {.name = "blob resolved",
          .unit = "cells",
          .value = [] { return fewest_cells; },
-         .limit = [this] { return radius / dx(); },
+         .limit = [this] { return radius * static_cast<Real>(Index(resolution)); },
          .formula = "6 ≤ R/Δx",
          .broken = "the blob is a few cells wide: interpolation flattens it within a turn, whatever the scheme",
          .fix = [this]() -> std::optional<Fix> {
-             const auto cells = static_cast<Index>(std::ceil(fewest_cells / radius));
+             const auto cells = static_cast<Index>(std::ceil(fewest_cells / radius - 1e-9));
              if (cells > 320) return std::nullopt;
              return Fix{fmt::format("n = {}", cells), {{"resolution", std::to_string(cells)}}};
          }},
