@@ -67,7 +67,7 @@ AdvectionLesson::AdvectionLesson()
                    "with U = 1 m/s",
            .initial = 6,
            .useful = {0.1, 100},
-           .accepted = Interval{0.01, 1000},
+           .accepted = Interval{0.01, 200},
            .scale = Scale::log}),
       scheme(
           *this, {.key = "scheme", .help = "what is read at the departure place, and whether the result is corrected"},
@@ -151,7 +151,7 @@ void AdvectionLesson::reset() {
     }
     for (VecX& q : rival_) q = compare ? quantity_ : VecX();
     previous_ = returned_ = exact_ = quantity_;
-    error_ = VecX::Zero(n);
+    error_ = way_ = VecX::Zero(n);
     middle_ = departure_ = origin_;
     cell_velocity(*grid_, velocity_, centre_velocity_);
     first_variance_ = variance(quantity_);
@@ -187,9 +187,10 @@ void AdvectionLesson::declare_stages() {
                .source = "Utrecht slides: semi-Lagrangian technique; Stam1999 §3.2; Bridson2007 §3.2",
                .run = [this] { trace_back(); },
                .reads = {"velocity", "u_on_faces", "v_on_faces"},
-               .writes = {"middle", "departure"},
+               .writes = {"middle", "departure", "way"},
                .explain =
                    [this](const Question& q) {
+                       if (q.field == "way") return why_way(q.index);
                        return q.field == "middle" ? why_middle(q.index, q.component) : why_departure(q.index, q.component);
                    }},
               {.name = "interpolation",
@@ -255,6 +256,7 @@ void AdvectionLesson::trace_back() {
             middle_(a, c) = dx() * d.middle[a];
             departure_(a, c) = dx() * d.departure[a];
         }
+        way_[c] = std::hypot(d.free_departure[0] - d.arrival[0], d.free_departure[1] - d.arrival[1]);
     }
 }
 

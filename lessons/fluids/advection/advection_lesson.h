@@ -33,7 +33,7 @@ public:
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return "difference"; }
     ColourBy first_colours() const override { return {"quantity"}; }
-    std::vector<std::string_view> first_plots() const override { return {"profile", "variance_left", "difference"}; }
+    std::vector<std::string_view> first_plots() const override;
     std::vector<std::string_view> key_numbers() const override { return {"turns", "peak", "variance_left"}; }
 
 private:
@@ -81,6 +81,8 @@ private:
     Explanation why_velocity(Index cell, int component) const;
     Explanation why_middle(Index cell, int component) const;
     Explanation why_departure(Index cell, int component) const;
+    Explanation why_way(Index cell) const;
+    Input carrying_speed(Index cell, int component, std::string symbol) const;
     Explanation moved_into_box(Explanation why, Real free, Real place) const;
     Explanation why_interpolated(Index cell) const;
     Explanation why_returned(Index cell) const;
@@ -122,7 +124,7 @@ private:
     Points<2> origin_;
     Eigen::Array<Real, 1, 1> elapsed_ = Eigen::Array<Real, 1, 1>::Zero();
     // What the stages make of it.
-    VecX previous_, returned_, exact_, error_;
+    VecX previous_, returned_, exact_, error_, way_;
     Points<2> centre_velocity_, middle_, departure_;
     Real first_variance_ = 1, first_moment_ = 0;
 };

@@ -76,9 +76,9 @@ void AdvectionLesson::draw_path(Scene& scene) const {
     scene.arrows.push_back({.from = {arrival}, .to = {departure}, .ink = Ink::accent, .width = 3});
     if (d.free_departure != d.departure) scene.points.push_back({.at = {at(d.departure)}, .ink = Ink::force, .radius = 5});
     scene.points.push_back(
-        {.at = {arrival}, .ink = Ink::accent, .radius = 7, .pick = {.pickable = true, .on = On::handle, .first = 0}});
+        {.at = {arrival}, .ink = Ink::accent, .radius = 6, .pick = {.pickable = true, .on = On::handle, .first = 0}});
     if (!scene.show_labels) return;
-    scene.label(arrival, "x", Ink::accent, 12, -12);
+    scene.label(arrival, "x", Ink::accent, -10, 14);
     const Real way = std::hypot(d.free_departure[0] - d.arrival[0], d.free_departure[1] - d.arrival[1]) * dx();
     if (way > 0.06) scene.labels.push_back({.at = departure, .text = "x_d", .ink = Ink::accent, .away_from = arrival});
     if (midpoint && way > 0.14) scene.label(at(d.free_middle), "x_m", Ink::accent, 0, 16);
@@ -101,10 +101,14 @@ void AdvectionLesson::draw_magnifier(Scene& scene) const {
     map.smooth = false;
     map.pick.on = On::cell;
     map.pick.pickable = false;
+    // The quantity as it was when it was read; of another field what the picture shows.
+    const std::vector<float> shown_values = scene.values(*this, On::cell);
+    const bool of_quantity = scene.colour_by.field == "quantity" || shown_values.empty();
     for (Index j = 0; j < across; ++j)
-        for (Index i = 0; i < across; ++i)
-            map.values.push_back(
-                static_cast<float>(previous_[flow::sample_beyond(grid_->cells(), {first[0] + i, first[1] + j}).index]));
+        for (Index i = 0; i < across; ++i) {
+            const Index c = flow::sample_beyond(grid_->cells(), {first[0] + i, first[1] + j}).index;
+            map.values.push_back(of_quantity ? static_cast<float>(previous_[c]) : shown_values[static_cast<std::size_t>(c)]);
+        }
     scene.grids.push_back(std::move(map));
     for (int k = 0; k <= across; ++k) {
         scene.line(shown(k, 0), shown(k, across), Ink::edge, 1);
@@ -118,9 +122,9 @@ void AdvectionLesson::draw_magnifier(Scene& scene) const {
     scene.box(corner, opposite, Ink::accent, 2);
     if (!scene.show_labels) return;
     for (const WeightedSample<2>& s : stencil.samples) {
-        if (std::abs(s.weight) < 5e-4) continue;
+        if (s.weight == 0) continue;
         const Position middle = shown(static_cast<Real>(s.at[0] - first[0]) + 0.5, static_cast<Real>(s.at[1] - first[1]) + 0.5);
-        scene.label(middle, fmt::format("{:.3g}", s.weight), Ink::accent, 0, 9);
+        scene.label(middle, fmt::format("{:.2f}", s.weight), Ink::accent, 0, 9);
         scene.label(middle, fmt::format("q {:.2f}", old.sample(s.at)), Ink::text, 0, -9);
     }
     scene.label(shown(0.5 * across, across), "samples at x_d: q, weight", Ink::text, 0, -14);
@@ -144,7 +148,7 @@ void AdvectionLesson::write_notes(Scene& scene) const {
     if (stencil.samples.size() > 4) sum = "Σ w q of 16 samples";
     scene.notes.push_back(fmt::format("q(x) = {} = {:.3f}", sum, value));
     if (corrected())
-        scene.notes.push_back(fmt::format("corrected by {:+.3f}, within the samples: {:.3f}", correction, quantity_[cell]));
+        scene.notes.push_back(fmt::format("correction {:+.3f}, within the samples: {:.3f}", correction, quantity_[cell]));
 }
 
 }  // namespace pliant::carrying

@@ -11,7 +11,8 @@ namespace {
 
 using Values = std::span<const Real>;
 
-constexpr Real largest_value = 10;  // no scheme makes a value beyond 1
+constexpr Real largest_value = 10;  // no scheme makes a value beyond 1, and no flow is faster in m/s
+constexpr Real longest_way = 1e4;   // cells
 
 Input cell_area(Real dx) { return Input::constant("A", dx * dx, "m²", "area of a cell"); }
 
@@ -54,6 +55,8 @@ void AdvectionLesson::declare_fields() {
     vectors("velocity", "u", "m/s", centre_velocity_, "at cell centres, the mean of the two faces across each axis");
     vectors("middle", "x_m", "m", middle_, "where the fluid that arrives at a cell was half a step ago");
     vectors("departure", "x_d", "m", departure_, "where the fluid that arrives at a cell was one step ago");
+    fields.push_back(scalar_field("way", "d", "cells", On::cell, way_, "length of the path back, in cells"));
+    fields.back().bound = [] { return longest_way; };
     for (int a = 0; a < 2; ++a)
         fields.push_back({.name = flow::face_field(a),
                           .symbol = a == 0 ? "u" : "v",
@@ -84,7 +87,7 @@ void AdvectionLesson::declare_probes() {
          .symbol = "max q",
          .help = "the largest value anywhere. No scheme makes it grow",
          .value = [this] { return quantity_.maxCoeff(); },
-         .exact = [this](Real t) -> std::optional<Real> { return t == 0 ? quantity_.maxCoeff() : 1; },
+         .exact = [](Real) { return 1; },
          .explain = [this] { return why_peak(); }},
         {.name = "lowest",
          .symbol = "min q",
@@ -101,7 +104,10 @@ void AdvectionLesson::declare_probes() {
          .symbol = "V/V₀",
          .help = "Σ q² over what it was at first: as the kinetic energy, if q were a velocity. The flow keeps it; interpolation "
                  "loses it",
-         .value = [this] { return variance(quantity_) / first_variance_; },
+         .value = [this]() -> std::optional<Real> {
+             if (first_variance_ == 0) return std::nullopt;  // a blob that no cell's centre lies in
+             return variance(quantity_) / first_variance_;
+         },
          .exact = [](Real) { return 1; },
          .explain = [this] { return why_variance_left(); }},
         {.name = "loss_per_turn",
@@ -118,7 +124,11 @@ void AdvectionLesson::declare_probes() {
         {.name = "difference",
          .symbol = "E",
          .help = "Σ|q − q_exact| over Σ q_exact: 0 is exact, 2 is a blob in the wrong place",
-         .value = [this] { return error_.lpNorm<1>() / exact_.lpNorm<1>(); },
+         .value = [this]() -> std::optional<Real> {
+             const Real all = exact_.lpNorm<1>();
+             if (all == 0) return std::nullopt;
+             return error_.lpNorm<1>() / all;
+         },
          .exact = [](Real) { return 0; }},
         {.name = "correction",
          .symbol = "max|½(q_old − q̃)|",
@@ -132,7 +142,7 @@ void AdvectionLesson::declare_probes() {
 Real AdvectionLesson::variance(const VecX& q) const { return q.squaredNorm() * dx() * dx(); }
 
 std::optional<Real> AdvectionLesson::loss_per_turn() const {
-    if (time() == 0) return std::nullopt;
+    if (time() == 0 || first_variance_ == 0) return std::nullopt;
     return 1 - std::pow(variance(quantity_) / first_variance_, flow().turn() / time());
 }
 

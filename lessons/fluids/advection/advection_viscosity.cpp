@@ -29,17 +29,19 @@ Real spreading(Real cells) {
 
 Vec<2> AdvectionLesson::exact_centre() const { return flow().before(shape().centre, -time()); }
 
-// About the place where the middle of the blob should be.
+// About the place where the middle of the blob should be; 0 where nothing is left.
 Real AdvectionLesson::second_moment(const VecX& q) const {
     const Vec<2> centre = exact_centre();
+    const Real all = q.sum();
+    if (all == 0) return 0;
     Real sum = 0;
     for (Index c = 0; c < q.size(); ++c) sum += q[c] * shortest(centre_of(c), centre, flow().periodic()).squaredNorm();
-    return sum / q.sum();
+    return sum / all;
 }
 
 // A viscosity ν makes the mean square distance grow by 4 ν t in a plane, by 2 ν t along each axis.
 std::optional<Real> AdvectionLesson::measured_viscosity() const {
-    if (time() == 0 || field == Flow::vortex) return std::nullopt;
+    if (time() == 0 || field == Flow::vortex || quantity_.sum() == 0) return std::nullopt;
     return (second_moment(quantity_) - first_moment_) / (4 * time());
 }
 
@@ -112,9 +114,17 @@ void AdvectionLesson::profile(const VecX& q, Curve& curve) const {
     }
 }
 
+std::vector<std::string_view> AdvectionLesson::first_plots() const {
+    if (field == Flow::translation) return {"profile", "viscosity_of_cfl", "variance_left"};
+    return {"profile", "variance_left", "difference"};
+}
+
 void AdvectionLesson::declare_lines() {
     const auto rival = [this](std::size_t k, std::string_view name) {
-        return CompareCurve{.name = name, .sample = [this, k](Curve& curve) { profile(rival_[k], curve); }};
+        return CompareCurve{.name = name, .sample = [this, k](Curve& curve) {
+                                profile(rival_[k].size() == quantity_.size() && rival_[k] == quantity_ ? VecX() : rival_[k],
+                                        curve);
+                            }};
     };
     lines = {
         {.name = "profile",

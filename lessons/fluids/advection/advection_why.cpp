@@ -79,17 +79,28 @@ Explanation AdvectionLesson::why_middle(Index cell, int component) const {
     return moved_into_box(std::move(why), d.free_middle[a], d.middle[a]);
 }
 
+// The velocity that the whole step is taken with.
+Input AdvectionLesson::carrying_speed(Index cell, int component, std::string symbol) const {
+    if (back_trace == BackTrace::euler) return Input::now(symbol, "velocity", cell, component);
+    const Departure<2> d = advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt());
+    return Input::part(symbol, "m/s", flow::interpolated(symbol, grid_->faces(component), flow::face_field(component), d.middle));
+}
+
+Explanation AdvectionLesson::why_way(Index cell) const {
+    return {"d = √(u_m² + v_m²) Δt / Δx",
+            {carrying_speed(cell, 0, "u_m"), carrying_speed(cell, 1, "v_m"), step(),
+             Input::constant("Δx", dx(), "m", "edge of a cell")},
+            [](Values v) { return std::hypot(v[0], v[1]) * v[2] / v[3]; }};
+}
+
 Explanation AdvectionLesson::why_departure(Index cell, int component) const {
     const Departure<2> d = advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt());
     const std::string x = axis_name(component);
     const auto a = static_cast<std::size_t>(component);
-    Input speed = back_trace == BackTrace::euler
-                      ? Input::now("u_m", "velocity", cell, component)
-                      : Input::part("u_m", "m/s",
-                                    flow::interpolated("u_m", grid_->faces(component), flow::face_field(component), d.middle));
-    Explanation why{fmt::format("{0}_d = {0} − Δt u_m", x),
-                    {Input::constant(x, dx() * d.arrival[a], "m", "centre of the cell"), step(), std::move(speed)},
-                    [](Values v) { return v[0] - v[1] * v[2]; }};
+    Explanation why{
+        fmt::format("{0}_d = {0} − Δt u_m", x),
+        {Input::constant(x, dx() * d.arrival[a], "m", "centre of the cell"), step(), carrying_speed(cell, component, "u_m")},
+        [](Values v) { return v[0] - v[1] * v[2]; }};
     return moved_into_box(std::move(why), d.free_departure[a], d.departure[a]);
 }
 

@@ -11,7 +11,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr Real rotation_rate = 2 * top_speed;  // rad/s: top speed half a metre from the middle
-constexpr Real longest_part = 0.02;            // m of path in one Runge–Kutta step
+constexpr Real longest_part = 0.05;            // m of path in one Runge–Kutta step
 
 constexpr Real slot_width = 1.0 / 3, slot_height = 5.0 / 3;  // of the radius; the slot opens downwards [Zalesak1979]
 
