@@ -38,7 +38,7 @@ std::vector<Golden> goldens() {
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
     PictureOptions medium, large, full;
-    medium.size = "720x405", large.size = "920x518", full.size = "1280x720";
+    medium.size = "720x405", large.size = "920x518", full.size = "960x540";
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
