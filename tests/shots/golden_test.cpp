@@ -38,7 +38,7 @@ std::vector<Golden> goldens() {
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
     PictureOptions medium, large, full;
-    medium.size = "720x405", large.size = "920x518", full.size = "1280x720";
+    medium.size = "720x405", large.size = "920x518", full.size = "960x540";
     PictureOptions bright = large;
     bright.theme = "projector";
     PictureOptions wide;
