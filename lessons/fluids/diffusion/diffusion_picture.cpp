@@ -70,7 +70,7 @@ void DiffusionLesson::draw_exchanges(Scene& scene) const {
     const Real y = (strip_high + 0.022) * length;
     for (Index i = 1; i < lattice_.count[0]; ++i) {
         const Real reach = 0.5 * dx() * std::clamp(5 * (u_[i - 1] - u_[i]) / scale(), Real(-1), Real(1));
-        if (std::abs(reach) < 0.1 * dx()) continue;
+        if (std::abs(reach) < 0.2 * dx()) continue;
         const Real face = static_cast<Real>(i) * dx();
         arrows.from.push_back(position(face - reach, y));
         arrows.to.push_back(position(face + reach, y));
@@ -142,6 +142,7 @@ void DiffusionLesson::write_notes(Scene& scene) const {
 std::string DiffusionLesson::formula_at_cell() const {
     const Index c = selected_cell();
     const auto text = [](Real x) { return as_factor(std::round(x * 1e4) / 1e4 + Real{0}); };
+    const auto plain = [&](Real x) { return fmt::format("{}", std::round(x * 1e4) / 1e4 + Real{0}); };
     VecX sums;
     diffusion_->stencil(u_, sums);
     const int count = 2 * dims();
@@ -151,10 +152,10 @@ std::string DiffusionLesson::formula_at_cell() const {
                            text(beside), count, text(u_[c]), format_quantity(r * dx() * dx() * sums[c], "", 3));
     if (is_explicit())
         return fmt::format("next:  u′ = u + r (Σ − {}u) = {} + {} ({} − {} · {}) = {}", count, text(u_[c]),
-                           format_quantity(r, "", 3), text(beside), count, text(u_[c]), text(u_[c] + r * sums[c]));
+                           format_quantity(r, "", 3), text(beside), count, text(u_[c]), plain(u_[c] + r * sums[c]));
     if (elapsed_[0] == 0) return fmt::format("to solve in every cell:  (1 + {}r) u′ − r Σ′ = u", count);
     return fmt::format("(1 + {}r) u′ − r Σ′ = {} · {} − {} · {} = {},  u was {}", count, format_quantity(1 + count * r, "", 3),
-                       text(u_[c]), format_quantity(r, "", 3), text(beside), text(u_[c] - r * sums[c]), text(previous_[c]));
+                       text(u_[c]), format_quantity(r, "", 3), text(beside), plain(u_[c] - r * sums[c]), plain(previous_[c]));
 }
 
 }  // namespace pliant::diffusion

@@ -180,6 +180,10 @@ void FreeSurface::check() const {
     if (scene == Pouring::wave && depth + std::abs(wave_height) > tank_height * (1 + 1e-12))
         throw Refused("wave_height", wave_height, "m",
                       fmt::format("at most {:.4g} m up or down, so that the wave does not touch the lid", tank_height - depth));
+    if (has_paddle() && condition == SurfaceCondition::closed)
+        throw Refused(
+            "surface_condition = closed cannot be used with scene = paddle: in a mould the liquid could not give way to the "
+            "paddle. Accepted there: at_surface, at_cell_centre");
     if (has_paddle() && paddle_stroke > 0.3 * tank_width)
         throw Refused("paddle_stroke", paddle_stroke, "m",
                       fmt::format("at most {:.4g} m, so that the paddle stays in the left half of the tank", 0.3 * tank_width));
@@ -228,7 +232,7 @@ void FreeSurface::reset() {
     tank.dx = dx();
     elapsed_.setZero();
     tank.types = solids();
-    tank.solid_velocity = [this](const Vec<2>&) { return Vec<2>(paddle_speed(time()), 0); };
+    if (has_paddle()) tank.solid_velocity = [this](const Vec<2>&) { return Vec<2>(paddle_speed(time()), 0); };
     liquid_ = std::make_unique<Liquid<2>>(
         std::move(tank),
         LiquidSettings{.condition = condition, .keep_volume = keep_volume, .projection = {tolerance, most_iterations}});

@@ -87,6 +87,7 @@ private:
     Explanation why_slope(Index cell, int axis, std::string symbol) const;
     Explanation why_front() const;
     Explanation why_height_at_wall() const;
+    Explanation why_offset() const;
 
     // --- what is measured (free_surface_readings.cpp) ---
     struct Crossing {
@@ -96,7 +97,8 @@ private:
     Real crossing_of(Index fluid, Index air) const;  // part of the way between the centres
     Crossing front() const;
     Crossing height_in(Index column) const;
-    Real liquid_speed() const;  // largest in the liquid, m/s
+    Real depth_pressure() const;  // m²/s²
+    Real liquid_speed() const;    // largest in the liquid, m/s
     Real kinetic_energy() const;
     Real potential_energy() const;
     Real wave_frequency() const;  // ω of the linear wave, 1/s

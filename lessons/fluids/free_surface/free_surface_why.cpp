@@ -16,11 +16,6 @@ using flow::face_field;
 
 constexpr std::array<const char*, 4> ways{"left", "right", "below", "above"};
 
-Index beside(const Lattice<2>& cells, Index cell, int way) {
-    const Index n = cells.neighbour(cells.coordinates(cell), way / 2, way % 2 ? 1 : -1);
-    return n >= 0 ? n : cell;
-}
-
 // The mean of the neighbours that were known in an earlier layer.
 Explanation mean_of_neighbours(std::string_view symbol, std::string_view field, const Lattice<2>& lattice,
                                const std::vector<int>& layers, Index sample) {
@@ -112,10 +107,10 @@ Explanation FreeSurface::why_continued(int axis, Index face) const {
 
 // The largest of the three differences over the cell, per length.
 Explanation FreeSurface::why_slope(Index cell, int axis, std::string symbol) const {
-    const Lattice<2>& cells = liquid_->grid().cells();
+    const Counts<2> at = liquid_->grid().cells().coordinates(cell);
     return {fmt::format("{} = max(|φ_high − φ_low| / 2, |φ_high − φ|, |φ − φ_low|) / Δx", symbol),
-            {Input::before("φ_high", "distance", beside(cells, cell, 2 * axis + 1)),
-             Input::before("φ_low", "distance", beside(cells, cell, 2 * axis)), Input::before("φ", "distance", cell),
+            {Input::before("φ_high", "distance", liquid_->surface().beside(at, axis, 1)),
+             Input::before("φ_low", "distance", liquid_->surface().beside(at, axis, -1)), Input::before("φ", "distance", cell),
              why_on_grid().dx()},
             [](Values x) {
                 return std::max({std::abs(x[0] - x[1]) / 2, std::abs(x[0] - x[2]), std::abs(x[2] - x[1])}) / x[3];
@@ -134,13 +129,19 @@ Explanation FreeSurface::why_redistanced(Index cell) const {
     if (surface.distance().minCoeff() >= 0 || surface.distance().maxCoeff() < 0)
         return {"φ′ = φ   (there is no surface)", {before}, [](Values x) { return x[0]; }};
     if (surface.beside_surface(cell))
-        return {"φ′ = φ / √(s_x² + s_y²)   (beside the surface)",
+        return {"φ′ = φ / (1, or √(s_x² + s_y²) where that is not within 0.7 … 1.5)   (beside the surface)",
                 {before, Input::part("s_x", "", why_slope(cell, 0, "s_x")), Input::part("s_y", "", why_slope(cell, 1, "s_y"))},
-                [](Values x) { return x[0] / std::max(std::hypot(x[1], x[2]), Real(1e-6)); }};
+                [](Values x) {
+                    const Real slope = std::sqrt(x[1] * x[1] + x[2] * x[2]);
+                    const bool sound = slope >= LevelSet<2>::flattest && slope <= LevelSet<2>::steepest;
+                    return sound ? x[0] : x[0] / std::max(slope, Real(1e-6));
+                },
+                [](Values x) { return fmt::format("{:.6g} / (1, or √({:.4g}² + {:.4g}²))", x[0], x[1], x[2]); }};
     // The nearer neighbour along each axis.
+    const Counts<2> at = cells.coordinates(cell);
     std::array<Index, 2> nearest;
     for (int a = 0; a < 2; ++a) {
-        const Index low = beside(cells, cell, 2 * a), high = beside(cells, cell, 2 * a + 1);
+        const Index low = surface.beside(at, a, -1), high = surface.beside(at, a, 1);
         nearest[static_cast<std::size_t>(a)] =
             std::abs(surface.distance()[low]) <= std::abs(surface.distance()[high]) ? low : high;
     }
@@ -173,6 +174,13 @@ Explanation FreeSurface::why_front() const {
         return {"x_f = W   (the liquid reaches the right wall)", {Input::of(tank_width)}, [](Values x) { return x[0]; }};
     const Real centre = (static_cast<Real>(at.fluid % resolution) + 0.5) * dx();
     return at_a_crossing("x_f", "centre of the last cell of liquid", centre, at.fluid, at.air, dx());
+}
+
+Explanation FreeSurface::why_offset() const {
+    return {
+        "Δp = p − g max(h_w − ½ Δx, 0)",
+        {Input::now("p", "pressure", 0), Input::of(gravity), Input::part("h_w", "m", why_height_at_wall()), why_on_grid().dx()},
+        [](Values x) { return x[0] - x[1] * std::max(Real(0), x[2] - 0.5 * x[3]); }};
 }
 
 Explanation FreeSurface::why_height_at_wall() const {
