@@ -60,10 +60,8 @@ void NavierStokes::draw_walls(Scene& picture) const {
     side(1, position(0, 0), position(W, 0));
     side(1, position(0, H), position(W, H));
     if (!picture.show_labels) return;
-    if (grid_->periodic(1))
-        picture.label(position(0.5 * W, H), "periodic in x and y", Ink::text, 0, -14);
-    else if (grid_->periodic(0))
-        picture.label(position(0.5 * W, 0), "periodic in x", Ink::text, 0, 14);
+    if (grid_->periodic(0))
+        picture.label(position(0.5 * W, 0), grid_->periodic(1) ? "periodic in x and y" : "periodic in x", Ink::text, 0, 14);
     if (scene().drives.inflow) draw_openings(picture);
 }
 
