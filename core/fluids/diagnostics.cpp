@@ -82,7 +82,7 @@ Real kinetic_energy(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& veloci
 template <int Dim>
 Real max_speed(const FaceField<Dim>& velocity) {
     Real speed = 0;
-    for (const VecX& u : velocity.components) speed = std::max(speed, u.lpNorm<Eigen::Infinity>());
+    for (const VecX& u : velocity.components) speed = std::max(speed, parallel_max_norm(u));
     return speed;
 }
 

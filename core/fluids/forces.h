@@ -1,18 +1,21 @@
 // External forces: the body force per unit mass, scaled by the time step and added to the velocity [Stam1999 §3.1].
 #pragma once
+#include <pliant/fluids/parallel_rows.h>
 #include <pliant/fluids/staggered_grid.h>
+
+#include <algorithm>
 
 namespace pliant {
 
-// velocity += Δt f on the open faces, where f maps a place (metres from the corner of the domain) to an acceleration, m/s². For
-// gravity f is g: a force per unit mass, not ρg, which is one per unit volume.
+// velocity += Δt f on the open faces, where f, which several threads may call at once, maps a place (metres from the corner of
+// the domain) to an acceleration, m/s². For gravity f is g: a force per unit mass, not ρg, which is one per unit volume.
 template <int Dim, class Acceleration>
 void add_force(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, Acceleration&& f) {
     for (int a = 0; a < Dim; ++a) {
         const Lattice<Dim>& faces = grid.faces(a);
         const std::vector<Index>& closed = grid.closed_faces(a);
-        auto next_closed = closed.begin();
-        for_each_row(faces, [&](Index start, const Counts<Dim>& at) {
+        parallel_for_each_row(faces, [&](Index start, const Counts<Dim>& at, int) {
+            auto next_closed = std::lower_bound(closed.begin(), closed.end(), start);
             const GridPlace<Dim> first = faces.place(at);
             Vec<Dim> x;
             for (int b = 0; b < Dim; ++b) x[b] = first[b] * grid.dx();

@@ -57,7 +57,7 @@ void PressureSolve::start_from_last_pressure(const PressureEquation& equation) {
     residual_ -= factor * product_;
 }
 
-void PressureSolve::measure() { scalars_[remaining] = residual_.lpNorm<Eigen::Infinity>() * scalars_[step] / (dx_ * dx_); }
+void PressureSolve::measure() { scalars_[remaining] = parallel_max_norm(residual_) * scalars_[step] / (dx_ * dx_); }
 
 void PressureSolve::iterate(const PressureEquation& equation) {
     if (converged()) return;

@@ -36,19 +36,31 @@ void parallel_parts(Index count, Index work, Body&& body) {
     detail::run_in_threads(parts, run, &task);
 }
 
-// Σ part(first, last) over pieces of [0, count) that depend on count alone, summed in their order.
-template <class Part>
-Real parallel_sum(Index count, Part&& part) {
+// part(first, last) over pieces of [0, count) that depend on count alone, put together in their order: ((start ∘ a) ∘ b) ∘ …
+template <class Part, class Join>
+Real parallel_reduction(Index count, Real start, Part&& part, Join&& join) {
     constexpr Index most_pieces = 256, least_piece = 2048;
     const Index piece = std::max(least_piece, (count + most_pieces - 1) / most_pieces), pieces = (count + piece - 1) / piece;
-    std::array<Real, most_pieces> sums;
+    std::array<Real, most_pieces> found;
     parallel_parts(pieces, piece, [&](Index first, Index last, int) {
         for (Index k = first; k < last; ++k)
-            sums[static_cast<std::size_t>(k)] = part(k * piece, std::min(count, (k + 1) * piece));
+            found[static_cast<std::size_t>(k)] = part(k * piece, std::min(count, (k + 1) * piece));
     });
-    Real sum = 0;
-    for (Index k = 0; k < pieces; ++k) sum += sums[static_cast<std::size_t>(k)];
-    return sum;
+    Real whole = start;
+    for (Index k = 0; k < pieces; ++k) whole = join(whole, found[static_cast<std::size_t>(k)]);
+    return whole;
+}
+
+template <class Part>
+Real parallel_sum(Index count, Part&& part) {
+    return parallel_reduction(count, 0, part, [](Real a, Real b) { return a + b; });
+}
+
+// Largest magnitude.
+template <class Vector>
+Real parallel_max_norm(const Vector& x) {
+    const auto part = [&](Index first, Index last) { return x.segment(first, last - first).cwiseAbs().maxCoeff(); };
+    return parallel_reduction(x.size(), 0, part, [](Real a, Real b) { return std::max(a, b); });
 }
 
 }  // namespace pliant
