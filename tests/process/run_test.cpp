@@ -211,3 +211,21 @@ TEST_CASE("a parameter on the command line wins over the scene file", "[process]
     CHECK(run["parameters"]["poisson_ratio"] == 0.2);
     CHECK(run["parameters"]["resolution"] == 2);
 }
+
+TEST_CASE("the number of threads changes no digit, and none is refused", "[process]") {
+    const Arguments run{"run", "fluids/navier_stokes", "--set", "resolution=160", "--steps", "4", "--json"};
+    const auto probes = [&](const char* threads) {
+        Arguments arguments = run;
+        arguments.insert(arguments.end(), {"--threads", threads});
+        const Outcome outcome = call(arguments);
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return Json::parse(outcome.out)["probes"];
+    };
+    CHECK(probes("1") == probes("3"));
+    Arguments none = run;
+    none.insert(none.end(), {"--threads", "0"});
+    const Outcome outcome = call(none);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.err, "at least 1"));
+}

@@ -1,5 +1,6 @@
 #include "command_line/command_line.h"
 
+#include <pliant/math/parallel.h>
 #include <pliant/lesson/suggest.h>
 
 #include "command_line/options.h"
@@ -18,6 +19,12 @@ constexpr const char* footer =
     "\nWithout a command the lab opens in a window.\n"
     "Exit codes: 0 done, 1 a check failed, 2 bad input refused, 3 the run diverged, 4 this machine lacks something.";
 
+void add_threads(CLI::App& command) {
+    command.add_option_function<int>(
+        "--threads", [](const int& count) { set_threads(count); },
+        "of the fluid solvers, 1 when not given; the results do not depend on it");
+}
+
 void add_scene_options(CLI::App& command, RunOptions& o) {
     command.add_option("lesson", o.lesson, "such as mesh/mass_spring; `pliant list` shows them");
     command.add_option("--set", o.settings, "a parameter, KEY=VALUE; may be given often")->allow_extra_args(false);
@@ -30,6 +37,7 @@ void add_run_options(CLI::App& command, RunOptions& o) {
     command.add_option("--steps", o.steps, "run so many steps");
     command.add_option("--time", o.time, "run so many simulated seconds, to the nearest whole step");
     command.add_flag("--rest", o.rest, "run until nothing changes any more");
+    add_threads(command);
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& o) {
@@ -55,6 +63,7 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
 }
 
 void add_window_options(CLI::App& command, WindowOptions& o) {
+    add_threads(command);
     command.add_option("--size", o.size, "of the window")->capture_default_str();
     command.add_option("--theme", o.theme, "dark or projector; as it was last when not given");
     command.add_option("--ui-scale", o.ui_scale,
