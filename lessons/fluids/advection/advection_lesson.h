@@ -78,12 +78,14 @@ private:
 
     // --- how the numbers came about (advection_why.cpp) ---
     Input step() const;
+    Explanation why_on_face(int axis, Index face) const;
     Explanation why_velocity(Index cell, int component) const;
     Explanation why_middle(Index cell, int component) const;
     Explanation why_departure(Index cell, int component) const;
     Explanation why_way(Index cell) const;
     Input carrying_speed(Index cell, int component, std::string symbol) const;
     Explanation moved_into_box(Explanation why, Real free, Real place) const;
+    Input why_fraction(Index cell, int axis, Index sample) const;
     Explanation why_interpolated(Index cell) const;
     Explanation why_returned(Index cell) const;
     Explanation why_corrected(Index cell) const;
