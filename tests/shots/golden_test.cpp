@@ -49,7 +49,7 @@ std::vector<Golden> goldens() {
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
-        {"advection", {"fluids/advection", {"scheme=mac_cormack", "resolution=32", "cfl=4"}, 2, medium}, "back_trace=euler"},
+        {"advection", {"fluids/advection", {"scheme=mac_cormack", "resolution=32", "cfl=6"}, 1, medium}, "back_trace=euler"},
         {"advection_schemes",
          {"fluids/advection", {"compare=true", "blob=slotted_disc", "radius=0.2", "resolution=48"}, 20, medium},
          "blob=hill"},
