@@ -58,27 +58,39 @@ Real Diffusion<Dim>::magnitude(const VecX& q) const {
 }
 
 template <int Dim>
-Index Diffusion<Dim>::implicit_step(VecX& q, Real r, const DiffusionSettings& settings) {
+void Diffusion<Dim>::begin_implicit(const VecX& q, Real r, const DiffusionSettings& settings) {
     // The smallest eigenvalue of the matrix is at least 1, so that the error is at most the residual.
-    const Real target = settings.tolerance * magnitude(q);
+    target_ = settings.tolerance * magnitude(q);
+    max_iterations_ = settings.max_iterations;
+    r_ = r;
+    iterations_ = 0;
     rate_of_change(q, r, residual_);
     direction_ = residual_;
-    Real square = residual_.squaredNorm();
-    Index iterations = 0;
-    while (std::sqrt(square) > target) {
-        if (iterations == settings.max_iterations) give_up(iterations, std::sqrt(square), target);
-        const Real curvature = laplacian_.apply(direction_, 1, r, product_);
-        zero_held(product_);
-        const Real alpha = square / curvature;
-        q += alpha * direction_;
-        residual_ -= alpha * product_;
-        const Real last = square;
-        square = residual_.squaredNorm();
-        direction_ = residual_ + (square / last) * direction_;
-        ++iterations;
-    }
-    if (!std::isfinite(square)) give_up(iterations, square, target);
-    return iterations;
+    square_ = residual_.squaredNorm();
+    if (!std::isfinite(square_)) give_up(0, square_, target_);
+}
+
+template <int Dim>
+void Diffusion<Dim>::iterate(VecX& q) {
+    if (converged()) return;
+    if (iterations_ == max_iterations_) give_up(iterations_, residual_norm(), target_);
+    const Real curvature = laplacian_.apply(direction_, 1, r_, product_);
+    zero_held(product_);
+    const Real alpha = square_ / curvature;
+    q += alpha * direction_;
+    residual_ -= alpha * product_;
+    const Real last = square_;
+    square_ = residual_.squaredNorm();
+    direction_ = residual_ + (square_ / last) * direction_;
+    ++iterations_;
+    if (!std::isfinite(square_)) give_up(iterations_, square_, target_);
+}
+
+template <int Dim>
+Index Diffusion<Dim>::implicit_step(VecX& q, Real r, const DiffusionSettings& settings) {
+    begin_implicit(q, r, settings);
+    while (!converged()) iterate(q);
+    return iterations_;
 }
 
 template <int Dim>

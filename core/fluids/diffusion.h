@@ -3,6 +3,7 @@
 #include <pliant/fluids/box_laplacian.h>
 #include <pliant/fluids/staggered_grid.h>
 
+#include <cmath>
 #include <optional>
 
 namespace pliant {
@@ -23,6 +24,9 @@ public:
     // Above this diffusion number an explicit step amplifies the checkerboard: 1/(2 Dim).
     static constexpr Real explicit_limit() { return Real(1) / (2 * Dim); }
 
+    // Σ q_neighbour − 2 Dim q_i, which is Δx² ∇²q, one number per sample in the unit of q; 0 at held samples.
+    void stencil(const VecX& q, VecX& out) const { rate_of_change(q, 1, out); }
+
     // q_i += r (Σ q_neighbour − 2 Dim q_i): the explicit stencil, at any r. Beyond explicit_limit() repeated steps explode.
     void explicit_step(VecX& q, Real r);
 
@@ -30,8 +34,18 @@ public:
     // Stable at any r. Throws Diverged, with the residual, at max_iterations.
     Index implicit_step(VecX& q, Real r, const DiffusionSettings& settings = {});
 
+    // The same step, one iteration at a time: begin with the old q, iterate on it until converged. An iteration after that
+    // changes nothing.
+    void begin_implicit(const VecX& q, Real r, const DiffusionSettings& settings = {});
+    void iterate(VecX& q);
+    bool converged() const { return residual_norm() <= target_; }
+    Index iterations() const { return iterations_; }
+
     // What the latest implicit step left of its equation: (old q + wall terms) − A q, in the unit of q; 0 at held samples.
     const VecX& residual() const { return residual_; }
+    // Its 2-norm, and the one that was asked for.
+    Real residual_norm() const { return std::sqrt(square_); }
+    Real target() const { return target_; }
 
 private:
     void zero_held(VecX& values) const;
@@ -42,6 +56,9 @@ private:
     std::vector<Index> held_;
     Real largest_wall_value_ = 0;
     VecX residual_, direction_, product_;
+    // Of the implicit step that was begun last.
+    Real r_ = 0, square_ = 0, target_ = 0;
+    Index iterations_ = 0, max_iterations_ = 0;
 };
 
 // The viscous term ν ∇²u of the Navier-Stokes equations with the walls' conditions: the tangential velocity meets the wall's

@@ -17,22 +17,21 @@ StaggeredGrid<Dim> box_of(const StaggeredGrid<Dim>& grid) {
     return StaggeredGrid<Dim>(info);
 }
 
-// The neighbour along an axis; beyond a wall the sample itself, since the quantity has no gradient there.
-template <int Dim>
-Index beside(const Lattice<Dim>& cells, const std::type_identity_t<Counts<Dim>>& at, int axis, int step) {
-    const Index n = cells.neighbour(at, axis, step);
-    return n >= 0 ? n : cells.index(at);
-}
-
 }  // namespace
 
 template <int Dim>
 LevelSet<Dim>::LevelSet(const StaggeredGrid<Dim>& grid)
     : box_(box_of(grid)),
-      advection_(box_),
+      advection_(box_, {.interpolation = Interpolation::monotone_cubic}),
       distance_(VecX::Zero(grid.cells().size())),
       old_(distance_),
       fixed_(static_cast<std::size_t>(distance_.size())) {}
+
+template <int Dim>
+Index LevelSet<Dim>::beside(const Counts<Dim>& at, int axis, int step) const {
+    const Index n = box_.cells().neighbour(at, axis, step);
+    return n >= 0 && !solid(n) ? n : box_.cells().index(at);
+}
 
 template <int Dim>
 void LevelSet<Dim>::advect(const FaceField<Dim>& velocity, Real dt) {
@@ -62,8 +61,9 @@ void LevelSet<Dim>::redistance() {
     extend_into_solids();
 }
 
-// The distance of the cells that have the surface between themselves and a neighbour is φ over its slope, the largest of the
-// slopes to both sides and across; the others are far until a sweep reaches them.
+// The cells that have the surface between themselves and a neighbour keep φ, or get φ over its slope, for which the largest of
+// the slopes to both sides and across counts; the others are far until a sweep reaches them. Through solids no distance is
+// measured.
 template <int Dim>
 void LevelSet<Dim>::measure_beside_surface() {
     const Lattice<Dim>& cells = box_.cells();
@@ -71,17 +71,24 @@ void LevelSet<Dim>::measure_beside_surface() {
     for (Index c = 0; c < old_.size(); ++c) {
         const Counts<Dim> at = cells.coordinates(c);
         const bool inside = old_[c] < 0;
+        if (solid(c)) {
+            fixed_[c] = 1;
+            distance_[c] = far;
+            continue;
+        }
         bool crossed = false;
         Real square = 0;
         for (int a = 0; a < Dim; ++a) {
-            const Real low = old_[beside(cells, at, a, -1)], high = old_[beside(cells, at, a, 1)];
+            const Real low = old_[beside(at, a, -1)], high = old_[beside(at, a, 1)];
             crossed = crossed || (low < 0) != inside || (high < 0) != inside;
             const Real slope =
                 std::max({std::abs(high - low) / 2, std::abs(high - old_[c]), std::abs(old_[c] - low)}) / box_.dx();
             square += slope * slope;
         }
         fixed_[c] = crossed;
-        distance_[c] = crossed ? old_[c] / std::max(std::sqrt(square), Real(1e-6)) : inside ? -far : far;
+        const Real slope = std::sqrt(square);
+        const bool sound = slope >= flattest && slope <= steepest;
+        distance_[c] = !crossed ? (inside ? -far : far) : sound ? old_[c] : old_[c] / std::max(slope, Real(1e-6));
     }
 }
 
@@ -100,6 +107,12 @@ Real distance_from(std::array<Real, Dim> nearest, Real dx) {
         d = (sum + std::sqrt(std::max(root, Real(0)))) / count;
     }
     return d;
+}
+
+template <int Dim>
+Index row_beside(const Lattice<Dim>& cells, const std::type_identity_t<Counts<Dim>>& at, int axis, int step) {
+    const Index n = cells.neighbour(at, axis, step);
+    return n >= 0 ? n : cells.index(at);
 }
 
 }  // namespace
@@ -125,7 +138,7 @@ bool LevelSet<Dim>::sweep(int direction) {
         std::array<const Real*, 2 * (Dim - 1)> rows_beside;
         for (int a = 1; a < Dim; ++a)
             for (int side = 0; side < 2; ++side)
-                rows_beside[2 * (a - 1) + side] = distance_.data() + beside(cells, at, a, side ? 1 : -1);
+                rows_beside[2 * (a - 1) + side] = distance_.data() + row_beside(cells, at, a, side ? 1 : -1);
         for (Index m = 0; m < n; ++m) {
             const Index i = direction & 1 ? n - 1 - m : m;
             if (fixed[i]) continue;
@@ -197,8 +210,7 @@ Index LevelSet<Dim>::full_cells(std::vector<Crossed>& crossed) const {
         }
         const Counts<Dim> at = cells.coordinates(c);
         Crossed cell{distance_[c], {}};
-        for (int a = 0; a < Dim; ++a)
-            cell.slopes[a] = (distance_[beside(cells, at, a, 1)] - distance_[beside(cells, at, a, -1)]) / 2;
+        for (int a = 0; a < Dim; ++a) cell.slopes[a] = (distance_[beside(at, a, 1)] - distance_[beside(at, a, -1)]) / 2;
         crossed.push_back(cell);
     }
     return full;

@@ -16,19 +16,23 @@ public:
     // One type per cell, or none; what is not solid makes no difference.
     void set_solids(std::vector<CellType> solids) { solids_ = std::move(solids); }
 
-    const VelocitySampler<Dim>& carrier() const { return advection_.flow(); }  // the velocity of the latest advection
+    const StaggeredGrid<Dim>& box() const { return box_; }               // of all cells, without solids
+    const SemiLagrangian<Dim>& advection() const { return advection_; }  // the latest that carried the surface
 
     VecX& distance() { return distance_; }
     const VecX& distance() const { return distance_; }
 
     // Carries the surface along a velocity that is known everywhere, see VelocityExtrapolation, for dt seconds.
     void advect(const FaceField<Dim>& velocity, Real dt);
-    // Makes it a distance again, |∇φ| = 1, by fast sweeping [Zhao2005]; the cells beside the surface keep where it is to second
-    // order [RussoSmereka2000 §3].
-    // Into the solids the surface is continued.
+    // Makes it a distance again, |∇φ| = 1, by fast sweeping [Zhao2005]. The cells beside the surface keep φ, and with it the
+    // place of the surface, while their slope is between flattest and steepest; else it is divided by the slope [RussoSmereka2000
+    // §3]. Into the solids the surface is continued.
     void redistance();
+    static constexpr Real flattest = 0.7, steepest = 1.5;
     // Of the latest redistancing: was the cell beside the surface?
-    bool beside_surface(Index cell) const { return fixed_[cell] != 0; }
+    bool beside_surface(Index cell) const { return fixed_[cell] != 0 && !solid(cell); }
+    // The cell one step (-1 or +1) along an axis; beyond a wall or in a solid the cell itself, since φ has no gradient there.
+    Index beside(const Counts<Dim>& at, int axis, int step) const;
     // In which layer a solid cell got its distance, see Extrapolation; 0 in other cells.
     int layer(Index cell) const { return solids_.empty() ? 0 : extrapolation_.layers()[cell]; }
     bool solid(Index cell) const { return !solids_.empty() && solids_[cell] == CellType::solid; }

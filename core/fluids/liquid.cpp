@@ -102,7 +102,7 @@ void Liquid<Dim>::redistance() {
 
 template <int Dim>
 Real Liquid<Dim>::restore_volume() {
-    return settings_.keep_volume ? surface_.shift_to_volume(kept_volume_) : 0;
+    return surface_.shift_to_volume(kept_volume_);
 }
 
 template <int Dim>
@@ -115,7 +115,7 @@ Index Liquid<Dim>::step(const Vec<Dim>& acceleration, Real dt) {
     continue_velocity();
     advect_surface(dt);
     redistance();
-    restore_volume();
+    if (settings_.keep_volume) restore_volume();
     classify();
     return projection_.iterations();
 }

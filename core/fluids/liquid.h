@@ -17,7 +17,7 @@ enum class SurfaceCondition {
 
 struct LiquidSettings {
     SurfaceCondition condition = SurfaceCondition::at_surface;
-    bool keep_volume = true;  // shifts the surface after each step so that the volume stays that of the start
+    bool keep_volume = true;  // step() shifts the surface so that the volume stays that of the start
     ProjectionSettings projection{};
 };
 
@@ -47,7 +47,7 @@ public:
     void continue_velocity();
     void advect_surface(Real dt);
     void redistance();
-    // Returns the way by which the surface was shifted, m.
+    // Shifts the surface so that the volume is kept_volume(). Returns the way of the shift, m.
     Real restore_volume();
     // All of these. Returns the passes of the pressure solver.
     Index step(const Vec<Dim>& acceleration, Real dt);
@@ -60,7 +60,7 @@ public:
     const SurfaceFractions<Dim>& fractions() const { return fractions_; }
     const LevelSet<Dim>& surface() const { return surface_; }
     const VelocityExtrapolation<Dim>& extrapolation() const { return extrapolation_; }
-    const VelocitySampler<Dim>& carrier() const { return advection_.flow(); }  // the velocity that carried the latest advection
+    const SemiLagrangian<Dim>& advection() const { return advection_; }  // the latest that carried the velocity
 
     Real volume() const { return surface_.volume(); }  // m^Dim
     // The volume that is kept: that of the start, until it is set.

@@ -90,8 +90,9 @@ Answer unanswered(const Lesson& lesson, const AskedNumber& q, When now) {
 }
 
 void find_value(Asking& asking, const Lesson& lesson, Answer& root) {
-    // Inside a step a field may still be what the step before left.
-    if (root.when.step > 0 && !asking.has_writer(root)) {
+    // Inside a step a field may still be what the step before left. A probe that follows from fields is what they make of it now.
+    const bool follows = root.of_probe && probe_of(lesson, root.field).explain;
+    if (root.when.step > 0 && !follows && !asking.has_writer(root)) {
         const auto& before = asking.executions(root.when.step - 1);
         if (!before.empty()) root.when = {root.when.step - 1, before.back().end};
     }

@@ -119,3 +119,24 @@ TEST_CASE("navier_stokes: the lamp of the order offers what mends it") {
         CHECK(lamp_holds(runner));
     }
 }
+
+TEST_CASE("navier_stokes: before and after of every stage are kept, of the velocity and of the smoke") {
+    Runner runner = start({{"scene", "smoke"}, {"resolution", "16"}, {"viscosity", "0.01"}});
+    for (int k = 0; k < 3; ++k) runner.step();
+    StepTrace trace;
+    runner.trace_to(&trace);
+    runner.step();
+    const Lesson& lesson = runner.lesson();
+    REQUIRE(runner.stages().size() == 5);
+    for (const Stage* stage : runner.stages())
+        for (const char* name : {"u_on_faces", "v_on_faces", "smoke"}) {
+            INFO(stage->name << " " << name);
+            const auto before = trace.before(lesson, *stage, name), after = trace.after(lesson, *stage, name);
+            REQUIRE(before.size() == lesson.field(name).view().size());
+            REQUIRE(after.size() == before.size());
+            const bool carries = stage->name == "smoke", lifts = stage->name == "external_forces";
+            const bool changed = carries == (std::string(name) == "smoke") && !(lifts && name[0] == 'u');
+            CHECK(std::equal(before.begin(), before.end(), after.begin()) == !changed);
+        }
+    runner.trace_to(nullptr);
+}

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -54,10 +55,16 @@ inline void check_stage(Runner& runner, const Stage& stage, const std::string& w
     }
 }
 
-// The probes that say how they came about.
+// The probes that say how they came about: of the number that is read now.
 inline void check_probes(Runner& runner, const std::string& where) {
-    for (const Probe& probe : runner.lesson().probes)
-        if (probe.explain && probe.value()) check_answer(why(runner, "probe:" + std::string(probe.name), 0, -1, 1), where);
+    for (const Probe& probe : runner.lesson().probes) {
+        const std::optional<Real> value = probe.value();
+        if (!probe.explain || !value) continue;
+        const Answer a = why(runner, "probe:" + std::string(probe.name), 0, -1, 1);
+        INFO(where << ": " << probe.name);
+        CHECK(a.value == *value);
+        check_answer(a, where);
+    }
 }
 
 // every: of the passes of a long inner loop, each so many-th is looked at.

@@ -84,6 +84,8 @@ TEST_CASE("the same scene in other units gives the same numbers", "[process]") {
     for (const double factor : {1e2, 1e-2}) {
         check_same_in_other_units({"mesh/mass_spring", {"scene=hang"}, "60", 's', factor});
         // The stirrer and the vortices have a time of their own.
-        check_same_in_other_units({"fluids/navier_stokes", {"scene=cavity", "resolution=24"}, "8", 's', factor});
+        for (const char* scene : {"scene=cavity", "scene=couette", "scene=karman", "scene=smoke"})
+            for (const char base : {'m', 's'})
+                check_same_in_other_units({"fluids/navier_stokes", {scene, "resolution=24"}, "8", base, factor});
     }
 }

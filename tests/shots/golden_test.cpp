@@ -37,8 +37,12 @@ std::vector<Golden> goldens() {
     projector.theme = "projector";
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
-    PictureOptions medium, large;
-    medium.size = "720x405", large.size = "920x518";
+    PictureOptions medium, large, full;
+    medium.size = "720x405", large.size = "920x518", full.size = "960x540";
+    PictureOptions bright = large;
+    bright.theme = "projector";
+    PictureOptions wide;
+    wide.size = "1120x630";
     return {
         {"deformation_gradient", {"elasticity/deformation_gradient", {}, {}, medium}, "bend_curvature=0.9"},
         {"strain_measures", {"elasticity/strain_measures", {"turn=30"}, {}, large}, "F12=0.8"},
@@ -53,7 +57,29 @@ std::vector<Golden> goldens() {
         {"advection_schemes",
          {"fluids/advection", {"compare=true", "blob=slotted_disc", "radius=0.2", "resolution=48"}, 20, medium},
          "blob=hill"},
+        {"diffusion_row", {"fluids/diffusion", {}, 10, wide}, "diffusion_number=0.4"},
+        {"diffusion_square",
+         {"fluids/diffusion", {"dimension=2", "start=random", "resolution=16", "boundary=insulated", "cell_x=0"}, 5, wide},
+         "seed=2"},
         {"navier_stokes", {"fluids/navier_stokes", {"resolution=32"}, 40, small}, "viscosity=0.002"},
+        {"navier_stokes_cavity",
+         {"fluids/navier_stokes", {"scene=cavity", "resolution=32", "aspect=0.6"}, 60, medium},
+         "aspect=1"},
+        {"navier_stokes_taylor_green",
+         {"fluids/navier_stokes", {"scene=taylor_green", "resolution=32"}, 20, small},
+         "resolution=8"},
+        {"navier_stokes_poiseuille",
+         {"fluids/navier_stokes", {"scene=poiseuille", "resolution=24", "viscosity=0.1", "body_force=0.8"}, 60, bright},
+         "viscosity=0.001"},
+        {"navier_stokes_couette",
+         {"fluids/navier_stokes", {"scene=couette", "resolution=24", "viscosity=0.1"}, 20, large},
+         "viscosity=0.005"},
+        {"navier_stokes_karman", {"fluids/navier_stokes", {"scene=karman", "resolution=48"}, 300, medium}, "reynolds=40"},
+        {"navier_stokes_smoke", {"fluids/navier_stokes", {"scene=smoke", "resolution=32"}, 80, bright}, "buoyancy=1"},
+        {"projection", {"fluids/projection", {"resolution=16"}, {}, full}, "field=jet"},
+        {"projection_collocated",
+         {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, full},
+         "grid=staggered"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }

@@ -156,6 +156,84 @@ TEST_CASE("a channel starts up as the series solution says", "[fluids][diffusion
     CHECK(errors(64, 2560, true) < 2e-4);
 }
 
+TEST_CASE("a lattice of one row has the stencil of one dimension", "[fluids][diffusion]") {
+    Lattice<2> row = periodic_lattice<2>({7, 1});
+    const auto stencil_of = [&](const VecX& q) {
+        VecX out;
+        Diffusion<2>(row).stencil(q, out);
+        return out;
+    };
+    const VecX q = VecX::LinSpaced(7, 0, 6).array().square();
+    VecX expected = VecX::Constant(7, 2);
+    expected[0] = 1 + 36, expected[6] = 25 - 72;
+    CHECK(stencil_of(q) == expected);
+    row.sides[0] = {LatticeSide{}, LatticeSide{}};
+    expected[0] = 1, expected[6] = 25 - 36;
+    CHECK(stencil_of(q) == expected);
+    row.sides[0] = {LatticeSide{Beyond::wall_value, 3}, LatticeSide{Beyond::wall_value, -1}};
+    expected[0] = 1 + 6, expected[6] = 25 - 72 - 2 - 36;
+    CHECK(stencil_of(q) == expected);
+    // Its checkerboard grows beyond r = 1/2.
+    row = periodic_lattice<2>({8, 1});
+    for (const auto& [r, factor] : {std::pair{0.25, 0.0}, {0.5, -1.0}, {0.52, -1.08}}) {
+        const VecX board = mode<2>(row, {4, 0});
+        VecX after = board;
+        Diffusion<2>(row).explicit_step(after, r);
+        CHECK((after - factor * board).lpNorm<Eigen::Infinity>() < 1e-13);
+    }
+}
+
+TEST_CASE("implicit diffusion by single iterations is the same step", "[fluids][diffusion]") {
+    const Lattice<2> lattice = periodic_lattice<2>({16, 12});
+    std::srand(4);
+    const VecX before = VecX::Random(lattice.size());
+    Diffusion<2> whole(lattice), stepped(lattice);
+    VecX a = before, b = before;
+    const Index iterations = whole.implicit_step(a, 3);
+    stepped.begin_implicit(b, 3);
+    Real last = stepped.residual_norm();
+    while (!stepped.converged()) {
+        stepped.iterate(b);
+        // The residual is what is left of the equation.
+        VecX sums;
+        stepped.stencil(b, sums);
+        CHECK((before - b + 3 * sums - stepped.residual()).lpNorm<Eigen::Infinity>() < 1e-13);
+        last = stepped.residual_norm();
+    }
+    CHECK(stepped.iterations() == iterations);
+    CHECK(a == b);
+    CHECK(last <= stepped.target());
+    stepped.iterate(b);
+    CHECK(a == b);
+    // A uniform quantity needs no iteration.
+    VecX even = VecX::Ones(lattice.size());
+    stepped.begin_implicit(even, 3);
+    CHECK(stepped.converged());
+    stepped.iterate(even);
+    CHECK(even == VecX::Ones(lattice.size()));
+}
+
+TEST_CASE("a driven channel is a parabola but for the constant of its linear walls", "[fluids][diffusion]") {
+    // G = 2 m/s², H = 1 m, ν = 0.1 m²/s: u = G y (H − y)/(2ν), and the reflected value half a cell beyond a wall adds G Δx²/(8ν).
+    const Real G = 2, nu = 0.1;
+    for (const Index n : {8, 16, 32}) {
+        Lattice<2> row;
+        row.count = {n, 1};
+        row.sides[0] = {LatticeSide{Beyond::wall_value, 0}, LatticeSide{Beyond::wall_value, 0}};
+        Diffusion<2> diffusion(row);
+        const Real dx = 1 / static_cast<Real>(n), dt = 1e3;
+        VecX u = VecX::Zero(n);
+        for (int step = 0; step < 20; ++step) {
+            u.array() += G * dt;
+            diffusion.implicit_step(u, nu * dt / (dx * dx), {1e-14, 1000});
+        }
+        for (Index i = 0; i < n; ++i) {
+            const Real y = (static_cast<Real>(i) + 0.5) * dx;
+            CHECK_THAT(u[i] - G * y * (1 - y) / (2 * nu), WithinAbs(G * dx * dx / (8 * nu), 1e-8));
+        }
+    }
+}
+
 TEST_CASE("viscosity refuses what is unstable and costs nothing at zero", "[fluids][diffusion]") {
     const StaggeredGrid<2> grid = channel(10, 1);
     Viscosity<2> viscosity(grid);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pliant::viewer {
 namespace {
@@ -80,7 +81,8 @@ bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, floa
     return pressed;
 }
 
-// The name with its milliseconds, then the formula on up to two lines; the tooltip has it whole.
+// The name with its milliseconds, where there is room for both, then as many whole lines of the formula as fit; the tooltip has
+// it whole.
 void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
     const Runner& runner = lab.session.runner();
     const bool done_last = runner.last_stage() == i;
@@ -94,18 +96,23 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
 
     draw->PushClipRect(at, {at.x + width, at.y + height}, true);
     const float pad = lab.px(6);
-    const std::string ms = cost.runs ? format_quantity(cost.last_ms / 1000, "s", 3) : "";
-    ImGui::PushFont(lab.fonts.small);
-    const float ms_width = ImGui::CalcTextSize(ms.c_str()).x;
-    ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
-    ImGui::TextDisabled("%s", ms.c_str());
-    const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
-    draw->AddText(lab.fonts.small, lab.fonts.small->FontSize, formula, ImGui::GetColorU32(ImGuiCol_Text), stage.formula.data(),
-                  stage.formula.data() + stage.formula.size(), width - 2 * pad);
-    ImGui::PopFont();
     std::string name = fmt::format("{} {}", i + 1, words(stage.name));
     if (next && runner.passes_in_stage() > 0) name += fmt::format(" · pass {}", runner.passes_in_stage());
     const float dot = ImGui::GetTextLineHeight() * 0.5f;
+    std::string ms = cost.runs ? format_quantity(cost.last_ms / 1000, "s", 3) : "";
+    ImGui::PushFont(lab.fonts.small);
+    const auto wide = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    if (wide(name) + wide(ms) > width - 4 * pad - dot) ms.clear();
+    const float ms_width = ms.empty() ? -pad : wide(ms);
+    ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
+    ImGui::TextDisabled("%s", ms.c_str());
+    const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
+    const float line_height = ImGui::GetTextLineHeight(), lines = std::floor((at.y + height - formula.y) / line_height);
+    draw->PushClipRect(formula, {at.x + width, formula.y + lines * line_height}, true);
+    draw->AddText(lab.fonts.small, lab.fonts.small->FontSize, formula, ImGui::GetColorU32(ImGuiCol_Text), stage.formula.data(),
+                  stage.formula.data() + stage.formula.size(), width - 2 * pad);
+    draw->PopClipRect();
+    ImGui::PopFont();
     ImGui::SetCursorScreenPos({at.x + 2 * pad + dot, at.y + pad * 0.4f});
     const float room = width - ms_width - 4 * pad - dot;
     ImGui::PushFont(ImGui::CalcTextSize(name.c_str()).x <= room ? lab.fonts.normal : lab.fonts.small);

@@ -10,7 +10,7 @@ struct SampleBeyond {
     Real factor = 1, offset = 0;
 };
 
-// at: coordinates of the sample; one step below 0 and up to two steps beyond the last are allowed, as for interpolation.
+// at: coordinates of the sample; up to two steps beyond either end, or three beyond the last, as interpolation takes them.
 SampleBeyond sample_beyond(const Lattice<2>& lattice, Counts<2> at);
 
 }  // namespace pliant::flow

@@ -1,6 +1,8 @@
 // Divergence, pressure and projection; and the quantities that are defined by the velocity.
 #include "grid_why.h"
 
+#include <pliant/fluids/level_set.h>
+
 #include <array>
 #include <cmath>
 
@@ -18,10 +20,18 @@ std::string sum_of_symbols(const std::vector<Input>& inputs) {
     return sum;
 }
 
+Real sum_of(Values x, std::size_t first, std::size_t count) {
+    Real sum = 0;
+    for (std::size_t k = first; k < first + count; ++k) sum += x[k];
+    return sum;
+}
+
+constexpr std::array<const char*, 4> ways{"left", "right", "below", "above"};
+
 }  // namespace
 
 Explanation GridWhy::divergence(Index cell, Input::From from) const {
-    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (a solid cell)", 0);
+    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (no liquid in the cell)", 0);
     const Counts<2> at = grid_.cells().coordinates(cell);
     Explanation why{"∇·u = (u_right − u_left + v_above − v_below) / Δx", {}, {}};
     const std::array<const char*, 4> names{"u_left", "u_right", "v_below", "v_above"};
@@ -38,62 +48,86 @@ Explanation GridWhy::divergence(Index cell, Input::From from) const {
     return why;
 }
 
-// The pressures of the fluid beside a cell, by the way to them.
-std::vector<Input> GridWhy::pressures_beside(Index cell) const {
-    std::vector<Input> beside;
-    const std::array<const char*, 4> names{"p_left", "p_right", "p_below", "p_above"};
-    for (int k = 0; k < 4; ++k) {
-        const Index n = grid_.cells().neighbour(grid_.cells().coordinates(cell), k / 2, k % 2 ? 1 : -1);
-        if (n >= 0 && n != cell && grid_.is_fluid(n))
-            beside.push_back(Input::now(names[static_cast<std::size_t>(k)], "pressure", n));
-    }
-    return beside;
+// θ: where the surface crosses the way from a cell of fluid to one of air.
+Explanation GridWhy::part_of_way(Index fluid, Index air) const {
+    if (!surface_.exact) return fixed_value("θ = 1   (p = 0 in the middle of the cell of air)", 1);
+    return {"θ = max(φ_f / (φ_f − φ_a), 0.01)",
+            {Input::now("φ_f", "distance", fluid), Input::now("φ_a", "distance", air)},
+            [](Values x) { return surface_crossing(x[0], x[1]); }};
 }
 
+GridWhy::Row GridWhy::row_of(Index cell) const {
+    Row row;
+    for (int k = 0; k < 4; ++k) {
+        const Index n = grid_.cells().neighbour(grid_.cells().coordinates(cell), k / 2, k % 2 ? 1 : -1);
+        if (n < 0 || n == cell) continue;
+        const char* way = ways[static_cast<std::size_t>(k)];
+        if (grid_.is_fluid(n)) row.pressures.push_back(Input::now(fmt::format("p_{}", way), "pressure", n));
+        if (grid_.type(n) == CellType::air) {
+            const std::string symbol = fmt::format("w_{}", way);
+            row.weights.push_back(Input::part(
+                symbol, "",
+                {symbol + " = 1 / θ", {Input::part("θ", "", part_of_way(cell, n))}, [](Values x) { return 1 / x[0]; }}));
+        }
+    }
+    return row;
+}
+
+std::string GridWhy::Row::diagonal() const {
+    if (weights.empty()) return std::to_string(pressures.size());
+    return fmt::format("({} + {})", pressures.size(), sum_of_symbols(weights));
+}
+
+std::string GridWhy::Row::sum() const { return pressures.empty() ? "0" : sum_of_symbols(pressures); }
+
 Explanation GridWhy::pressure(Index cell) const {
-    if (!grid_.is_fluid(cell)) return fixed_value("p = 0   (a solid cell)", 0);
-    std::vector<Input> inputs = pressures_beside(cell);
-    const std::size_t n = inputs.size();
-    if (n == 0)
-        return {
-            "p = 0   (the cell has no neighbour)", {}, [](Values) { return Real{0}; }, [](Values) { return std::string("0"); }};
-    std::string formula = fmt::format("p = ({} − Δx² (d̃ − d) / Δt) / {}", sum_of_symbols(inputs), n);
+    if (!grid_.is_fluid(cell)) return fixed_value("p = 0   (no liquid in the cell)", 0);
+    Row row = row_of(cell);
+    const std::size_t n = row.pressures.size(), m = row.weights.size();
+    if (n + m == 0) return fixed_value("p = 0   (the cell has no neighbour)", 0);
+    std::string formula = fmt::format("p = ({} − Δx² (d̃ − d) / Δt) / {}", row.sum(), row.diagonal());
+    std::vector<Input> inputs = std::move(row.pressures);
+    for (Input& in : row.weights) inputs.push_back(std::move(in));
     for (Input& in :
          std::vector<Input>{dx(), Input::now("d̃", "divergence_before", cell), Input::now("d", "divergence_after", cell), dt_})
-        inputs.push_back(in);
-    return {std::move(formula), std::move(inputs), [n](Values x) {
-                Real sum = 0;
-                for (std::size_t k = 0; k < n; ++k) sum += x[k];
-                return (sum - x[n] * x[n] * (x[n + 1] - x[n + 2]) / x[n + 3]) / static_cast<Real>(n);
+        inputs.push_back(std::move(in));
+    return {std::move(formula), std::move(inputs), [n, m](Values x) {
+                const Values rest = x.subspan(n + m);
+                return (sum_of(x, 0, n) - rest[0] * rest[0] * (rest[1] - rest[2]) / rest[3]) /
+                       (static_cast<Real>(n) + sum_of(x, n, m));
             }};
 }
 
 Explanation GridWhy::remaining_divergence(Index cell) const {
-    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (a solid cell)", 0);
-    std::vector<Input> inputs = pressures_beside(cell);
-    const std::size_t n = inputs.size();
-    std::string formula = n ? fmt::format("∇·u = d̃ − Δt ({} − {} p) / Δx²", sum_of_symbols(inputs), n) : "∇·u = d̃";
-    if (n) {
-        inputs.push_back(Input::now("p", "pressure", cell));
-        inputs.push_back(dt_);
-        inputs.push_back(dx());
-    }
-    inputs.push_back(Input::now("d̃", "divergence_before", cell));
-    return {std::move(formula), std::move(inputs), [n](Values x) {
-                if (n == 0) return x[0];
-                Real sum = 0;
-                for (std::size_t k = 0; k < n; ++k) sum += x[k];
-                return x[n + 3] - x[n + 1] * (sum - static_cast<Real>(n) * x[n]) / (x[n + 2] * x[n + 2]);
+    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (no liquid in the cell)", 0);
+    Row row = row_of(cell);
+    const std::size_t n = row.pressures.size(), m = row.weights.size();
+    const Input before = Input::now("d̃", "divergence_before", cell);
+    if (n + m == 0) return {"∇·u = d̃", {before}, [](Values x) { return x[0]; }};
+    std::string formula = fmt::format("∇·u = d̃ − Δt ({} − {} p) / Δx²", row.sum(), row.diagonal());
+    std::vector<Input> inputs = std::move(row.pressures);
+    for (Input& in : row.weights) inputs.push_back(std::move(in));
+    for (Input& in : std::vector<Input>{Input::now("p", "pressure", cell), dt_, dx(), before}) inputs.push_back(std::move(in));
+    return {std::move(formula), std::move(inputs), [n, m](Values x) {
+                const Values rest = x.subspan(n + m);
+                const Real flux = sum_of(x, 0, n) - (static_cast<Real>(n) + sum_of(x, n, m)) * rest[0];
+                return rest[3] - rest[1] * flux / (rest[2] * rest[2]);
             }};
 }
 
 Explanation GridWhy::projected(int axis, Index face) const {
     if (closed(axis, face)) return kept_by_wall(axis, face);
-    return {"u′ = ũ − Δt (p_high − p_low) / Δx",
-            {sample("ũ", From::before, face_field(axis), face), dt_,
-             Input::now("p_high", "pressure", grid_.cell_beside(axis, face, 1)),
-             Input::now("p_low", "pressure", grid_.cell_beside(axis, face, 0)), dx()},
-            [](Values x) { return x[0] - x[1] * (x[2] - x[3]) / x[4]; }};
+    const Index high = grid_.cell_beside(axis, face, 1), low = grid_.cell_beside(axis, face, 0);
+    const bool at_surface = !grid_.is_fluid(high) || !grid_.is_fluid(low);
+    std::vector<Input> inputs{sample("ũ", Input::From::before, face_field(axis), face), dt_,
+                              Input::now("p_high", "pressure", high), Input::now("p_low", "pressure", low), dx()};
+    if (!at_surface)
+        return {"u′ = ũ − Δt (p_high − p_low) / Δx", std::move(inputs),
+                [](Values x) { return x[0] - x[1] * (x[2] - x[3]) / x[4]; }};
+    const bool wet_above = grid_.is_fluid(high);
+    inputs.push_back(Input::part("θ", "", part_of_way(wet_above ? high : low, wet_above ? low : high)));
+    return {"u′ = ũ − Δt (p_high − p_low) / (θ Δx)", std::move(inputs),
+            [](Values x) { return x[0] - x[1] * (x[2] - x[3]) / (x[5] * x[4]); }};
 }
 
 Explanation GridWhy::cell_velocity(Index cell, int component) const {

@@ -28,7 +28,8 @@ void draw_field(Scene& scene, const Lesson& lesson, const StaggeredGrid<2>& grid
     scene.grids.push_back(std::move(map));
 }
 
-void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySampler<2>& flow, Real speed, Index most) {
+void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySampler<2>& flow, Real speed, Index most,
+                   const std::function<bool(const Vec<2>&)>& shown) {
     const Counts<2>& cells = grid.cell_counts();
     const Real dx = grid.dx(), longer = static_cast<Real>(std::max(cells[0], cells[1]));
     const Real apart = std::max(Real(1), longer / static_cast<Real>(most)) * dx, scale = apart / speed;
@@ -41,6 +42,7 @@ void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySam
         for (Index i = 0; i < count[0]; ++i) {
             const Vec<2> x{(static_cast<Real>(i) + 0.5) / static_cast<Real>(count[0]) * static_cast<Real>(cells[0]) * dx,
                            (static_cast<Real>(j) + 0.5) / static_cast<Real>(count[1]) * static_cast<Real>(cells[1]) * dx};
+            if (shown && !shown(x)) continue;
             const GridPlace<2> u = flow.at({x[0] / dx, x[1] / dx});
             Vec<2> arrow = scale * Vec<2>(u[0], u[1]);
             const Real length = arrow.norm();

@@ -10,7 +10,8 @@ namespace pliant::flow {
 void draw_field(Scene& scene, const Lesson& lesson, const StaggeredGrid<2>& grid);
 
 // The velocity as arrows on evenly spaced places, at most `most` along the longer side. speed: m/s of an arrow that is as long as
-// the arrows are apart.
-void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySampler<2>& flow, Real speed, Index most = 18);
+// the arrows are apart. Places that `shown`, if given, turns down stay empty.
+void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySampler<2>& flow, Real speed, Index most = 18,
+                   const std::function<bool(const Vec<2>&)>& shown = {});
 
 }  // namespace pliant::flow

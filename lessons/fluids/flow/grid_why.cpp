@@ -69,66 +69,6 @@ bool GridWhy::closed(int axis, Index face) const {
 
 Input GridWhy::dx() const { return Input::constant("Δx", grid_.dx(), "m", "edge of a cell"); }
 
-// Where the particle that arrives at a face was one step ago, along one axis, in cells: x − Δt/Δx u(x − ½ Δt/Δx u(x)).
-Explanation GridWhy::departure_along(int axis, const GridPlace<2>& arrival, const GridPlace<2>& middle, bool inside,
-                                     Real departure) const {
-    const std::string x = axis == 0 ? "x" : "y";
-    if (!inside)
-        return {
-            fmt::format("{}_d = edge   (the path leaves the domain: its nearest point, or the other side of a periodic one)", x),
-            {Input::constant("edge", departure, "cells", "place in the domain")},
-            [](Values v) { return v[0]; }};
-    return {fmt::format("{0}_d = {0} − Δt u_m / Δx", x),
-            {Input::constant(x, arrival[axis], "cells", "place that it comes to, from the corner of the domain"), dt_,
-             Input::part("u_m", "m/s", interpolated("u_m", grid_.faces(axis), face_field(axis), middle)), dx()},
-            [](Values v) { return v[0] - v[1] * v[2] / v[3]; }};
-}
-
-Explanation GridWhy::advected(const VelocitySampler<2>& flow, Real dt, int axis, Index face) const {
-    if (closed(axis, face)) return kept_by_wall(axis, face);
-    return arrived(flow, dt, grid_.faces(axis), face_field(axis), face, "u");
-}
-
-Explanation GridWhy::carried(const VelocitySampler<2>& flow, Real dt, std::string_view field, Index cell) const {
-    return arrived(flow, dt, grid_.cells(), field, cell, "q");
-}
-
-// What a particle brings that is at a sample now.
-Explanation GridWhy::arrived(const VelocitySampler<2>& flow, Real dt, const Lattice<2>& lattice, std::string_view field,
-                             Index index, std::string_view symbol) const {
-    const GridPlace<2> x = lattice.place(lattice.coordinates(index));
-    const Real cells_per_speed = dt / grid_.dx();
-
-    // The same path as the stage's: the velocity at the sample, half a step back, the velocity there, a whole step back.
-    const auto back = [&](const GridPlace<2>& speed, Real step) {
-        return GridPlace<2>{x[0] - step * speed[0], x[1] - step * speed[1]};
-    };
-    const GridPlace<2> middle = flow.confined(back(flow.at(x), 0.5 * cells_per_speed));
-    const GridPlace<2> free_end = back(flow.at(middle), cells_per_speed);
-    const GridPlace<2> departure = flow.confined(free_end);
-
-    const Surrounding in = surrounding(lattice, departure);
-    Explanation why{fmt::format("{0}′ = (1 − s) (1 − t) {0}₁ + s (1 − t) {0}₂ + (1 − s) t {0}₃ + s t {0}₄", symbol), {}, {}};
-    for (int a = 0; a < 2; ++a) {
-        const std::string part = a == 0 ? "s" : "t", place = a == 0 ? "x_d" : "y_d";
-        const bool inside = departure[a] == free_end[a];
-        why.inputs.push_back(Input::part(
-            part, "",
-            {fmt::format("{} = {} − x₁", part, place),
-             {Input::part(place, "cells", departure_along(a, x, middle, inside, departure[a])),
-              Input::constant("x₁", departure[a] - in.fraction[a], "cells", "place of the sample below or to the left")},
-             [](Values v) { return v[0] - v[1]; }}));
-    }
-    for (Index k = 0; k < 4; ++k)
-        why.inputs.push_back(sample(fmt::format("{}{}", symbol, std::array{"₁", "₂", "₃", "₄"}[static_cast<std::size_t>(k)]),
-                                    From::before, field, sample_beyond(lattice, {in.corner[0] + k % 2, in.corner[1] + k / 2})));
-    why.evaluate = [](Values v) {
-        const Real s = v[0], t = v[1];
-        return (1 - s) * (1 - t) * v[2] + s * (1 - t) * v[3] + (1 - s) * t * v[4] + s * t * v[5];
-    };
-    return why;
-}
-
 Input GridWhy::diffusion_number(Input viscosity) const {
     return Input::part(
         "r", "", {"r = ν Δt / Δx²", {std::move(viscosity), dt_, dx()}, [](Values x) { return x[0] * x[1] / (x[2] * x[2]); }});

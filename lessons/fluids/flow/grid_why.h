@@ -34,19 +34,19 @@ Surrounding surrounding(const Lattice<2>& lattice, const GridPlace<2>& place);
 // left = Σ w q_k over the four samples around a place in a field before the stage.
 Explanation interpolated(const std::string& left, const Lattice<2>& lattice, std::string_view field, const GridPlace<2>& place);
 
+// A free surface: its signed distance, the field `distance`, and whether p = 0 lies on it or in the middle of the cells of air.
+struct Surface {
+    const VecX* distance = nullptr;  // m, per cell; none: no surface
+    bool exact = true;
+};
+
 class GridWhy {
 public:
     // Keeps a reference to the grid. dt: the time step, as it stands in formulas.
-    GridWhy(const StaggeredGrid<2>& grid, Input dt) : grid_(grid), dt_(std::move(dt)) {}
+    GridWhy(const StaggeredGrid<2>& grid, Input dt, Surface surface = {}) : grid_(grid), dt_(std::move(dt)), surface_(surface) {}
 
     bool closed(int axis, Index face) const;
     Input dx() const;
-
-    // Advection along `flow`, by the midpoint rule with linear interpolation.
-    Explanation advected(const VelocitySampler<2>& flow, Real dt, int axis, Index face) const;
-
-    // A cell-centred quantity, carried in the same way.
-    Explanation carried(const VelocitySampler<2>& flow, Real dt, std::string_view field, Index cell) const;
 
     // viscosity: m²/s, with the symbol ν.
     Input diffusion_number(Input viscosity) const;
@@ -67,14 +67,19 @@ public:
     Explanation courant(const FaceField<2>& velocity) const;
 
 private:
-    Explanation departure_along(int axis, const GridPlace<2>& arrival, const GridPlace<2>& middle, bool inside,
-                                Real departure) const;
-    Explanation arrived(const VelocitySampler<2>& flow, Real dt, const Lattice<2>& lattice, std::string_view field, Index sample,
-                        std::string_view symbol) const;
-    std::vector<Input> pressures_beside(Index cell) const;
+    // What stands around a cell in its row of the pressure equation: p of the fluid beside it, and the weight of each way to the
+    // air.
+    struct Row {
+        std::vector<Input> pressures, weights;
+        std::string diagonal() const;  // "4", "3 + w_above"
+        std::string sum() const;       // "p_left + p_right", "0"
+    };
+    Row row_of(Index cell) const;
+    Explanation part_of_way(Index fluid, Index air) const;
 
     const StaggeredGrid<2>& grid_;
     Input dt_;
+    Surface surface_;
 };
 
 // The largest magnitude in a field, with the cell where it is reached.

@@ -127,13 +127,13 @@ NavierStokes::NavierStokes()
       order(
           *this,
           {.key = "order",
-           .help = "of the stages: the lecture's forces, advection, viscosity, projection; or another, and what then is left of "
-                   "the divergence at the end of the step",
+           .help = "of the stages. The lecture has forces, advection, viscosity, projection; in another order the step ends with "
+                   "divergence",
            .effect = Effect::rebuild},
-          {{"lecture", "forces, advection, viscosity, projection"},
-           {"projection_first", "projection, forces, advection, viscosity"},
-           {"advection_last", "forces, viscosity, projection, advection"},
-           {"forces_last", "advection, viscosity, projection, forces"}}),
+          {{"lecture", "the lecture's"},
+           {"projection_first", "projection first"},
+           {"advection_last", "advection last"},
+           {"forces_last", "forces last"}}),
       with_forces(*this, {.key = "with_forces", .help = "f: without it nothing pushes the fluid but walls", .initial = 1}),
       with_advection(*this, {.key = "with_advection",
                              .help = "(u·∇)u: without it the fluid does not carry itself along, as in very thick flow",
@@ -143,6 +143,23 @@ NavierStokes::NavierStokes()
                               .help = "−∇p: without it fluid piles up and thins out, and there is no pressure",
                               .initial = 1,
                               .effect = Effect::rebuild}),
+      advection(
+          *this,
+          {.key = "advection",
+           .help = "linear interpolation dissipates most; the monotone cubic less; MacCormack's correction makes the linear one "
+                   "second order. None makes a new extremum",
+           .used = [this] { return with_advection || scene().drives.smoke; }},
+          {{"semi_lagrangian", "semi-Lagrangian, linear"},
+           {"monotone_cubic", "semi-Lagrangian, monotone cubic"},
+           {"mac_cormack", "MacCormack"}}),
+      back_trace(
+          *this,
+          {.key = "back_trace",
+           .help = "how a particle is followed back: straight with the velocity where it arrives (Euler), or with the velocity "
+                   "half way",
+           .initial = 1,
+           .used = [this] { return with_advection || scene().drives.smoke; }},
+          {{"euler", "Euler"}, {"midpoint", "midpoint rule"}}),
       scheme(*this,
              {.key = "viscosity_scheme",
               .help = "implicit is stable at every Δt; explicit is the lecture's stencil, refused beyond Δt = Δx²/(4ν)",

@@ -1,5 +1,6 @@
 // Incompressible flow on a staggered grid, one time step in the four stages of the lecture.
 #pragma once
+#include "fluids/flow/advection_why.h"
 #include "fluids/flow/flow_fields.h"
 #include "fluids/flow/grid_why.h"
 #include "scenes.h"
@@ -17,6 +18,7 @@
 namespace pliant::navier_stokes {
 
 enum class Scheme { implicit_euler, explicit_euler };
+enum class Advection { semi_lagrangian, monotone_cubic, mac_cormack };
 enum class Order { lecture, projection_first, advection_last, forces_last };
 
 // A box that is stirred, a cavity with a lid, vortices, two channels, a disc in a stream, smoke: see scenes.h. Lengths are in
@@ -37,8 +39,8 @@ public:
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return "kinetic_energy"; }
     ColourBy first_colours() const override { return {std::string(scene().colours), scene().component}; }
-    std::vector<std::string_view> first_plots() const override { return scene().plots; }
-    std::vector<std::string_view> key_numbers() const override { return scene().key_numbers; }
+    std::vector<std::string_view> first_plots() const override { return shown(scene().plots); }
+    std::vector<std::string_view> key_numbers() const override { return shown(scene().key_numbers); }
 
 private:
     Choice<std::size_t> scenario;  // index into scenes()
@@ -46,6 +48,8 @@ private:
     Number viscosity, reynolds, dt, aspect, size, lid_speed, inflow, stirring, body_force, buoyancy;
     Choice<Order> order;
     Switch with_forces, with_advection, with_viscosity, with_projection;
+    Choice<Advection> advection;
+    Choice<BackTrace> back_trace;
     Choice<Scheme> scheme;
     Number tolerance;
     Whole max_iterations;
@@ -64,6 +68,10 @@ private:
     Real pushed() const { return elapsed_[2]; }
     Real divergence_left() const { return elapsed_[3]; }
 
+    // Names of readings, with the divergence that the step leaves in place of that which the projection leaves, where the two
+    // are not the same.
+    std::vector<std::string_view> shown(std::vector<std::string_view> names) const;
+
     void declare_fields();
     void declare_stages();
     void declare_probes();
@@ -77,6 +85,8 @@ private:
     void end_step();
     void external_forces();
     void advect();
+    AdvectionSettings advection_settings() const;
+    void prepare_advection();
     void diffuse();
     void begin_projection();
     void projection_pass();
@@ -101,10 +111,10 @@ private:
 
     // --- how the numbers came about (navier_stokes_why.cpp) ---
     flow::GridWhy why_on_grid() const;
+    flow::AdvectionWhy why_advected() const { return {*grid_, *advection_, dt, Input::of(dt)}; }
     Explanation why_force(int axis, Index face) const;
     Input why_jet(const std::string& symbol, const Jet& jet, Input strength, Real direction, int axis, Index face) const;
     Input why_buoyancy(Index face) const;
-    Explanation why_advected(int axis, Index face) const;
     Explanation why_diffused(int axis, Index face) const;
     std::optional<Explanation> why_projection(const Question& q) const;
     Explanation why_smoke(Index cell) const;

@@ -67,8 +67,11 @@ void NavierStokes::declare_checks() {
          .limit = [this] { return nu(); },
          .formula = "s(1 − s)Δx²/(2Δt) ≤ ν, s: fraction of a cell crossed per step",
          .broken = "linear interpolation smooths the flow more than its own viscosity does: vortices die too soon",
-         .used = viscous,
-         .fix = [this] { return thicker_fluid(1.5 * dx() * dx() / (8 * dt)); }},
+         .used = [this, viscous] { return viscous() && advection == Advection::semi_lagrangian; },
+         .fix =
+             [] {
+                 return Fix{"MacCormack", {{"advection", "mac_cormack"}}};
+             }},
         {.name = "cell reynolds number",
          .value = [this] { return max_speed(velocity_) * dx() / nu(); },
          .limit = [] { return largest_cell_reynolds; },

@@ -39,7 +39,7 @@ void NavierStokes::draw(Scene& picture) const {
     draw_drives(picture);
     write_notes(picture);
     picture.frame(position(-0.06 * size, -0.06 * size),
-                  position(width() + 0.06 * size, height() + 0.12 * std::max(Real(size), height())));
+                  position(width() + 0.06 * size, height() + 0.18 * std::max(Real(size), height())));
 }
 
 // The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
@@ -60,17 +60,14 @@ void NavierStokes::draw_walls(Scene& picture) const {
     side(1, position(0, 0), position(W, 0));
     side(1, position(0, H), position(W, H));
     if (!picture.show_labels) return;
-    if (grid_->periodic(1))
-        picture.label(position(0.5 * W, H), "periodic: what leaves on one side enters on the other", Ink::text, 0, -14);
-    else if (grid_->periodic(0))
-        picture.label(position(0.5 * W, 0), "periodic: what leaves on the right enters on the left", Ink::text, 0, 14);
+    if (grid_->periodic(0))
+        picture.label(position(0.5 * W, 0), grid_->periodic(1) ? "periodic in x and y" : "periodic in x", Ink::text, 0, 14);
     if (scene().drives.inflow) draw_openings(picture);
 }
 
 void NavierStokes::draw_openings(Scene& picture) const {
     picture.label(position(0, height()), "in: U = " + format_quantity(inflow, "m/s"), Ink::velocity, 40, -16);
     picture.label(position(width(), height()), "out: U", Ink::velocity, -24, -16);
-    picture.label(position(0.5 * width(), height()), "walls to slide along", Ink::text, 0, -16);
 }
 
 void NavierStokes::draw_obstacle(Scene& picture) const {
@@ -103,12 +100,12 @@ void NavierStokes::draw_drives(Scene& picture) const {
         picture.line(position(0, H), position(W, H), Ink::accent, wall_width + 2);
         const Real above = H + 0.035 * size, half = 0.14 * W * std::clamp(Real(lid_speed), Real(-1), Real(1));
         if (lid_speed != 0)
-            picture.arrows.push_back({.from = {position(0.5 * W - half, above)},
-                                      .to = {position(0.5 * W + half, above)},
+            picture.arrows.push_back({.from = {position(0.72 * W - half, above)},
+                                      .to = {position(0.72 * W + half, above)},
                                       .ink = Ink::accent,
                                       .width = 4});
         if (picture.show_labels)
-            picture.label(position(0.5 * W, above), "wall: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
+            picture.label(position(0.72 * W, above), "wall: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
     }
     if (with_forces && stirred()) {
         const Vec<2> middle = stirrer_place(time()), push = (stirring > 0 ? 0.09 : -0.09) * size * stirrer_heading(time());
@@ -119,10 +116,12 @@ void NavierStokes::draw_drives(Scene& picture) const {
     }
     if (with_forces && uniform_force()[0] != 0) {
         const Real above = H + 0.035 * size, half = body_force > 0 ? 0.1 * W : -0.1 * W;
-        picture.arrows.push_back(
-            {.from = {position(0.5 * W - half, above)}, .to = {position(0.5 * W + half, above)}, .ink = Ink::force, .width = 4});
+        picture.arrows.push_back({.from = {position(0.72 * W - half, above)},
+                                  .to = {position(0.72 * W + half, above)},
+                                  .ink = Ink::force,
+                                  .width = 4});
         if (picture.show_labels)
-            picture.label(position(0.5 * W, above), "G = " + format_quantity(body_force, "m/s²"), Ink::force, 0, -16);
+            picture.label(position(0.72 * W, above), "G = " + format_quantity(body_force, "m/s²"), Ink::force, 0, -16);
     }
     if (scene().drives.smoke) {
         const SmokeSource source = smoke_source();

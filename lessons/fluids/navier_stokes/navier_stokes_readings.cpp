@@ -1,6 +1,7 @@
 // What the lesson shows and measures: fields and probes.
 #include "navier_stokes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -199,6 +200,12 @@ void NavierStokes::declare_wake_probes() {
                         if (!scene().drives.smoke) return std::nullopt;
                         return smoke_.sum() * dx() * dx();
                     }}});
+}
+
+std::vector<std::string_view> NavierStokes::shown(std::vector<std::string_view> names) const {
+    if (order != Order::lecture || !with_projection)
+        std::ranges::replace(names, std::string_view("max_divergence"), std::string_view("divergence_left"));
+    return names;
 }
 
 Real NavierStokes::specific_energy() const {

@@ -46,13 +46,13 @@ void NavierStokes::declare_stages() {
          .active = [this] { return with_forces && forced(); },
          .explain = [this](const Question& q) { return why_force(flow::axis_of(q.field), q.index); }},
         {.name = "advection",
-         .formula = "ũ(x) ← ũ(x − Δt ũ(x − ½Δt ũ(x)))",
-         .source = "semi-Lagrangian: Stam1999 §3.2; Bridson2007 §3",
+         .formula = "ũ(x) ← ũ(x_d),   x_d = x − Δt ũ(x − ½Δt ũ(x)): where it was a step ago",
+         .source = "semi-Lagrangian: Stam1999 §3.2, Bridson2007 §3; monotone cubic: FritschCarlson1980; MacCormack: Selle2008",
          .run = [this] { advect(); },
          .reads = {"velocity"},
          .writes = {"u_on_faces", "v_on_faces"},
          .active = [this] { return bool(with_advection); },
-         .explain = [this](const Question& q) { return why_advected(flow::axis_of(q.field), q.index); }},
+         .explain = [this](const Question& q) { return why_advected().velocity(flow::axis_of(q.field), q.index); }},
         {.name = "viscosity",
          .formula = "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
          .source = "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §3.3",
@@ -144,8 +144,20 @@ void NavierStokes::external_forces() {
 
 // --------------------------------------------------------------------------------------------------- the fluid's own terms
 
+AdvectionSettings NavierStokes::advection_settings() const {
+    return {.trace = back_trace,
+            .interpolation = advection == Advection::monotone_cubic ? Interpolation::monotone_cubic : Interpolation::linear,
+            .mac_cormack = advection == Advection::mac_cormack};
+}
+
+// The scheme may be changed on the way.
+void NavierStokes::prepare_advection() {
+    const AdvectionSettings wanted = advection_settings();
+    if (!advection_ || advection_->settings() != wanted) advection_ = std::make_unique<SemiLagrangian<2>>(*grid_, wanted);
+}
+
 void NavierStokes::advect() {
-    if (!advection_) advection_ = std::make_unique<SemiLagrangian<2>>(*grid_);
+    prepare_advection();
     advection_->advect(velocity_, dt);
 }
 
@@ -180,7 +192,7 @@ void NavierStokes::end_projection() {
 // ------------------------------------------------------------------------------------------------------------------- smoke
 
 void NavierStokes::carry_smoke() {
-    if (!advection_) advection_ = std::make_unique<SemiLagrangian<2>>(*grid_);
+    prepare_advection();
     advection_->advect(smoke_, velocity_, dt);
     for (const Index cell : source_cells_) smoke_[cell] = 1;
 }

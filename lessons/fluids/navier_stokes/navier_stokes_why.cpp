@@ -81,10 +81,6 @@ Explanation NavierStokes::why_force(int axis, Index face) const {
     return why;
 }
 
-Explanation NavierStokes::why_advected(int axis, Index face) const {
-    return why_on_grid().advected(advection_->flow(), dt, axis, face);
-}
-
 Explanation NavierStokes::why_diffused(int axis, Index face) const {
     const VecX* residual = scheme == Scheme::implicit_euler ? &diffusion_->residual(axis) : nullptr;
     return why_on_grid().diffused(nu_input(), residual, axis, face);
@@ -102,7 +98,7 @@ std::optional<Explanation> NavierStokes::why_projection(const Question& q) const
 
 Explanation NavierStokes::why_smoke(Index cell) const {
     if (std::ranges::binary_search(source_cells_, cell)) return fixed_value("s = 1   (a cell of the source)", 1);
-    return why_on_grid().carried(advection_->flow(), dt, "smoke", cell);
+    return why_advected().quantity("smoke", cell);
 }
 
 Explanation NavierStokes::why_strouhal() const {

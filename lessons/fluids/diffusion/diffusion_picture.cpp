@@ -1,0 +1,161 @@
+// The figure: the curve over its row of cells, or the heat map of the square, and below or beside it the stencil of one cell.
+#include "diffusion.h"
+
+#include <pliant/lesson/format.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace pliant::diffusion {
+namespace {
+
+// In lengths of the row.
+constexpr Real curve_height = 0.19, strip_low = -0.32, strip_high = -0.26;
+constexpr Index most_points = 64;
+
+// The next of 1, 2, 5, 10, 20, …: for an axis that has to hold what has grown.
+Real rounded_up(Real x) {
+    const Real decade = std::pow(10, std::floor(std::log10(x)));
+    for (const Real step : {1, 2, 5})
+        if (x <= step * decade * (1 + 1e-12)) return step * decade;
+    return 10 * decade;
+}
+
+}  // namespace
+
+void DiffusionLesson::draw(Scene& scene) const {
+    dims() == 1 ? draw_row(scene) : draw_square(scene);
+    write_notes(scene);
+}
+
+Vec<2> DiffusionLesson::cell_middle(const Counts<2>& at) const {
+    const Real x = (static_cast<Real>(at[0]) + 0.5) * dx();
+    return {x, dims() == 1 ? 0.5 * (strip_low + strip_high) * length : (static_cast<Real>(at[1]) + 0.5) * dx()};
+}
+
+Vec<2> DiffusionLesson::cell_half() const { return {dx() / 2, dims() == 1 ? 0.5 * (strip_high - strip_low) * length : dx() / 2}; }
+
+void DiffusionLesson::draw_cells(Scene& scene, const Position& lower, const Position& upper) const {
+    GridMarks map;
+    map.nx = static_cast<int>(lattice_.count[0]);
+    map.ny = static_cast<int>(lattice_.count[1]);
+    map.lower = lower, map.upper = upper;
+    map.smooth = false;
+    map.values = scene.values(*this, On::cell);
+    if (map.values.empty()) map.values.assign(static_cast<std::size_t>(lattice_.size()), 0.0f);
+    scene.grids.push_back(std::move(map));
+}
+
+// ------------------------------------------------------------------------------------------------------------- one row
+
+void DiffusionLesson::draw_row(Scene& scene) const {
+    const Real L = length;
+    draw_cells(scene, position(0, strip_low * L), position(L, strip_high * L));
+    if (lattice_.count[0] <= most_points)
+        for (Index i = 0; i <= lattice_.count[0]; ++i)
+            scene.line(position(static_cast<Real>(i) * dx(), strip_low * L),
+                       position(static_cast<Real>(i) * dx(), strip_high * L), Ink::edge, 1);
+    draw_exchanges(scene);
+    draw_curve(scene);
+    draw_stencil(scene, {{0.5 * L, -0.5 * L}, {0.4 * L, 0}, {0.115 * L, 0.068 * L}});
+    scene.frame(position(-0.1 * L, -0.62 * L), position(1.06 * L, 0.3 * L));
+}
+
+// What passes between the cells of the row, as arrows over the faces between them: a whole cell long from a difference
+// of a fifth of the scale on.
+void DiffusionLesson::draw_exchanges(Scene& scene) const {
+    if (!scene.show_arrows || literal() || lattice_.count[0] > most_points) return;
+    ArrowMarks arrows{.from = {}, .to = {}, .ink = Ink::velocity, .width = 2};
+    const Real y = (strip_high + 0.022) * length;
+    for (Index i = 1; i < lattice_.count[0]; ++i) {
+        const Real reach = 0.5 * dx() * std::clamp(5 * (u_[i - 1] - u_[i]) / scale(), Real(-1), Real(1));
+        if (std::abs(reach) < 0.2 * dx()) continue;
+        const Real face = static_cast<Real>(i) * dx();
+        arrows.from.push_back(position(face - reach, y));
+        arrows.to.push_back(position(face + reach, y));
+    }
+    scene.arrows.push_back(std::move(arrows));
+}
+
+void DiffusionLesson::draw_curve(Scene& scene) const {
+    const Real top = rounded_up(std::max(u_.lpNorm<Eigen::Infinity>() / 1.2, scale()) / scale()) * scale();
+    const Real L = length, up = curve_height * L / top;
+    const auto at = [&](Index i) { return position((static_cast<Real>(i) + 0.5) * dx(), up * u_[i]); };
+    scene.line(position(0, 0), position(L, 0), Ink::rest, 1);
+    for (const Real end : {Real{0}, L}) {
+        const bool wall = boundary != Boundary::periodic;
+        scene.line(position(end, -0.23 * L), position(end, 0.23 * L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 1.5f, !wall);
+    }
+    for (const Real value : {-top, Real{0}, top})
+        scene.label(position(0, up * value), format_quantity(value, "m/s"), Ink::text, -34, 0);
+    Curve exact;
+    exact_profile(exact);
+    // Its pieces are shorter than a dash: some are left out.
+    LineMarks solution{.ends = {}, .ink = Ink::rest, .width = 2};
+    for (std::size_t k = 0; k + 1 < exact.position.size(); ++k)
+        if (k / 3 % 2 == 0)
+            for (const std::size_t e : {k, k + 1}) solution.ends.push_back(position(exact.position[e], up * exact.value[e]));
+    scene.lines.push_back(std::move(solution));
+
+    LineMarks curve{.ends = {}, .ink = Ink::velocity, .width = 2.5f};
+    PointMarks points{.at = {}, .ink = Ink::velocity, .radius = 3};
+    for (Index i = 0; i < lattice_.count[0]; ++i) {
+        if (i > 0) curve.ends.push_back(at(i - 1)), curve.ends.push_back(at(i));
+        if (lattice_.count[0] <= most_points || i == selected()[0]) points.at.push_back(at(i));
+    }
+    scene.lines.push_back(std::move(curve));
+    scene.points.push_back(std::move(points));
+    const Index i = selected()[0];
+    scene.line(at(i), position(cell_middle({i, 0})[0], strip_high * L), Ink::accent, 1, true);
+    scene.points.push_back({.at = {at(i)}, .ink = Ink::accent, .radius = 5});
+}
+
+// ----------------------------------------------------------------------------------------------------------- a square
+
+void DiffusionLesson::draw_square(Scene& scene) const {
+    const Real L = length;
+    draw_cells(scene, position(0, 0), position(L, L));
+    const bool wall = boundary != Boundary::periodic;
+    scene.box(position(0, 0), position(L, L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 2.0f, !wall);
+    draw_stencil(scene, {{1.8 * L, 0.5 * L}, {0.5 * L, 0.39 * L}, {0.2 * L, 0.14 * L}});
+    scene.frame(position(-0.06 * L, -0.07 * L), position(2.53 * L, 1.2 * L));
+}
+
+// --------------------------------------------------------------------------------------------------------------- words
+
+void DiffusionLesson::write_notes(Scene& scene) const {
+    const auto text = [](Real x, const char* unit = "") { return format_quantity(x, unit, 3); };
+    const char* limit_text = dims() == 1 ? "1/2" : "1/4";
+    scene.notes.push_back(fmt::format("r = νΔt/Δx² = {},  {},  Δt = {}", text(rate()),
+                                      !is_explicit()                    ? "no limit"
+                                      : rate() <= limit() * (1 + 1e-12) ? fmt::format("within the limit {}", limit_text)
+                                                                        : fmt::format("beyond the limit {}", limit_text),
+                                      text(time_step(), "s")));
+    scene.notes.push_back(formula_at_cell());
+    const auto G = measured_factor();
+    scene.notes.push_back(fmt::format("mode {}:  × {} in a step,  by theory {},  by the equation {}", Index(mode),
+                                      G ? text(*G) : "–", text(theory(mode)), text(exact_factor(mode))));
+}
+
+// The step of the selected cell with its numbers: what the next one will make of it, or how the latest implicit one was met.
+std::string DiffusionLesson::formula_at_cell() const {
+    const Index c = selected_cell();
+    const auto text = [](Real x) { return as_factor(std::round(x * 1e4) / 1e4 + Real{0}); };
+    const auto plain = [&](Real x) { return fmt::format("{}", std::round(x * 1e4) / 1e4 + Real{0}); };
+    VecX sums;
+    diffusion_->stencil(u_, sums);
+    const int count = 2 * dims();
+    const Real beside = sums[c] + count * u_[c], r = rate();
+    if (literal())
+        return fmt::format("next:  u′ = νΔt (Σ − {}u) = {} ({} − {} · {}) = {}", count, format_quantity(r * dx() * dx(), "m²", 3),
+                           text(beside), count, text(u_[c]), format_quantity(r * dx() * dx() * sums[c], "", 3));
+    if (is_explicit())
+        return fmt::format("next:  u′ = u + r (Σ − {}u) = {} + {} ({} − {} · {}) = {}", count, text(u_[c]),
+                           format_quantity(r, "", 3), text(beside), count, text(u_[c]), plain(u_[c] + r * sums[c]));
+    if (elapsed_[0] == 0) return fmt::format("to solve in every cell:  (1 + {}r) u′ − r Σ′ = u", count);
+    return fmt::format("(1 + {}r) u′ − r Σ′ = {} · {} − {} · {} = {},  u was {}", count, format_quantity(1 + count * r, "", 3),
+                       text(u_[c]), format_quantity(r, "", 3), text(beside), plain(u_[c] - r * sums[c]), plain(previous_[c]));
+}
+
+}  // namespace pliant::diffusion

@@ -1,0 +1,161 @@
+// How each number came about.
+#include "diffusion.h"
+#include "fluids/flow/grid_why.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace pliant::diffusion {
+namespace {
+
+using From = Input::From;
+using Values = std::span<const Real>;
+
+std::string joined(const std::vector<Input>& inputs) {
+    std::string sum;
+    for (const Input& in : inputs) sum += (sum.empty() ? "" : " + ") + in.symbol;
+    return sum;
+}
+
+// Of the inputs number `first` to the last but `after`.
+Real sum_between(Values x, std::size_t first, std::size_t after) {
+    Real sum = 0;
+    for (std::size_t k = first; k + after < x.size(); ++k) sum += x[k];
+    return sum;
+}
+
+}  // namespace
+
+Input DiffusionLesson::why_rate() const {
+    return viscosity > 0 ? Input::of(diffusion_number) : Input::constant("r", 0, "", "νΔt/Δx² without viscosity");
+}
+
+Input DiffusionLesson::why_dx() const {
+    return Input::part("Δx", "m",
+                       {"Δx = L / n", {Input::of(length), Input::of(resolution)}, [](Values x) { return x[0] / x[1]; }});
+}
+
+Explanation DiffusionLesson::why_time_step() const {
+    if (viscosity == 0) return fixed_value("Δt = 1   (any: without viscosity nothing diffuses)", 1);
+    return {"Δt = r Δx² / ν", {Input::of(diffusion_number), why_dx(), Input::of(viscosity)}, [](Values x) {
+                return x[0] * x[1] * x[1] / x[2];
+            }};
+}
+
+// What the stencil takes from around a cell; beyond a wall what continues u there.
+std::vector<Input> DiffusionLesson::why_neighbours(Index cell, Input::From from, const char* mark) const {
+    std::vector<Input> beside;
+    for (const Neighbour& n : neighbours()) {
+        Counts<2> at = lattice_.coordinates(cell);
+        at[n.axis] += n.step;
+        beside.push_back(flow::sample(fmt::format("u{}_{}", mark, n.name), from, "u", flow::sample_beyond(lattice_, at)));
+    }
+    return beside;
+}
+
+std::optional<Explanation> DiffusionLesson::why_neighbourhood(const Question& q) const {
+    if (q.field == "u_before")
+        return Explanation{"u_b = u   (kept to compare)", {Input::before("u", "u", q.index)}, [](Values x) { return x[0]; }};
+    if (q.field == "laplacian")
+        return Explanation{
+            "∇²u = s / Δx²", {Input::now("s", "stencil", q.index), why_dx()}, [](Values x) { return x[0] / (x[1] * x[1]); }};
+    std::vector<Input> inputs = why_neighbours(q.index, From::before, "");
+    std::string formula = fmt::format("s = {} − {} u", joined(inputs), inputs.size());
+    inputs.push_back(Input::before("u", "u", q.index));
+    return Explanation{std::move(formula), std::move(inputs),
+                       [](Values x) { return sum_between(x, 0, 1) - static_cast<Real>(x.size() - 1) * x.back(); }};
+}
+
+Explanation DiffusionLesson::why_updated(Index cell) const {
+    const Input s = Input::now("s", "stencil", cell);
+    if (literal())
+        return {"u′ = ν Δt s   (as on the slide: the number of ν Δt in m²)",
+                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), s},
+                [](Values x) { return x[0] * x[1] * x[2]; }};
+    return {"u′ = u + r s", {Input::before("u", "u", cell), why_rate(), s}, [](Values x) { return x[0] + x[1] * x[2]; }};
+}
+
+// The equation of this cell solved for its own u, with what the iterations have left of it.
+std::optional<Explanation> DiffusionLesson::why_solved(const Question& q) const {
+    if (q.field == "u_before") return why_neighbourhood(q);
+    const bool residual = q.field == "residual";
+    std::vector<Input> beside = why_neighbours(q.index, From::now, "′");
+    const std::size_t n = beside.size();
+    const std::string sum = joined(beside);
+    std::vector<Input> inputs{Input::before("u", "u", q.index), why_rate()};
+    inputs.insert(inputs.end(), beside.begin(), beside.end());
+    inputs.push_back(residual ? Input::now("u′", "u", q.index) : Input::now("ρ", "residual", q.index));
+    const auto own = static_cast<Real>(n);
+    if (residual)
+        return Explanation{fmt::format("ρ = u − u′ + r ({} − {} u′)", sum, n), std::move(inputs),
+                           [own](Values x) { return x[0] - x.back() + x[1] * (sum_between(x, 2, 1) - own * x.back()); }};
+    return Explanation{fmt::format("u′ = (u + r ({}) − ρ) / (1 + {} r)", sum, n), std::move(inputs),
+                       [own](Values x) { return (x[0] + x[1] * sum_between(x, 2, 1) - x.back()) / (1 + own * x[1]); }};
+}
+
+// -------------------------------------------------------------------------------------------------------------- probes
+
+Explanation DiffusionLesson::why_amplitude(std::string_view field) const {
+    const VecX wave = modes_.on_cells(mode);
+    const Real square = wave.squaredNorm();
+    std::vector<std::pair<Input, Input>> terms;
+    if (square < 1e-20) return fixed_value("A = 0   (the mode vanishes on every cell)", 0);
+    for (Index c = 0; c < wave.size(); ++c)
+        if (wave[c] != 0)
+            terms.emplace_back(Input::constant(fmt::format("w{}", c), wave[c] / square, "", "φ/Σφ² of this cell"),
+                               Input::now(fmt::format("u{}", c), field, c));
+    if (couette()) {
+        const VecX base = deviation(VecX::Zero(wave.size()));
+        terms.emplace_back(
+            Input::constant("w_s", 1, "", "of the steady part"),
+            Input::constant("u_s", modes_.amplitude(base, mode), "m/s", "less the amplitude of the steady profile"));
+    }
+    return weighted_sum("A = Σ w u over the cells, w = φ/Σφ²", terms);
+}
+
+Explanation DiffusionLesson::why_factor() const {
+    return {"G = A / A_b",
+            {Input::part("A", "m/s", why_amplitude("u")), Input::part("A_b", "m/s", why_amplitude("u_before"))},
+            [](Values x) { return x[0] / x[1]; }};
+}
+
+Explanation DiffusionLesson::why_theory() const {
+    Input Lambda = Input::part(
+        "Λ", "",
+        {fmt::format("Λ = {} sin(κ / 2)²", 4 * dims()),
+         {Input::constant("κ", modes_.phase(mode), "rad", "phase from one cell to the next: 2πm/n, or πm/n between walls")},
+         [d = dims()](Values x) { return 4 * d * std::sin(x[0] / 2) * std::sin(x[0] / 2); }});
+    if (literal())
+        return {"G_r = −ν Δt Λ",
+                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), std::move(Lambda)},
+                [](Values x) { return -x[0] * x[1] * x[2]; }};
+    if (is_explicit()) return {"G_r = 1 − r Λ", {why_rate(), std::move(Lambda)}, [](Values x) { return 1 - x[0] * x[1]; }};
+    return {"G_r = 1 / (1 + r Λ)", {why_rate(), std::move(Lambda)}, [](Values x) { return 1 / (1 + x[0] * x[1]); }};
+}
+
+Explanation DiffusionLesson::why_exact_factor() const {
+    return {dims() == 1 ? "G_ν = exp(−r κ²)" : "G_ν = exp(−2 r κ²)",
+            {why_rate(), Input::constant("κ", modes_.phase(mode), "rad", "k Δx: phase from one cell to the next")},
+            [d = dims()](Values x) { return std::exp(-d * x[0] * x[1] * x[1]); }};
+}
+
+Explanation DiffusionLesson::why_extreme(bool largest) const {
+    Index at = 0;
+    largest ? u_.maxCoeff(&at) : u_.minCoeff(&at);
+    return {fmt::format("{} u = u   (of all cells: cell {})", largest ? "max" : "min", at),
+            {Input::now("u", "u", at)},
+            [](Values x) { return x[0]; }};
+}
+
+Explanation DiffusionLesson::why_error() const {
+    Index at = 0;
+    Real largest = -1;
+    for (Index c = 0; c < u_.size(); ++c)
+        if (const Real off = std::abs(u_[c] - *exact(c, elapsed_[1])); off > largest) largest = off, at = c;
+    return {fmt::format("max|u − u_exact| = |u − u_x|   (largest in cell {})", at),
+            {Input::now("u", "u", at), Input::constant("u_x", *exact(at, elapsed_[1]), "m/s", "solution of ∂u/∂t = ν∇²u")},
+            [](Values x) { return std::abs(x[0] - x[1]); }};
+}
+
+}  // namespace pliant::diffusion

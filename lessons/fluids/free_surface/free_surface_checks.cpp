@@ -1,0 +1,94 @@
+// Under which conditions the picture can be trusted, and what must not change.
+#include "free_surface.h"
+
+#include <pliant/lesson/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace pliant::free_surface {
+namespace {
+
+using std::numbers::pi;
+
+constexpr Real largest_courant = 3;
+constexpr Real steepest_wave = 0.15;   // k A: beyond it the period depends on the height
+constexpr Real largest_leak = 0.01;    // of the volume, where nothing keeps it
+constexpr Real cells_of_a_column = 6;  // across the smallest length of the scene
+
+}  // namespace
+
+void FreeSurface::declare_checks() {
+    assumptions = {
+        {.name = "courant number",
+         .value = [this] { return liquid_speed() * dt / dx(); },
+         .limit = [] { return largest_courant; },
+         .formula = "|u| Δt/Δx ≤ 3 in the liquid",
+         .broken = "still stable, but thin sheets and drops are jumped over: the splash is smeared and late",
+         .fix =
+             [this] {
+                 const Real step = rounded_down(0.8 * largest_courant * dx() / liquid_speed());
+                 return std::optional(
+                     Fix{fmt::format("Δt = {}", format_quantity(step, "s")), {{"time_step", format_exact(step)}}});
+             }},
+        {.name = "p = 0 at the surface",
+         .unit = "cells",
+         .value =
+             [this] {
+                 return condition == SurfaceCondition::at_surface ? Real{0} : condition == SurfaceCondition::closed ? 1.0 : 0.5;
+             },
+         .limit = [] { return Real{0}; },
+         .formula = "p = 0 where φ = 0",
+         .broken =
+             "in the middle of an air cell p = 0 is off by half a cell on average, and the pressure by g Δx/2; in a mould the "
+             "liquid cannot splash at all",
+         .fix =
+             [] {
+                 return std::optional(Fix{"p = 0 on the surface", {{"surface_condition", "at_surface"}}});
+             }},
+        {.name = "cells across",
+         .unit = "m",
+         .value = [this] { return cells_of_a_column * dx(); },
+         .limit =
+             [this] {
+                 switch (scene) {
+                     case Pouring::column:
+                         return std::min<Real>(column_width, column_height);
+                     case Pouring::drop:
+                         return 2 * std::min<Real>(drop_radius, depth);
+                     default:
+                         return Real(depth);
+                 }
+             },
+         .formula = "6 Δx ≤ the smallest length of the scene",
+         .broken = "what is thinner than a few cells is not resolved, and drops below a cell are lost",
+         .fix =
+             [this] {
+                 const Index more = std::min<Index>(2 * resolution, 512);
+                 return std::optional(Fix{fmt::format("n = {}", more), {{"resolution", std::to_string(more)}}});
+             }},
+        {.name = "small waves",
+         .value = [this] { return pi / tank_width * std::abs(wave_height); },
+         .limit = [] { return steepest_wave; },
+         .formula = "k A ≤ 0.15, k = π/W",
+         .broken = "linear theory, drawn beside the wave, holds for small waves: higher ones are slower and steeper",
+         .used = [this] { return scene == Pouring::wave; },
+         .fix =
+             [this] {
+                 const Real height = rounded_down(0.9 * steepest_wave * tank_width / pi);
+                 return std::optional(
+                     Fix{fmt::format("A = {}", format_quantity(height, "m")), {{"wave_height", format_exact(height)}}});
+             }}};
+    conserved = {{.probe = "volume",
+                  .law = Law::constant,
+                  .tolerance = [this] { return (keep_volume ? 1e-6 : largest_leak) * first_volume_ + 1e-12 * dx() * dx(); }},
+                 {.probe = "max_divergence", .law = Law::zero, .tolerance = [this] {
+                      const Real rounding = 1e-12 * (liquid_speed() + gravity * dt) / dx();
+                      return tolerance * liquid_->projection().initial_divergence() * (1 + 1e-6) + rounding;
+                  }}};
+}
+
+}  // namespace pliant::free_surface
