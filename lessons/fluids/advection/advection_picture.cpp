@@ -131,10 +131,10 @@ void AdvectionLesson::draw_magnifier(Scene& scene) const {
 }
 
 void AdvectionLesson::write_notes(Scene& scene) const {
+    const std::string turns = fmt::format("{:.3g} turns", time() / flow().turn());
+    if (compare) return scene.notes.push_back(fmt::format("CFL = {}, {}", format_quantity(cfl, "", 3), turns));
     scene.notes.push_back(fmt::format("Δx = {}, Δt = C Δx/U = {}", format_quantity(dx(), "m", 3), format_quantity(dt(), "s", 3)));
-    scene.notes.push_back(
-        fmt::format("{:.3g} turns, in {:.0f} steps of this size", time() / flow().turn(), std::round(time() / dt())));
-    if (compare) return;
+    scene.notes.push_back(turns);
     const Index cell = selected();
     const InterpolationStencil<2> stencil = interpolation_stencil<2>(
         advection_->carried(), advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt()).departure);
