@@ -82,15 +82,16 @@ AdvectionLesson::AdvectionLesson()
                       .effect = Effect::rebuild}),
       cell_x(*this, {.key = "cell_x",
                      .symbol = "i",
-                     .help = "column of the cell whose way is drawn, from the left; drag its mark in the picture",
+                     .help = "column of the cell whose way is drawn, counted from the left; drag its mark in the picture. Beyond "
+                             "the last it is the last",
                      .initial = 22,
-                     .useful = {0, 63},
+                     .useful = {0, 159},
                      .accepted = Interval{0, 319}}),
       cell_y(*this, {.key = "cell_y",
                      .symbol = "j",
                      .help = "row of that cell, from below",
                      .initial = 47,
-                     .useful = {0, 63},
+                     .useful = {0, 159},
                      .accepted = Interval{0, 319}}) {
     declare_fields();
     declare_stages();
