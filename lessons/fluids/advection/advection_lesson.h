@@ -104,7 +104,8 @@ private:
     std::optional<Real> loss_per_turn() const;
     Vec<2> exact_centre() const;
     void profile(const VecX& q, Curve& curve) const;
-    Real viscosity_at(Real courant) const;
+    Real viscosity_at(Real courant, Real edge) const;  // edge: of a cell, m
+    void viscosity_curve(Real edge, Curve& curve) const;
     Real turn_of_step() const;  // rad: how far the flow turns in a step
 
     // --- the picture (advection_picture.cpp) ---

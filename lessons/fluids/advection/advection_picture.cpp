@@ -121,17 +121,18 @@ void AdvectionLesson::draw_magnifier(Scene& scene) const {
                    opposite = position(dx() * static_cast<Real>(first[0] + across), dx() * static_cast<Real>(first[1] + across));
     scene.box(corner, opposite, Ink::accent, 1.5f);
     if (!scene.show_labels) return;
+    const bool few = stencil.samples.size() <= 4;
     for (const WeightedSample<2>& s : stencil.samples) {
         if (s.weight == 0) continue;
         const Position middle = shown(static_cast<Real>(s.at[0] - first[0]) + 0.5, static_cast<Real>(s.at[1] - first[1]) + 0.5);
-        scene.label(middle, fmt::format("× {:.2f}", s.weight), Ink::accent, 0, 9);
+        scene.label(middle, fmt::format("{}{:.2f}", few ? "× " : "", s.weight), Ink::accent, 0, 9);
         scene.label(middle, fmt::format("{:.2f}", old.sample(s.at)), Ink::text, 0, -9);
     }
     scene.label(shown(0.5 * across, across), "samples at x_d: q × weight", Ink::text, 0, -14);
 }
 
 void AdvectionLesson::write_notes(Scene& scene) const {
-    const std::string turns = fmt::format("{:.3g} turns", time() / flow().turn());
+    const std::string turns = fmt::format("t/T = {:.3g}", time() / flow().turn());
     if (compare) return scene.notes.push_back(fmt::format("CFL = {}, {}", format_quantity(cfl, "", 3), turns));
     scene.notes.push_back(fmt::format("Δx = {}, Δt = C Δx/U = {}", format_quantity(dx(), "m", 3), format_quantity(dt(), "s", 3)));
     scene.notes.push_back(turns);
