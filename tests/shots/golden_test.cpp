@@ -82,6 +82,11 @@ std::vector<Golden> goldens() {
         {"projection_collocated",
          {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, full},
          "grid=staggered"},
+        {"free_surface", {"fluids/free_surface", {"resolution=40"}, 40, large}, "column_width=0.2"},
+        {"free_surface_wave",
+         {"fluids/free_surface", {"scene=wave", "resolution=32", "wave_height=0.04"}, 30, bright},
+         "depth=0.2"},
+        {"free_surface_paddle", {"fluids/free_surface", {"scene=paddle", "resolution=48"}, 60, medium}, "paddle_stroke=0.02"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }

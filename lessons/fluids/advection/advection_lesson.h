@@ -6,7 +6,7 @@
 #include <pliant/fluids/interpolation_stencil.h>
 #include <pliant/lesson/registry.h>
 
-#include "../flow/grid_why.h"
+#include "fluids/flow/grid_why.h"
 
 #include <array>
 #include <memory>

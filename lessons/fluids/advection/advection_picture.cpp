@@ -1,7 +1,7 @@
 // The figure: the quantity on the grid, the path back of one cell, and its samples under a magnifying glass.
 #include "advection_lesson.h"
 
-#include "../flow/grid_picture.h"
+#include "fluids/flow/grid_picture.h"
 
 #include <pliant/lesson/format.h>
 
