@@ -1,35 +1,23 @@
 // Cubic interpolation between two samples that never leaves their range.
 #pragma once
-#include <pliant/math/types.h>
+#include <pliant/math/pair.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pliant {
 
 // The cubic Hermite polynomial between the samples q[1] and q[2] at t in [0, 1], with the central differences of the four
 // samples as slopes, each limited to between 0 and three times the difference of the two: the polynomial is then monotone
-// [FritschCarlson1980 §3; Fedkiw2001, appendix B]. Exact for parabolas where no slope is limited. Works on numbers and, entry by
-// entry, on Eigen arrays.
-template <class T, class Min, class Max>
-T monotone_cubic(const std::array<T, 4>& q, Real t, Min&& min, Max&& max) {
-    const T rise = q[2] - q[1];
-    const T low = min(T(3 * rise), T(0 * rise)), high = max(T(3 * rise), T(0 * rise));
-    const T d1 = min(max(T(Real(0.5) * (q[2] - q[0])), low), high), d2 = min(max(T(Real(0.5) * (q[3] - q[1])), low), high);
-    const T value = q[1] + t * (d1 + t * ((3 * rise - 2 * d1 - d2) + t * (d1 + d2 - 2 * rise)));
-    return min(max(value, min(q[1], q[2])), max(q[1], q[2]));  // against rounding
-}
-
-inline Real monotone_cubic(const std::array<Real, 4>& q, Real t) {
-    return monotone_cubic(
-        q, t, [](Real a, Real b) { return std::min(a, b); }, [](Real a, Real b) { return std::max(a, b); });
-}
-
-template <int N>
-Eigen::Array<Real, N, 1> monotone_cubic(const std::array<Eigen::Array<Real, N, 1>, 4>& q, Real t) {
-    using T = Eigen::Array<Real, N, 1>;
-    return monotone_cubic(
-        q, t, [](const T& a, const T& b) { return T(a.min(b)); }, [](const T& a, const T& b) { return T(a.max(b)); });
+// [FritschCarlson1980 §3; Fedkiw2001, appendix B]. Exact for parabolas where no slope is limited. T: a number or a pair of them.
+template <class T>
+[[gnu::always_inline]] inline T monotone_cubic(const std::array<T, 4>& q, Real t) {
+    const T rise = q[2] - q[1], none = Real(0) * rise, steep = Real(3) * rise;
+    const T low = smaller(steep, none), high = larger(steep, none);
+    const auto limited = [&](const T& slope) -> T { return smaller(larger(slope, low), high); };
+    const T d1 = limited(Real(0.5) * (q[2] - q[0])), d2 = limited(Real(0.5) * (q[3] - q[1]));
+    const T value = q[1] + t * (d1 + t * ((steep - Real(2) * d1 - d2) + t * (d1 + d2 - Real(2) * rise)));
+    return smaller(larger(value, smaller(q[1], q[2])), larger(q[1], q[2]));  // against rounding
 }
 
 // The same polynomial as weights of the four samples, which depend on the samples where a slope is limited. They add up to 1.

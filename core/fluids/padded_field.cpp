@@ -50,22 +50,22 @@ void PaddedField<Dim>::fill_beyond(int axis) {
 
 template <int Dim>
 Real PaddedField<Dim>::cubic_at(const GridPlace<Dim>& x) const {
-    using Row = Eigen::Array4d;
     const Inside in = locate(x);
-    const Real* corner = values_.data() + in.position - stride_[0];
+    // Two columns of samples at a time.
     const auto along_1 = [&](const Real* w) {
-        return monotone_cubic<4>({Row(Eigen::Map<const Row>(w - stride_[1])), Row(Eigen::Map<const Row>(w)),
-                                  Row(Eigen::Map<const Row>(w + stride_[1])), Row(Eigen::Map<const Row>(w + 2 * stride_[1]))},
-                                 in.fraction[1]);
+        return monotone_cubic<Pair>(
+            {load_pair(w - stride_[1]), load_pair(w), load_pair(w + stride_[1]), load_pair(w + 2 * stride_[1])}, in.fraction[1]);
     };
-    Row row;
-    if constexpr (Dim == 2)
-        row = along_1(corner);
-    else
-        row = monotone_cubic<4>(
-            {along_1(corner - stride_[2]), along_1(corner), along_1(corner + stride_[2]), along_1(corner + 2 * stride_[2])},
-            in.fraction[2]);
-    return monotone_cubic(std::array<Real, 4>{row[0], row[1], row[2], row[3]}, in.fraction[0]);
+    const auto columns = [&](const Real* w) {
+        if constexpr (Dim == 2)
+            return along_1(w);
+        else
+            return monotone_cubic<Pair>(
+                {along_1(w - stride_[2]), along_1(w), along_1(w + stride_[2]), along_1(w + 2 * stride_[2])}, in.fraction[2]);
+    };
+    const Real* corner = values_.data() + in.position;
+    const Pair left = columns(corner - 1), right = columns(corner + 1);
+    return monotone_cubic<Real>({left[0], left[1], right[0], right[1]}, in.fraction[0]);
 }
 
 template <int Dim>

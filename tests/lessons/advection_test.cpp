@@ -97,6 +97,10 @@ TEST_CASE("advection: the exact solution of the vortex follows closed streamline
     run(runner, 80);
     CHECK_THAT(mean_psi().first, WithinRel(psi, 2e-3));
     CHECK_THAT(mean_psi().second, WithinRel(content, 2e-3));
+    // The profile runs through the place that the middle has come to.
+    Curve exact;
+    std::ranges::find(runner.lesson().lines, "profile", &Line::name)->reference(exact);
+    CHECK(std::ranges::max(exact.value) > 0.8);
 }
 
 TEST_CASE("advection: values stay between 0 and 1 at any Courant number, in every field and scheme", "[advection]") {

@@ -86,3 +86,18 @@ TEST_CASE("an arrow that is drawn is projected at once, and a click beside the h
     s.undo();
     CHECK_THAT(value(s, "cell_x"), WithinAbs(0.34, 1e-15));
 }
+
+TEST_CASE("the cell whose way back is drawn follows the hand, and nothing starts again", "[session]") {
+    Session s("fluids/advection");
+    s.step();
+    const Real peak = probe(s, "peak");
+    s.pull(Pull{0, {0.35, 0.74, 0}, {0.26, 0.999, 0}});
+    CHECK(value(s, "cell_x") == 16);
+    CHECK(value(s, "cell_y") == 63);
+    s.pull(Pull{0, {0.26, 0.999, 0}, {-3, 0.5, 0}});
+    CHECK(value(s, "cell_x") == 0);
+    CHECK(value(s, "cell_y") == 32);
+    s.pull(std::nullopt);
+    CHECK(s.runner().place().step == 1);
+    CHECK(probe(s, "peak") == peak);
+}

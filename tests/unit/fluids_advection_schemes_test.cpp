@@ -140,7 +140,7 @@ TEST_CASE("samples and weights of a target give its value", "[fluids][advection]
 
 TEST_CASE("a monotone cubic is exact for parabolas away from their vertex and stays between its samples", "[fluids][advection]") {
     const auto parabola = [](Real x) { return 3 - 2 * x + x * x; };
-    CHECK_THAT(monotone_cubic({parabola(2), parabola(3), parabola(4), parabola(5)}, 0.3), WithinAbs(parabola(3.3), 1e-13));
+    CHECK_THAT(monotone_cubic<Real>({parabola(2), parabola(3), parabola(4), parabola(5)}, 0.3), WithinAbs(parabola(3.3), 1e-13));
     for (const std::array<Real, 4>& q :
          {std::array<Real, 4>{0, 1, 1, 0}, {5, 0, 1, -7}, {-9, 0, 0.1, 9}, {1, 2, 2.001, 80}, {3, -1, 4, 1}}) {
         Real last = q[1];

@@ -6,7 +6,7 @@
 #include <pliant/fluids/interpolation_stencil.h>
 #include <pliant/lesson/registry.h>
 
-#include "../flow/grid_why.h"
+#include "fluids/flow/grid_why.h"
 
 #include <array>
 #include <memory>
@@ -78,12 +78,14 @@ private:
 
     // --- how the numbers came about (advection_why.cpp) ---
     Input step() const;
+    Explanation why_on_face(int axis, Index face) const;
     Explanation why_velocity(Index cell, int component) const;
     Explanation why_middle(Index cell, int component) const;
     Explanation why_departure(Index cell, int component) const;
     Explanation why_way(Index cell) const;
     Input carrying_speed(Index cell, int component, std::string symbol) const;
     Explanation moved_into_box(Explanation why, Real free, Real place) const;
+    Input why_fraction(Index cell, int axis, Index sample) const;
     Explanation why_interpolated(Index cell) const;
     Explanation why_returned(Index cell) const;
     Explanation why_corrected(Index cell) const;
@@ -102,7 +104,8 @@ private:
     std::optional<Real> loss_per_turn() const;
     Vec<2> exact_centre() const;
     void profile(const VecX& q, Curve& curve) const;
-    Real viscosity_at(Real courant) const;
+    Real viscosity_at(Real courant, Real edge) const;  // edge: of a cell, m
+    void viscosity_curve(Real edge, Curve& curve) const;
     Real turn_of_step() const;  // rad: how far the flow turns in a step
 
     // --- the picture (advection_picture.cpp) ---

@@ -1,7 +1,7 @@
 // The figure: the quantity on the grid, the path back of one cell, and its samples under a magnifying glass.
 #include "advection_lesson.h"
 
-#include "../flow/grid_picture.h"
+#include "fluids/flow/grid_picture.h"
 
 #include <pliant/lesson/format.h>
 
@@ -76,7 +76,7 @@ void AdvectionLesson::draw_path(Scene& scene) const {
     scene.arrows.push_back({.from = {arrival}, .to = {departure}, .ink = Ink::accent, .width = 3});
     if (d.free_departure != d.departure) scene.points.push_back({.at = {at(d.departure)}, .ink = Ink::force, .radius = 5});
     scene.points.push_back(
-        {.at = {arrival}, .ink = Ink::accent, .radius = 6, .pick = {.pickable = true, .on = On::handle, .first = 0}});
+        {.at = {arrival}, .ink = Ink::accent, .radius = 5, .pick = {.pickable = true, .on = On::handle, .first = 0}});
     if (!scene.show_labels) return;
     scene.label(arrival, "x", Ink::accent, -10, 14);
     const Real way = std::hypot(d.free_departure[0] - d.arrival[0], d.free_departure[1] - d.arrival[1]) * dx();
@@ -119,22 +119,23 @@ void AdvectionLesson::draw_magnifier(Scene& scene) const {
     scene.points.push_back({.at = {shown(x, y)}, .ink = Ink::accent, .radius = 6});
     const Position corner = position(dx() * static_cast<Real>(first[0]), dx() * static_cast<Real>(first[1])),
                    opposite = position(dx() * static_cast<Real>(first[0] + across), dx() * static_cast<Real>(first[1] + across));
-    scene.box(corner, opposite, Ink::accent, 2);
+    scene.box(corner, opposite, Ink::accent, 1.5f);
     if (!scene.show_labels) return;
+    const bool few = stencil.samples.size() <= 4;
     for (const WeightedSample<2>& s : stencil.samples) {
         if (s.weight == 0) continue;
         const Position middle = shown(static_cast<Real>(s.at[0] - first[0]) + 0.5, static_cast<Real>(s.at[1] - first[1]) + 0.5);
-        scene.label(middle, fmt::format("{:.2f}", s.weight), Ink::accent, 0, 9);
-        scene.label(middle, fmt::format("q {:.2f}", old.sample(s.at)), Ink::text, 0, -9);
+        scene.label(middle, fmt::format("{}{:.2f}", few ? "× " : "", s.weight), Ink::accent, 0, 9);
+        scene.label(middle, fmt::format("{:.2f}", old.sample(s.at)), Ink::text, 0, -9);
     }
-    scene.label(shown(0.5 * across, across), "samples at x_d: q, weight", Ink::text, 0, -14);
+    scene.label(shown(0.5 * across, across), "samples at x_d: q × weight", Ink::text, 0, -14);
 }
 
 void AdvectionLesson::write_notes(Scene& scene) const {
+    const std::string turns = fmt::format("t/T = {:.3g}", time() / flow().turn());
+    if (compare) return scene.notes.push_back(fmt::format("CFL = {}, {}", format_quantity(cfl, "", 3), turns));
     scene.notes.push_back(fmt::format("Δx = {}, Δt = C Δx/U = {}", format_quantity(dx(), "m", 3), format_quantity(dt(), "s", 3)));
-    scene.notes.push_back(
-        fmt::format("{:.3g} turns, in {:.0f} steps of this size", time() / flow().turn(), std::round(time() / dt())));
-    if (compare) return;
+    scene.notes.push_back(turns);
     const Index cell = selected();
     const InterpolationStencil<2> stencil = interpolation_stencil<2>(
         advection_->carried(), advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt()).departure);

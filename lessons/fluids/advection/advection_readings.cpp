@@ -1,7 +1,7 @@
 // What the lesson shows and measures: fields and probes.
 #include "advection_lesson.h"
 
-#include "../flow/flow_fields.h"
+#include "fluids/flow/flow_fields.h"
 
 #include <algorithm>
 #include <cmath>

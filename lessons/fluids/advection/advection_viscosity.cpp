@@ -16,7 +16,8 @@ using Values = std::span<const Real>;
 
 constexpr Real largest_turn = 0.5;  // rad per step, beyond which the midpoint rule is off by more than a hundredth of the way
 constexpr Real largest_turn_of_euler = 0.05;
-constexpr Real fewest_cells = 6;  // in the blob's radius
+constexpr Real largest_drawn = 4;  // Courant number
+constexpr Real fewest_cells = 6;   // in the blob's radius
 
 // What linear interpolation loses per step in one direction, as a fraction of Δx²: s(1 − s)/2, with s the fraction of a cell that
 // the path ends beyond a sample.
@@ -46,14 +47,24 @@ std::optional<Real> AdvectionLesson::measured_viscosity() const {
 }
 
 // The mean of both axes: s(1 − s)Δx²/(2Δt) along each.
-Real AdvectionLesson::viscosity_at(Real courant) const {
+Real AdvectionLesson::viscosity_at(Real courant, Real edge) const {
     const Vec<2> u = flow().velocity({0.5, 0.5}) / top_speed;
-    return (spreading(courant * u[0]) + spreading(courant * u[1])) / 2 * dx() * top_speed / courant;
+    return (spreading(courant * u[0]) + spreading(courant * u[1])) / 2 * edge * top_speed / courant;
+}
+
+void AdvectionLesson::viscosity_curve(Real edge, Curve& curve) const {
+    curve.position.clear();
+    curve.value.clear();
+    for (int k = 1; k <= 160; ++k) {
+        const Real courant = largest_drawn * k / 160;
+        curve.position.push_back(courant);
+        curve.value.push_back(viscosity_at(courant, edge));
+    }
 }
 
 std::optional<Real> AdvectionLesson::interpolation_viscosity() const {
     if (field != Flow::translation) return std::nullopt;
-    return viscosity_at(cfl);
+    return viscosity_at(cfl, dx());
 }
 
 void AdvectionLesson::declare_viscosity_probes() {
@@ -126,41 +137,34 @@ void AdvectionLesson::declare_lines() {
                                         curve);
                             }};
     };
-    lines = {
-        {.name = "profile",
-         .position_name = "x",
-         .position_unit = "m",
-         .help = "the quantity along the row of cells through the middle of the exact blob",
-         .sample = [this](Curve& curve) { profile(quantity_, curve); },
-         .reference = [this](Curve& curve) { profile(exact_, curve); },
-         .value_name = "q",
-         .others = {rival(0, "linear"), rival(1, "monotone cubic"), rival(2, "MacCormack")}},
-        {.name = "viscosity_of_cfl",
-         .unit = "m²/s",
-         .position_name = "CFL",
-         .help = "what linear interpolation adds in a translation, by theory, for each Courant number; the point is measured now",
-         .sample =
-             [this](Curve& curve) {
-                 curve.position.clear();
-                 curve.value.clear();
-                 for (Real c = 0.05; c <= 8.0001; c += 0.05) {
-                     curve.position.push_back(c);
-                     curve.value.push_back(viscosity_at(c));
-                 }
-             },
-         .value_name = "ν",
-         .used = [this] { return field == Flow::translation; },
-         .others = {{.name = "measured",
-                     .sample =
-                         [this](Curve& curve) {
-                             curve.position.clear();
-                             curve.value.clear();
-                             const auto nu = measured_viscosity();
-                             if (!nu || cfl > 8) return;
-                             curve.position.push_back(cfl);
-                             curve.value.push_back(*nu);
-                         },
-                     .points = true}}}};
+    lines = {{.name = "profile",
+              .position_name = "x",
+              .position_unit = "m",
+              .help = "the quantity along the row of cells through the middle of the exact blob",
+              .sample = [this](Curve& curve) { profile(quantity_, curve); },
+              .reference = [this](Curve& curve) { profile(exact_, curve); },
+              .value_name = "q",
+              .others = {rival(0, "linear"), rival(1, "monotone cubic"), rival(2, "MacCormack")}},
+             {.name = "viscosity_of_cfl",
+              .unit = "m²/s",
+              .position_name = "CFL",
+              .help = "what linear interpolation adds in a translation, by theory, at each Courant number, with these cells and "
+                      "with half as large ones; the point is measured now",
+              .sample = [this](Curve& curve) { viscosity_curve(dx(), curve); },
+              .value_name = "ν",
+              .used = [this] { return field == Flow::translation; },
+              .others = {{.name = "measured",
+                          .sample =
+                              [this](Curve& curve) {
+                                  curve.position.clear();
+                                  curve.value.clear();
+                                  const auto nu = measured_viscosity();
+                                  if (!nu || cfl > largest_drawn) return;
+                                  curve.position.push_back(cfl);
+                                  curve.value.push_back(*nu);
+                              },
+                          .points = true},
+                         {.name = "Δx/2", .sample = [this](Curve& curve) { viscosity_curve(dx() / 2, curve); }}}}};
 }
 
 // -------------------------------------------------------------------------------------------- assumptions and laws

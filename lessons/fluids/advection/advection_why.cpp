@@ -58,6 +58,24 @@ Input AdvectionLesson::step() const {
                         [](Values v) { return v[0] * v[1] / v[2]; }});
 }
 
+// The velocity of the flow on a face, so that no cell has a divergence.
+Explanation AdvectionLesson::why_on_face(int axis, Index face) const {
+    const GridPlace<2> at = grid_->faces(axis).place(grid_->faces(axis).coordinates(face));
+    const Vec<2> x = dx() * Vec<2>(at[0], at[1]), half = dx() / 2 * Vec<2>::Unit(1 - axis);
+    const auto end = [&](const char* symbol, const Vec<2>& place) {
+        return Input::constant(symbol, flow().stream_function(place), "m²/s",
+                               "stream function of the flow at this end of the face");
+    };
+    Input edge = Input::part(
+        "Δx", "m", {"Δx = L / n", {Input::constant("L", 1, "m", "width of the box"), Input::of(resolution)}, [](Values v) {
+                        return v[0] / v[1];
+                    }});
+    const auto slope = [](Values v) { return (v[0] - v[1]) / v[2]; };
+    if (axis == 0)
+        return {"u = (ψ_above − ψ_below) / Δx", {end("ψ_above", x + half), end("ψ_below", x - half), std::move(edge)}, slope};
+    return {"v = (ψ_left − ψ_right) / Δx", {end("ψ_left", x - half), end("ψ_right", x + half), std::move(edge)}, slope};
+}
+
 Explanation AdvectionLesson::why_velocity(Index cell, int component) const {
     return flow::GridWhy(*grid_, step()).cell_velocity(cell, component);
 }
@@ -121,9 +139,35 @@ Explanation AdvectionLesson::moved_into_box(Explanation why, Real free, Real pla
 
 // -------------------------------------------------------------------------------------------- interpolation, correction
 
+// How far the departure place is beyond the lower sample, in cells.
+Input AdvectionLesson::why_fraction(Index cell, int axis, Index sample) const {
+    const std::string symbol = axis == 0 ? "s" : "t", place = axis_name(axis) + "_d";
+    return Input::part(symbol, "",
+                       {fmt::format("{} = {} / Δx − c", symbol, place),
+                        {Input::now(place, "departure", cell, axis), Input::constant("Δx", dx(), "m", "edge of a cell"),
+                         Input::constant("c", static_cast<Real>(sample) + Real(0.5), "cells", "place of the lower sample")},
+                        [](Values v) { return v[0] / v[1] - v[2]; }});
+}
+
 Explanation AdvectionLesson::why_interpolated(Index cell) const {
     const Departure<2> d = advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt());
-    return weighted_samples("q′", advection_->carried(), d.departure, From::before, "quantity");
+    if (settings(scheme).interpolation != Interpolation::linear)
+        return weighted_samples("q′", advection_->carried(), d.departure, From::before, "quantity");
+    const InterpolationStencil<2> stencil = interpolation_stencil<2>(advection_->carried(), d.departure);
+    std::vector<std::pair<Input, Input>> terms;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const WeightedSample<2>& s = stencil.samples[k];
+        if (s.weight == 0) continue;
+        const bool right = k & 1, above = k & 2;
+        const std::string symbol = fmt::format("w{}", k + 1);
+        Explanation weight{fmt::format("{} = {} {}", symbol, right ? "s" : "(1 − s)", above ? "t" : "(1 − t)"),
+                           {why_fraction(cell, 0, stencil.corner[0]), why_fraction(cell, 1, stencil.corner[1])},
+                           [right, above](Values v) { return (right ? v[0] : 1 - v[0]) * (above ? v[1] : 1 - v[1]); }};
+        terms.emplace_back(
+            Input::part(symbol, "", std::move(weight)),
+            flow::sample(fmt::format("q{}", k + 1), From::before, "quantity", flow::sample_beyond(grid_->cells(), s.at)));
+    }
+    return weighted_sum("q′ = Σ w q, over the samples around the departure place", terms);
 }
 
 Explanation AdvectionLesson::why_corrected(Index cell) const {

@@ -52,7 +52,7 @@ Vec<2> SteadyFlow::before(const Vec<2>& x, Real dt) const {
     const Vec<2> middle(0.5, 0.5);
     if (kind == Flow::rotation) return middle + Eigen::Rotation2D<Real>(-rotation_rate * dt) * (x - middle);
     Vec<2> y = x;
-    const auto parts = std::max<Index>(1, static_cast<Index>(std::ceil(dt * top_speed / longest_part)));
+    const auto parts = std::max<Index>(1, static_cast<Index>(std::ceil(std::abs(dt) * top_speed / longest_part)));
     const Real h = dt / static_cast<Real>(parts);
     for (Index k = 0; k < parts; ++k) {
         const Vec<2> k1 = velocity(y), k2 = velocity(y - h / 2 * k1), k3 = velocity(y - h / 2 * k2), k4 = velocity(y - h * k3);

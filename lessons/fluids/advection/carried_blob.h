@@ -20,8 +20,8 @@ struct SteadyFlow {
     Real stream_function(const Vec<2>& x) const;
     // Once around: a metre of translation, a whole rotation; for the vortex a metre at top speed. s
     Real turn() const;
-    // Where the particle that is at x now was dt seconds ago, not yet moved into the box. Exact for translation and rotation; in
-    // the vortex by Runge–Kutta steps of order 4 that are far finer than a step.
+    // Where the particle that is at x now was dt seconds ago (will be, when dt is negative), not yet moved into the box. Exact
+    // for translation and rotation; in the vortex by Runge–Kutta steps of order 4 that are far finer than a step.
     Vec<2> before(const Vec<2>& x, Real dt) const;
 };
 
