@@ -5,20 +5,22 @@
 namespace pliant {
 namespace {
 
-// The cells after and before one along an axis; `inside` tells which of them is not beyond a wall.
-struct Beside {
-    Index cell[2];  // [0: before, 1: after]; the cell itself beyond a wall
-    bool inside[2];
-};
-template <int Dim>
-Beside cells_beside(const Lattice<Dim>& cells, const Counts<Dim>& at, Index cell, int axis) {
-    Beside beside{};
-    for (int side = 0; side < 2; ++side) {
-        const Index n = cells.neighbour(at, axis, side == 0 ? -1 : 1);
-        beside.inside[side] = n >= 0;
-        beside.cell[side] = n >= 0 ? n : cell;
-    }
-    return beside;
+// Calls body(cell, axis, cell before, is that inside, cell after, is that inside) for every cell and axis. Beyond a wall lies the
+// cell itself.
+template <int Dim, class Body>
+void for_each_pair(const Lattice<Dim>& cells, Body&& body) {
+    for_each_row(cells, [&](Index start, Counts<Dim> at) {
+        for (Index i = 0; i < cells.count[0]; ++i) {
+            at[0] = i;
+            const Index c = start + i;
+            for (int a = 0; a < Dim; ++a) {
+                const Index n = cells.count[a], stride = cells.stride(a), around = cells.periodic(a) ? (n - 1) * stride : 0;
+                const bool first = at[a] == 0, last = at[a] == n - 1;
+                body(c, a, first ? c + around : c - stride, !first || cells.periodic(a), last ? c - around : c + stride,
+                     !last || cells.periodic(a));
+            }
+        }
+    });
 }
 
 }  // namespace
@@ -26,30 +28,18 @@ Beside cells_beside(const Lattice<Dim>& cells, const Counts<Dim>& at, Index cell
 template <int Dim>
 void central_divergence(const Lattice<Dim>& cells, Real dx, const Points<Dim>& velocity, VecX& out) {
     out.setZero(cells.size());
-    for (Index c = 0; c < out.size(); ++c) {
-        const Counts<Dim> at = cells.coordinates(c);
-        for (int a = 0; a < Dim; ++a) {
-            const Beside beside = cells_beside<Dim>(cells, at, c, a);
-            const auto across = [&](int side) {
-                const Real u = velocity(a, beside.cell[side]);
-                return beside.inside[side] ? u : -u;
-            };
-            out[c] += across(1) - across(0);
-        }
-    }
+    for_each_pair(cells, [&](Index c, int a, Index before, bool before_inside, Index after, bool after_inside) {
+        const Real low = velocity(a, before), high = velocity(a, after);
+        out[c] += (after_inside ? high : -high) - (before_inside ? low : -low);
+    });
     out *= 1 / (2 * dx);
 }
 
 template <int Dim>
 void central_gradient(const Lattice<Dim>& cells, Real dx, const VecX& p, Points<Dim>& out) {
     out.resize(Dim, cells.size());
-    for (Index c = 0; c < p.size(); ++c) {
-        const Counts<Dim> at = cells.coordinates(c);
-        for (int a = 0; a < Dim; ++a) {
-            const Beside beside = cells_beside<Dim>(cells, at, c, a);
-            out(a, c) = (p[beside.cell[1]] - p[beside.cell[0]]) / (2 * dx);
-        }
-    }
+    for_each_pair(cells,
+                  [&](Index c, int a, Index before, bool, Index after, bool) { out(a, c) = (p[after] - p[before]) / (2 * dx); });
 }
 
 template <int Dim>

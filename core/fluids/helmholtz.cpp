@@ -1,6 +1,7 @@
 #include <pliant/fluids/helmholtz.h>
 #include <pliant/fluids/pressure_gradient.h>
 #include <pliant/fluids/projection.h>
+#include <pliant/math/error.h>
 
 namespace pliant {
 
@@ -15,6 +16,8 @@ HelmholtzParts<Dim> helmholtz_parts(const StaggeredGrid<Dim>& grid, const FaceFi
 
 template <int Dim>
 HelmholtzParts<Dim> helmholtz_parts(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity, VecX potential) {
+    if (grid.has_air())
+        throw Refused("a velocity with a free surface has no Helmholtz parts here: take a grid without cells of air");
     HelmholtzParts<Dim> parts;
     parts.potential = std::move(potential);
     parts.gradient = grid.zero_velocity();

@@ -14,7 +14,7 @@ struct HelmholtzParts {
                                         // part, which is both a gradient and without divergence. 0 along other axes
 };
 
-// φ from ∇²φ = ∇·u. Throws Diverged as PressureProjection does.
+// φ from ∇²φ = ∇·u, on a grid without air. Throws Refused if there is some, Diverged as PressureProjection does.
 template <int Dim>
 HelmholtzParts<Dim> helmholtz_parts(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity,
                                     const ProjectionSettings& settings = {1e-12, 1000});

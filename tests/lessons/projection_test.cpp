@@ -171,6 +171,19 @@ TEST_CASE("projection: the other solvers stand beside the chosen one", "[project
     CHECK(chosen.value.size() > 3 * passes[2]);
 }
 
+TEST_CASE("projection: the collocated grid has one solver and one curve", "[projection]") {
+    const Runner runner = done({{"grid", "collocated"}, {"field", "random"}, {"resolution", "20"}});
+    Curve curve, other;
+    residual(runner).sample(curve);
+    CHECK(static_cast<Real>(curve.value.size()) == measured(runner, "iterations"));
+    CHECK(curve.value.size() > 10);
+    CHECK(curve.value.back() <= 1e-6);
+    for (const CompareCurve& c : residual(runner).others) {
+        c.sample(other);
+        CHECK(other.value.empty());
+    }
+}
+
 TEST_CASE("projection: walls that do not balance stop the run with the net flux and a way out", "[projection]") {
     Runner runner = lesson({{"field", "through_flow"}, {"outflow", "0.75"}, {"speed", "2"}});
     CHECK_THAT(measured(runner, "net_inflow"), WithinRel(0.5, 1e-12));

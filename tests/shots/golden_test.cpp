@@ -38,7 +38,7 @@ std::vector<Golden> goldens() {
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
     PictureOptions medium, large, full;
-    medium.size = "720x405", large.size = "920x518", full.size = "1280x720";
+    medium.size = "720x405", large.size = "920x518", full.size = "960x540";
     PictureOptions bright = large;
     bright.theme = "projector";
     PictureOptions wide;
@@ -76,6 +76,11 @@ std::vector<Golden> goldens() {
         {"projection_collocated",
          {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, full},
          "grid=staggered"},
+        {"free_surface", {"fluids/free_surface", {"resolution=40"}, 40, large}, "column_width=0.2"},
+        {"free_surface_wave",
+         {"fluids/free_surface", {"scene=wave", "resolution=32", "wave_height=0.04"}, 30, bright},
+         "depth=0.2"},
+        {"free_surface_paddle", {"fluids/free_surface", {"scene=paddle", "resolution=48"}, 60, medium}, "paddle_stroke=0.02"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }

@@ -35,13 +35,13 @@ void play(const LessonEntry& entry, long inputs) {
 TEST_CASE("nothing that a monkey does breaks the lab", "[monkey]") {
     for (const LessonEntry& entry : lessons()) {
         CAPTURE(entry.info.id);
-        play(entry, 400);
+        play(entry, 150);
     }
 }
 
 TEST_CASE("nothing that a monkey does for long breaks the lab", "[monkey][slow]") {
     for (const LessonEntry& entry : lessons()) {
         CAPTURE(entry.info.id);
-        play(entry, 1500);
+        play(entry, 400);
     }
 }

@@ -63,3 +63,26 @@ TEST_CASE("the cell of the diffusion stencil follows the hand, and the run goes 
     s.undo();
     CHECK(value(s, "cell_x") == 12);
 }
+
+TEST_CASE("an arrow that is drawn is projected at once, and a click beside the handles moves nothing", "[session]") {
+    Session s("fluids/projection");
+    s.step();
+    s.assign(s.lesson().parameter("field"), 6);  // drawn
+    REQUIRE(s.lesson().at_rest());
+    const Real before = probe(s, "kinetic_energy");
+    // The head of the second arrow, handle 5, to twice its length.
+    const Vec<3> base(value(s, "arrow2_x"), value(s, "arrow2_y"), 0), way(-0.18, 0.24, 0);
+    s.pull(Pull{5, base + 0.5 * way, base + way});
+    CHECK_THAT(value(s, "arrow2_u"), WithinAbs(-1.2, 1e-12));
+    CHECK_THAT(value(s, "arrow2_v"), WithinAbs(1.6, 1e-12));
+    CHECK(s.lesson().at_rest());
+    CHECK(probe(s, "kinetic_energy") > before);
+    s.pull(std::nullopt);
+    // The large cell goes where its dot is dragged, to the edge and not beyond.
+    s.pull(Pull{0, {0.34, 0.62, 0}, {1.4, 0.2, 0}});
+    CHECK_THAT(value(s, "cell_x"), WithinAbs(1, 1e-15));
+    CHECK_THAT(value(s, "cell_y"), WithinAbs(0.2, 1e-15));
+    s.pull(std::nullopt);
+    s.undo();
+    CHECK_THAT(value(s, "cell_x"), WithinAbs(0.34, 1e-15));
+}

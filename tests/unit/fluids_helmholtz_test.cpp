@@ -4,6 +4,7 @@
 #include <pliant/fluids/diagnostics.h>
 #include <pliant/fluids/helmholtz.h>
 #include <pliant/fluids/pressure_gradient.h>
+#include <pliant/math/error.h>
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -53,6 +54,14 @@ TEST_CASE("a velocity falls apart into orthogonal parts", "[fluids][helmholtz]")
     check_parts(drawn({"..........", "...####...", "...#..#...", "...####...", ".........."}));
     check_parts(box<3>({6, 5, 4}));
     check_parts(box<3>({4, 5, 6}, true));
+}
+
+TEST_CASE("a free surface has no Helmholtz parts", "[fluids][helmholtz]") {
+    StaggeredGridInfo<2> info = box<2>({4, 4});
+    info.types.assign(16, CellType::fluid);
+    info.types[15] = CellType::air;
+    const StaggeredGrid<2> grid(info);
+    CHECK_THROWS_AS(helmholtz_parts(grid, grid.zero_velocity(), VecX(VecX::Zero(16))), Refused);
 }
 
 TEST_CASE("the mean of a periodic flow is its harmonic part", "[fluids][helmholtz]") {

@@ -65,7 +65,9 @@ void FreeSurface::draw_tank(Scene& picture) const {
     picture.box(position(0, 0), position(W, H), Ink::ground, wall_width);
     if (!has_paddle()) return;
     const Real left = paddle_place(time()) - 0.5 * paddle_width(), right = left + paddle_width();
-    TriangleMarks plate{.corners = {position(left, 0), position(right, 0), position(right, H), position(left, H)},
+    // In front of the liquid.
+    const Real z = 0.01 * tank_width;
+    TriangleMarks plate{.corners = {position(left, 0, z), position(right, 0, z), position(right, H, z), position(left, H, z)},
                         .triangles = {{0, 1, 2}, {0, 2, 3}},
                         .ink = Ink::ground};
     picture.triangles.push_back(std::move(plate));

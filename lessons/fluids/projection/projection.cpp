@@ -80,8 +80,10 @@ void Projection::reset() {
     for (VecX& component : central_.components) component = VecX::Zero(cells);
     tally_.setZero();
     give();
-    histories_.clear();
-    if (staggered()) histories_.reset(*grid_, tentative_, dt, settings());
+    if (staggered())
+        histories_.reset(*grid_, tentative_, dt, settings());
+    else
+        histories_.reset(*grid_, centre_, dt, settings());
 }
 
 // The velocity at the cell centres, for pictures and parts.

@@ -43,7 +43,7 @@ public:
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
-    ColourBy first_colours() const override { return {"pressure", -1}; }
+    ColourBy first_colours() const override { return {staggered() ? "pressure" : "velocity", -1}; }
     std::vector<std::string_view> first_plots() const override { return {"residual"}; }
     std::vector<std::string_view> key_numbers() const override {
         return {"max_divergence_before", "max_divergence", "iterations"};

@@ -116,14 +116,14 @@ void Projection::draw_handles(Scene& scene) const {
 
 void Projection::write_notes(Scene& scene) const {
     scene.notes.push_back(selected_sum());
-    scene.notes.push_back(
-        fmt::format("{0} × {0} cells, Δx = {1}, Δt = {2}", Index(resolution), number(dx(), "m"), number(dt, "s")));
+    const std::string cells =
+        fmt::format("{0} × {0} cells, Δx = {1}, Δt = {2}", Index(resolution), number(dx(), "m"), number(dt, "s"));
     if (tally_[done] == 0) {
-        scene.notes.push_back(fmt::format("given: max|∇·ũ| = {}", number(before_.lpNorm<Eigen::Infinity>(), "1/s")));
+        scene.notes.push_back(fmt::format("given: max|∇·ũ| = {};  {}", number(before_.lpNorm<Eigen::Infinity>(), "1/s"), cells));
         return;
     }
-    scene.notes.push_back(fmt::format("max|∇·u|: {} → {} in {:g} passes", number(tally_[initial], "1/s"),
-                                      number(after_.lpNorm<Eigen::Infinity>(), "1/s"), tally_[passes]));
+    scene.notes.push_back(fmt::format("max|∇·u|: {} → {} in {:g} passes;  {}", number(tally_[initial], "1/s"),
+                                      number(after_.lpNorm<Eigen::Infinity>(), "1/s"), tally_[passes], cells));
     if (!walls_move())
         scene.notes.push_back(fmt::format("½⟨ũ²⟩ = {} = {} taken out + {} left", number(tally_[energy_given], "J/kg"),
                                           number(tally_[energy_given] - specific_energy(), "J/kg"),

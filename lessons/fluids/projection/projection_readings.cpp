@@ -204,13 +204,12 @@ void Projection::declare_lines() {
                       "beside it, on the same field",
               .sample = [this](Curve& curve) { sample_history(curve, solver, static_cast<Index>(tally_[passes])); },
               .value_name = "max|∇·u| / max|∇·ũ|",
-              .log_log = true,
-              .used = [this] { return staggered(); }}};
+              .log_log = true}};
     constexpr std::array<std::string_view, solver_count> names{"plain", "Jacobi", "incomplete Cholesky", "multigrid"};
     for (std::size_t k = 0; k < solver_count; ++k)
         lines[0].others.push_back({.name = names[k], .sample = [this, k](Curve& curve) {
                                        const auto which = static_cast<PressurePreconditioner>(k);
-                                       sample_history(curve, which, which == solver ? 0 : all);
+                                       sample_history(curve, which, which == solver || !staggered() ? 0 : all);
                                    }});
 }
 

@@ -4,6 +4,25 @@
 
 namespace pliant::projection {
 
+namespace {
+
+template <class Solve, class Velocity>
+std::vector<Real> divergence_left(Solve&& solve, const Velocity& velocity, Real dt) {
+    std::vector<Real> left;
+    try {
+        solve.begin(velocity, dt);
+        while (!solve.converged()) {
+            solve.iterate();
+            left.push_back(solve.remaining_divergence() / solve.initial_divergence());
+        }
+    } catch (const Diverged&) {
+        // The curve ends at the cap; a flow that does not balance has none.
+    }
+    return left;
+}
+
+}  // namespace
+
 void SolverHistories::reset(const StaggeredGrid<2>& grid, const FaceField<2>& velocity, Real dt,
                             const ProjectionSettings& settings) {
     grid_ = &grid;
@@ -13,6 +32,12 @@ void SolverHistories::reset(const StaggeredGrid<2>& grid, const FaceField<2>& ve
     known_ = {};
 }
 
+void SolverHistories::reset(const StaggeredGrid<2>& grid, const Points<2>& velocity, Real dt,
+                            const ProjectionSettings& settings) {
+    reset(grid, FaceField<2>{}, dt, settings);
+    velocity_ = velocity;
+}
+
 const std::vector<Real>& SolverHistories::of(PressurePreconditioner solver) {
     auto& history = known_[static_cast<std::size_t>(solver)];
     if (!history) history = grid_ ? run(solver) : std::vector<Real>{};
@@ -20,20 +45,11 @@ const std::vector<Real>& SolverHistories::of(PressurePreconditioner solver) {
 }
 
 std::vector<Real> SolverHistories::run(PressurePreconditioner solver) const {
-    std::vector<Real> left;
     ProjectionSettings settings = settings_;
     settings.preconditioner = solver;
-    PressureProjection<2> projection(*grid_, settings);
-    try {
-        projection.begin(velocity_, dt_);
-        while (!projection.converged()) {
-            projection.iterate();
-            left.push_back(projection.remaining_divergence() / projection.initial_divergence());
-        }
-    } catch (const Diverged&) {
-        // The curve ends at the cap; a flow that does not balance has none.
-    }
-    return left;
+    if (const auto* in_cells = std::get_if<Points<2>>(&velocity_))
+        return divergence_left(CollocatedProjection<2>(grid_->cells(), grid_->dx(), settings), *in_cells, dt_);
+    return divergence_left(PressureProjection<2>(*grid_, settings), std::get<FaceField<2>>(velocity_), dt_);
 }
 
 }  // namespace pliant::projection

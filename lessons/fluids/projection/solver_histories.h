@@ -1,9 +1,11 @@
 // How the divergence left falls with the passes of each solver, found when it is asked for.
 #pragma once
+#include <pliant/fluids/collocated.h>
 #include <pliant/fluids/projection.h>
 
 #include <array>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace pliant::projection {
@@ -14,7 +16,8 @@ class SolverHistories {
 public:
     // The grid must outlive this, or the next call. Forgets what was found before.
     void reset(const StaggeredGrid<2>& grid, const FaceField<2>& velocity, Real dt, const ProjectionSettings& settings);
-    void clear() { grid_ = nullptr, known_ = {}; }
+    // On the collocated grid of its cells, where every solver is the plain one.
+    void reset(const StaggeredGrid<2>& grid, const Points<2>& velocity, Real dt, const ProjectionSettings& settings);
 
     // Largest divergence left after pass 1, 2, ..., over the largest before; from p = 0 until the solver meets its tolerance or
     // its cap. Empty where there is nothing to solve, or no solution.
@@ -24,7 +27,7 @@ private:
     std::vector<Real> run(PressurePreconditioner solver) const;
 
     const StaggeredGrid<2>* grid_ = nullptr;
-    FaceField<2> velocity_;
+    std::variant<FaceField<2>, Points<2>> velocity_;
     Real dt_ = 1;
     ProjectionSettings settings_;
     std::array<std::optional<std::vector<Real>>, solver_count> known_;
