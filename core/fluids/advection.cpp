@@ -1,4 +1,5 @@
 #include <pliant/fluids/advection.h>
+#include <pliant/fluids/parallel_rows.h>
 
 #include <algorithm>
 
@@ -46,8 +47,6 @@ Index longest_row(const StaggeredGrid<Dim>& grid) {
 template <int Dim>
 SemiLagrangian<Dim>::SemiLagrangian(const StaggeredGrid<Dim>& grid, AdvectionSettings settings)
     : grid_(grid), settings_(settings), flow_(grid, settings.interpolation), quantity_(grid.cells(), settings.interpolation) {
-    row_ = VecX::Zero(longest_row(grid) + 1);  // of whole pairs
-    for (int a = 0; a < Dim; ++a) place_[a] = speed_[a] = row_;
     if (!settings.mac_cormack) return;
     Index most = grid.cells().size();
     for (int a = 0; a < Dim; ++a) {
@@ -87,9 +86,9 @@ Departure<Dim> SemiLagrangian<Dim>::departure(const GridPlace<Dim>& arrival, Rea
 // In short passes over the row, so that no particle waits for another.
 template <int Dim>
 template <int Axis>
-void SemiLagrangian<Dim>::trace_row(const Lattice<Dim>& lattice, const Counts<Dim>& row, Real dt) {
+void SemiLagrangian<Dim>::trace_row(const Lattice<Dim>& lattice, const Counts<Dim>& row, Real dt, Particles& p) const {
     const Index n = lattice.count[0];
-    const auto places = for_axes<Dim>([&](auto a) { return place_[a].data(); });
+    const auto places = for_axes<Dim>([&](auto a) { return p.place[a].data(); });
     const auto step_back = [&](Real cells_per_speed, const auto& speed) {
         PlacePair<Dim> arrival = VelocitySampler<Dim>::both(lattice.place(row));
         arrival[0] = arrival[0] + Pair{0, 1};
@@ -103,7 +102,7 @@ void SemiLagrangian<Dim>::trace_row(const Lattice<Dim>& lattice, const Counts<Di
     const RowVelocity<Dim, Axis> at_arrival(flow_, row);
     step_back(midpoint ? Real(0.5) * whole : whole, [&](Index i) { return at_arrival.at(i); });
     if (!midpoint) return;
-    const auto speeds = for_axes<Dim>([&](auto a) { return speed_[a].data(); });
+    const auto speeds = for_axes<Dim>([&](auto a) { return p.speed[a].data(); });
     for (int a = 0; a < Dim; ++a)
         flow_.component(a).at(for_axes<Dim>([&](auto b) -> const Real* { return places[b]; }), n, speeds[a]);
     step_back(whole, [&](Index i) { return for_axes<Dim>([&](auto a) { return load_pair(speeds[a] + i); }); });
@@ -112,11 +111,20 @@ void SemiLagrangian<Dim>::trace_row(const Lattice<Dim>& lattice, const Counts<Di
 // ----------------------------------------------------------------------------------------- interpolation and correction
 
 template <int Dim>
-void SemiLagrangian<Dim>::interpolate_row(const PaddedField<Dim>& field, Index n, VecX& out) const {
+void SemiLagrangian<Dim>::interpolate_row(const PaddedField<Dim>& field, Index n, Particles& p) const {
     if (settings_.interpolation == Interpolation::linear)
-        field.at(for_axes<Dim>([&](auto a) { return place_[a].data(); }), n, out.data());
+        field.at(for_axes<Dim>([&](auto a) { return static_cast<const Real*>(p.place[a].data()); }), n, p.row.data());
     else
-        for (Index i = 0; i < n; ++i) out[i] = field.cubic_at(for_axes<Dim>([&](auto a) { return place_[a][i]; }));
+        for (Index i = 0; i < n; ++i) p.row[i] = field.cubic_at(for_axes<Dim>([&](auto a) { return p.place[a][i]; }));
+}
+
+template <int Dim>
+void SemiLagrangian<Dim>::make_particles() {
+    while (static_cast<int>(particles_.size()) < threads()) {
+        Particles p{{}, {}, VecX::Zero(longest_row(grid_) + 1)};  // of whole pairs
+        for (int a = 0; a < Dim; ++a) p.place[a] = p.speed[a] = p.row;
+        particles_.push_back(std::move(p));
+    }
 }
 
 template <int Dim>
@@ -124,16 +132,18 @@ template <int Axis>
 void SemiLagrangian<Dim>::carry(const PaddedField<Dim>& old, VecX& out, Real dt) {
     const Lattice<Dim>& lattice = old.lattice();
     const Index n = lattice.count[0];
-    for_each_row(lattice, [&](Index start, const Counts<Dim>& at) {
-        trace_row<Axis>(lattice, at, dt);
-        interpolate_row(old, n, row_);
+    make_particles();
+    parallel_for_each_row(lattice, [&](Index start, const Counts<Dim>& at, int thread) {
+        Particles& p = particles_[static_cast<std::size_t>(thread)];
+        trace_row<Axis>(lattice, at, dt, p);
+        interpolate_row(old, n, p);
         if (settings_.mac_cormack)
             for (Index i = 0; i < n; ++i) {
-                const auto [low, high] = old.range_around(for_axes<Dim>([&](auto a) { return place_[a][i]; }));
+                const auto [low, high] = old.range_around(for_axes<Dim>([&](auto a) { return p.place[a][i]; }));
                 low_[start + i] = low;
                 high_[start + i] = high;
             }
-        write_row<Axis>(start, at, out);
+        write_row<Axis>(start, at, p.row, out);
     });
 }
 
@@ -146,27 +156,30 @@ void SemiLagrangian<Dim>::correct(const PaddedField<Dim>& old, VecX& out, Real d
     PaddedField<Dim>& forward = forward_[static_cast<std::size_t>(Axis < 0 ? Dim : Axis)];
     forward.fill(out);
     const Index n = lattice.count[0];
-    for_each_row(lattice, [&](Index start, const Counts<Dim>& at) {
-        trace_row<Axis>(lattice, at, -dt);
-        interpolate_row(forward, n, row_);
+    make_particles();
+    parallel_for_each_row(lattice, [&](Index start, const Counts<Dim>& at, int thread) {
+        Particles& p = particles_[static_cast<std::size_t>(thread)];
+        trace_row<Axis>(lattice, at, -dt, p);
+        interpolate_row(forward, n, p);
         const auto before = Eigen::Map<const VecX>(old.data() + old.position(at), n);
-        row_.head(n) = out.segment(start, n) + Real(0.5) * (before - row_.head(n));
-        row_.head(n) = row_.head(n).cwiseMax(low_.segment(start, n)).cwiseMin(high_.segment(start, n));
-        write_row<Axis>(start, at, out);
+        auto row = p.row.head(n);
+        row = out.segment(start, n) + Real(0.5) * (before - row);
+        row = row.cwiseMax(low_.segment(start, n)).cwiseMin(high_.segment(start, n));
+        write_row<Axis>(start, at, p.row, out);
     });
 }
 
-// Takes over what row_ holds, except on closed faces and in solid cells.
+// Takes over the values of a row, except on closed faces and in solid cells.
 template <int Dim>
 template <int Axis>
-void SemiLagrangian<Dim>::write_row(Index start, const Counts<Dim>& at, VecX& out) const {
+void SemiLagrangian<Dim>::write_row(Index start, const Counts<Dim>& at, const VecX& values, VecX& out) const {
     if constexpr (Axis < 0) {
         const Index n = grid_.cells().count[0];
         if (!grid_.has_solids())
-            out.segment(start, n) = row_.head(n);
+            out.segment(start, n) = values.head(n);
         else
             for (Index i = 0; i < n; ++i)
-                if (grid_.is_fluid(start + i)) out[start + i] = row_[i];
+                if (grid_.is_fluid(start + i)) out[start + i] = values[i];
     } else {
         // A row of faces on a wall is closed; so are the ends of a row that runs from wall to wall.
         const Lattice<Dim>& lattice = grid_.faces(Axis);
@@ -174,7 +187,7 @@ void SemiLagrangian<Dim>::write_row(Index start, const Counts<Dim>& at, VecX& ou
         if (walled && Axis != 0 && (at[Axis] == 0 || at[Axis] == lattice.count[Axis] - 1)) return;
         const Index first = walled && Axis == 0 ? 1 : 0, open = lattice.count[0] - 2 * first;
         auto row = out.segment(start + first, open);
-        const auto carried = row_.segment(first, open);
+        const auto carried = values.segment(first, open);
         if (grid_.has_solids())
             row += grid_.openness(Axis).segment(start + first, open).cwiseProduct(carried - row);
         else

@@ -66,11 +66,17 @@ public:
 
 private:
     PlacePair<Dim> stepped_back(const PlacePair<Dim>& arrival, const PlacePair<Dim>& speed, Real cells_per_speed) const;
-    // place_ of the particles that arrive at a row of samples.
+    // The particles of one row: where they are, in cells, and how fast, along each axis; what they carry.
+    struct Particles {
+        AxisArrays<Dim> place, speed;
+        VecX row;
+    };
+    void make_particles();
+    // place of the particles that arrive at a row of samples.
     template <int Axis>
-    void trace_row(const Lattice<Dim>& lattice, const Counts<Dim>& row, Real dt);
-    // A field at place_.
-    void interpolate_row(const PaddedField<Dim>& field, Index n, VecX& out) const;
+    void trace_row(const Lattice<Dim>& lattice, const Counts<Dim>& row, Real dt, Particles& p) const;
+    // row = a field at place.
+    void interpolate_row(const PaddedField<Dim>& field, Index n, Particles& p) const;
 
     // Axis: of the faces whose component is carried, or -1 for a quantity at cell centres.
     template <int Axis>
@@ -78,7 +84,7 @@ private:
     template <int Axis>
     void correct(const PaddedField<Dim>& old, VecX& out, Real dt);
     template <int Axis>
-    void write_row(Index start, const Counts<Dim>& at, VecX& out) const;
+    void write_row(Index start, const Counts<Dim>& at, const VecX& values, VecX& out) const;
     template <int Axis = 0>
     void advect_components(FaceField<Dim>& velocity, Real dt);
 
@@ -88,9 +94,7 @@ private:
     PaddedField<Dim> quantity_;
     std::vector<PaddedField<Dim>> forward_;  // by axis, then of the cells; none without MacCormack
     VecX low_, high_;                        // of the samples around each departure
-    // Of the particles of one row: where they are, in cells, and how fast, along each axis; what they carry.
-    AxisArrays<Dim> place_, speed_;
-    VecX row_;
+    std::vector<Particles> particles_;       // by thread
 };
 
 extern template class SemiLagrangian<2>;

@@ -1,4 +1,5 @@
 #include <pliant/fluids/box_laplacian.h>
+#include <pliant/math/parallel.h>
 
 namespace pliant {
 namespace {
@@ -36,6 +37,7 @@ BoxLaplacian<Dim>::BoxLaplacian(const Lattice<Dim>& lattice)
     : size_(lattice.size()),
       n_(lattice.count[0]),
       wraps_(lattice.periodic(0) && n_ > 1),
+      two_coloured_(two_coloured(lattice)),
       rows_(lattice_rows(lattice)),
       zeros_(static_cast<std::size_t>(n_), Real(0)) {
     const auto& ends = lattice.sides[0];
@@ -93,22 +95,27 @@ void BoxLaplacian<Dim>::product(const Row& row, Real across_diagonal, const Real
 template <int Dim>
 Real BoxLaplacian<Dim>::apply(const VecX& x, Real shift, Real scale, VecX& y) const {
     y.resize(size_);
-    Real dot = 0;
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-        product(rows_[r], across_diagonal_[r], x.data(), shift, scale, y.data());
-        dot += x.segment(rows_[r].start, n_).dot(y.segment(rows_[r].start, n_));
-    }
-    return dot;
+    dots_.resize(static_cast<Index>(rows_.size()));
+    parallel_parts(dots_.size(), n_, [&](Index first, Index last, int) {
+        for (Index r = first; r < last; ++r) {
+            const Row& row = rows_[static_cast<std::size_t>(r)];
+            product(row, across_diagonal_[static_cast<std::size_t>(r)], x.data(), shift, scale, y.data());
+            dots_[r] = x.segment(row.start, n_).dot(y.segment(row.start, n_));
+        }
+    });
+    return dots_.sum();
 }
 
 template <int Dim>
 void BoxLaplacian<Dim>::residual(const VecX& b, const VecX& x, Real shift, Real scale, VecX& r) const {
     r.resize(size_);
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-        product(rows_[k], across_diagonal_[k], x.data(), shift, scale, r.data());
-        auto row = r.segment(rows_[k].start, n_);
-        row = b.segment(rows_[k].start, n_) - row;
-    }
+    parallel_parts(static_cast<Index>(rows_.size()), n_, [&](Index first, Index last, int) {
+        for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+            product(rows_[k], across_diagonal_[k], x.data(), shift, scale, r.data());
+            auto row = r.segment(rows_[k].start, n_);
+            row = b.segment(rows_[k].start, n_) - row;
+        }
+    });
 }
 
 template <int Dim>
@@ -143,10 +150,13 @@ void BoxLaplacian<Dim>::relax(const VecX& b, Real scale, VecX& x, SweepOrder swe
     const bool backward = sweep == SweepOrder::backward;
     for (int pass = 0; pass < 2; ++pass) {
         const int colour = backward ? 1 - pass : pass;
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            const std::size_t r = backward ? rows_.size() - 1 - k : k;
-            relax_row(rows_[r], across_diagonal_[r], colour, backward, 1 / scale, b.data(), x.data());
-        }
+        // Samples of one colour take from the other colour alone, so that their order makes no difference.
+        parallel_parts(static_cast<Index>(rows_.size()), two_coloured_ ? n_ : 0, [&](Index first, Index last, int) {
+            for (Index k = 0; k < last - first; ++k) {
+                const auto r = static_cast<std::size_t>(backward ? last - 1 - k : first + k);
+                relax_row(rows_[r], across_diagonal_[r], colour, backward, 1 / scale, b.data(), x.data());
+            }
+        });
     }
 }
 

@@ -42,7 +42,9 @@ private:
     Index size_, n_;        // samples in all and along axis 0
     bool wraps_;            // along axis 0
     Real end_diagonal_[2];  // what axis 0 adds to d at the first and at the last sample of a row
+    bool two_coloured_;     // red samples have black neighbours: not around a periodic axis of an odd number
     std::vector<Row> rows_;
+    mutable VecX dots_;                  // by row
     std::vector<Real> across_diagonal_;  // what the other axes add to d, by row
     std::vector<Real> zeros_;            // stands for a row beyond a wall
     std::vector<std::pair<Index, Real>> wall_terms_;

@@ -1,4 +1,5 @@
 #include <pliant/fluids/diagnostics.h>
+#include <pliant/fluids/parallel_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,8 @@ std::array<Index, 2> face_rows(const StaggeredGrid<Dim>& grid, Counts<Dim> at, i
 template <int Dim, class Body>
 void for_each_cell_row(const StaggeredGrid<Dim>& grid, Body&& body) {
     const Index faces_along = grid.faces(0).count[0], cells_along = grid.cells().count[0];
-    for_each_row(grid.cells(), [&](Index start, const Counts<Dim>& at) { body(start, at, start / cells_along * faces_along); });
+    parallel_for_each_row(grid.cells(),
+                          [&](Index start, const Counts<Dim>& at, int) { body(start, at, start / cells_along * faces_along); });
 }
 
 // out = high − low (or high + low) of the faces across axis 0.

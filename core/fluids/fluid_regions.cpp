@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <pliant/fluids/fluid_regions.h>
 #include <pliant/math/error.h>
+#include <pliant/math/parallel.h>
 
 #include <cmath>
 
@@ -54,7 +55,10 @@ void FluidRegions<Dim>::find_surfaces() {
 template <int Dim>
 void FluidRegions<Dim>::remove_means(VecX& values) const {
     if (label_.empty()) {
-        values.array() -= values.mean();
+        const Index cells = values.size();
+        const auto sum = [&](Index first, Index last) { return values.segment(first, last - first).sum(); };
+        const Real mean = parallel_sum(cells, sum) / static_cast<Real>(cells);
+        parallel_parts(cells, 1, [&](Index first, Index last, int) { values.segment(first, last - first).array() -= mean; });
         return;
     }
     std::vector<Real> mean(cells_.size(), 0);

@@ -1,4 +1,5 @@
 #include <pliant/fluids/grid_transfer.h>
+#include <pliant/math/parallel.h>
 
 namespace pliant {
 namespace {
@@ -29,7 +30,7 @@ template <int Dim>
 GridTransfer<Dim>::GridTransfer(const Lattice<Dim>& fine)
     : n_(fine.count[0]), m_(half(n_)), coarse_size_(coarsened(fine).size()), halves_(n_ > 1), wraps_(fine.periodic(0)) {
     const Lattice<Dim> coarse = coarsened(fine);
-    buffer_ = VecX::Zero(m_ + 2);
+    children_.resize(static_cast<std::size_t>(coarse.rows()));
     for_each_row(fine, [&](Index start, const Counts<Dim>& at) {
         Row row{start, {}, {}};
         for (int p = 0; p < parents; ++p) {
@@ -41,14 +42,14 @@ GridTransfer<Dim>::GridTransfer(const Lattice<Dim>& fine)
                 row.weight[p] *= which == 0 ? 0.75 : 0.25;
             }
             row.coarse[p] = coarse.index(parent);
+            children_[static_cast<std::size_t>(row.coarse[p] / m_)].emplace_back(static_cast<Index>(rows_.size()), row.weight[p]);
         }
         rows_.push_back(row);
     });
 }
 
 template <int Dim>
-void GridTransfer<Dim>::expand(Real* fine) const {
-    const Real* t = buffer();
+void GridTransfer<Dim>::expand(const Real* t, Real* fine) const {
     if (!halves_) {
         fine[0] += t[0];
         return;
@@ -61,8 +62,7 @@ void GridTransfer<Dim>::expand(Real* fine) const {
 }
 
 template <int Dim>
-void GridTransfer<Dim>::compress(const Real* fine) {
-    Real* t = buffer();
+void GridTransfer<Dim>::compress(const Real* fine, Real* t) const {
     if (!halves_) {
         t[0] = fine[0];
         return;
@@ -81,25 +81,44 @@ void GridTransfer<Dim>::compress(const Real* fine) {
 }
 
 template <int Dim>
+void GridTransfer<Dim>::make_buffers() {
+    while (static_cast<int>(buffers_.size()) < threads()) buffers_.push_back(VecX::Zero(m_ + 2));
+}
+
+template <int Dim>
 void GridTransfer<Dim>::add_interpolated(const VecX& coarse, VecX& fine) {
-    auto inner = buffer_.segment(1, m_);
-    for (const Row& row : rows_) {
-        inner = row.weight[0] * coarse.segment(row.coarse[0], m_);
-        for (int p = 1; p < parents; ++p) inner += row.weight[p] * coarse.segment(row.coarse[p], m_);
-        buffer_[0] = inner[wraps_ ? m_ - 1 : 0];
-        buffer_[m_ + 1] = inner[wraps_ ? 0 : m_ - 1];
-        expand(fine.data() + row.start);
-    }
+    make_buffers();
+    parallel_parts(static_cast<Index>(rows_.size()), n_, [&](Index first, Index last, int thread) {
+        VecX& buffer = buffers_[static_cast<std::size_t>(thread)];
+        auto inner = buffer.segment(1, m_);
+        for (Index k = first; k < last; ++k) {
+            const Row& row = rows_[static_cast<std::size_t>(k)];
+            inner = row.weight[0] * coarse.segment(row.coarse[0], m_);
+            for (int p = 1; p < parents; ++p) inner += row.weight[p] * coarse.segment(row.coarse[p], m_);
+            buffer[0] = inner[wraps_ ? m_ - 1 : 0];
+            buffer[m_ + 1] = inner[wraps_ ? 0 : m_ - 1];
+            expand(buffer.data() + 1, fine.data() + row.start);
+        }
+    });
 }
 
 template <int Dim>
 void GridTransfer<Dim>::restrict_to(const VecX& fine, VecX& coarse) {
-    coarse.setZero(coarse_size_);
-    const auto inner = buffer_.segment(1, m_);
-    for (const Row& row : rows_) {
-        compress(fine.data() + row.start);
-        for (int p = 0; p < parents; ++p) coarse.segment(row.coarse[p], m_) += row.weight[p] * inner;
-    }
+    // Along axis 0 every fine row for itself, then every coarse row from the fine ones in their order.
+    compressed_.resize(static_cast<Index>(rows_.size()) * m_);
+    parallel_parts(static_cast<Index>(rows_.size()), n_, [&](Index first, Index last, int) {
+        for (Index k = first; k < last; ++k)
+            compress(fine.data() + rows_[static_cast<std::size_t>(k)].start, compressed_.data() + k * m_);
+    });
+    coarse.resize(coarse_size_);
+    parallel_parts(static_cast<Index>(children_.size()), 2 * n_, [&](Index first, Index last, int) {
+        for (Index k = first; k < last; ++k) {
+            auto out = coarse.segment(k * m_, m_);
+            out.setZero();
+            for (const auto& [row, weight] : children_[static_cast<std::size_t>(k)])
+                out += weight * compressed_.segment(row * m_, m_);
+        }
+    });
 }
 
 template Lattice<2> coarsened(const Lattice<2>&);

@@ -2,6 +2,7 @@
 #pragma once
 #include <pliant/fluids/lattice.h>
 
+#include <utility>
 #include <vector>
 
 namespace pliant {
@@ -31,15 +32,16 @@ private:
         std::array<Real, parents> weight;
     };
 
-    void expand(Real* fine) const;    // fine row += interpolation of the buffer along axis 0
-    void compress(const Real* fine);  // buffer = transpose of that
-    Real* buffer() { return buffer_.data() + 1; }
-    const Real* buffer() const { return buffer_.data() + 1; }
+    void expand(const Real* t, Real* fine) const;    // fine row += interpolation of the coarse row t along axis 0
+    void compress(const Real* fine, Real* t) const;  // t = transpose of that
+    void make_buffers();
 
     Index n_, m_, coarse_size_;  // fine and coarse cells along axis 0, coarse cells in all
     bool halves_, wraps_;        // along axis 0
     std::vector<Row> rows_;
-    VecX buffer_;  // one coarse row with a cell beyond each end
+    std::vector<std::vector<std::pair<Index, Real>>> children_;  // the fine rows that a coarse row gives to, and its weight there
+    std::vector<VecX> buffers_;                                  // one coarse row with a cell beyond each end, by thread
+    VecX compressed_;                                            // the fine rows, coarsened along axis 0
 };
 
 extern template Lattice<2> coarsened(const Lattice<2>&);

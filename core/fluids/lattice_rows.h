@@ -19,6 +19,14 @@ struct LatticeRow {
 template <int Dim>
 std::vector<LatticeRow<Dim>> lattice_rows(const Lattice<Dim>& lattice);
 
+// Do samples of one colour have neighbours of the other alone? Not around a periodic axis of an odd number.
+template <int Dim>
+bool two_coloured(const Lattice<Dim>& lattice) {
+    for (int a = 0; a < Dim; ++a)
+        if (lattice.periodic(a) && lattice.count[a] % 2 == 1 && lattice.count[a] > 1) return false;
+    return true;
+}
+
 extern template std::vector<LatticeRow<2>> lattice_rows(const Lattice<2>&);
 extern template std::vector<LatticeRow<3>> lattice_rows(const Lattice<3>&);
 

@@ -1,4 +1,5 @@
 #include <pliant/fluids/multigrid.h>
+#include <pliant/math/parallel.h>
 
 #include <algorithm>
 
@@ -145,7 +146,7 @@ void Multigrid<Dim>::precondition(const VecX& r, VecX& z) {
 template <int Dim>
 void Multigrid<Dim>::cycle(std::size_t l, const VecX& b, VecX& x) {
     Level& level = levels_[l];
-    x.setZero();
+    parallel_parts(x.size(), 1, [&](Index first, Index last, int) { x.segment(first, last - first).setZero(); });
     if (!level.transfer) {
         for (int k = 0; k < coarsest_sweeps; ++k) level.op->relax(b, x, SweepOrder::forward);
         for (int k = 0; k < coarsest_sweeps; ++k) level.op->relax(b, x, SweepOrder::backward);

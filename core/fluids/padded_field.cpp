@@ -1,4 +1,5 @@
 #include <pliant/fluids/padded_field.h>
+#include <pliant/fluids/parallel_rows.h>
 
 namespace pliant {
 
@@ -19,8 +20,8 @@ PaddedField<Dim>::PaddedField(const Lattice<Dim>& lattice, Interpolation interpo
 template <int Dim>
 void PaddedField<Dim>::fill(const VecX& samples) {
     const Index n = lattice_.count[0];
-    for_each_row(lattice_,
-                 [&](Index start, const Counts<Dim>& at) { values_.segment(position(at), n) = samples.segment(start, n); });
+    parallel_for_each_row(
+        lattice_, [&](Index start, const Counts<Dim>& at, int) { values_.segment(position(at), n) = samples.segment(start, n); });
     for (int a = 0; a < Dim; ++a) fill_beyond(a);
 }
 

@@ -1,4 +1,5 @@
 #include <pliant/fluids/poisson_operator.h>
+#include <pliant/math/parallel.h>
 
 namespace pliant {
 
@@ -34,6 +35,7 @@ template <int Dim>
 WeightedPoisson<Dim>::WeightedPoisson(const Lattice<Dim>& cells, LowFaceWeights<Dim> weights, VecX surface)
     : n_(cells.count[0]),
       wraps_(cells.periodic(0) && n_ > 1),
+      two_coloured_(two_coloured(cells)),
       rows_(lattice_rows(cells)),
       weights_(std::move(weights)),
       diagonal_(surface.size() > 0 ? std::move(surface) : VecX::Zero(cells.size()).eval()),
@@ -80,22 +82,43 @@ void WeightedPoisson<Dim>::product(const Row& row, const Real* x, Real* y) const
 template <int Dim>
 Real WeightedPoisson<Dim>::apply(const VecX& x, VecX& y) const {
     y.resize(x.size());
-    Real dot = 0;
-    for (const Row& row : rows_) {
-        product(row, x.data(), y.data());
-        dot += x.segment(row.start, n_).dot(y.segment(row.start, n_));
-    }
-    return dot;
+    dots_.resize(static_cast<Index>(rows_.size()));
+    parallel_parts(dots_.size(), n_, [&](Index first, Index last, int) {
+        for (Index r = first; r < last; ++r) {
+            const Row& row = rows_[static_cast<std::size_t>(r)];
+            product(row, x.data(), y.data());
+            dots_[r] = x.segment(row.start, n_).dot(y.segment(row.start, n_));
+        }
+    });
+    return dots_.sum();
 }
 
 template <int Dim>
 void WeightedPoisson<Dim>::residual(const VecX& b, const VecX& x, VecX& r) const {
     r.resize(x.size());
-    for (const Row& row : rows_) {
-        product(row, x.data(), r.data());
-        auto out = r.segment(row.start, n_);
-        out = b.segment(row.start, n_) - out;
-    }
+    parallel_parts(static_cast<Index>(rows_.size()), n_, [&](Index first, Index last, int) {
+        for (Index k = first; k < last; ++k) {
+            const Row& row = rows_[static_cast<std::size_t>(k)];
+            product(row, x.data(), r.data());
+            auto out = r.segment(row.start, n_);
+            out = b.segment(row.start, n_) - out;
+        }
+    });
+}
+
+template <int Dim>
+void WeightedPoisson<Dim>::relax_row(const Row& row, int colour, bool backward, const VecX& b, VecX& x) const {
+    const Stencil s = stencil(row, x.data());
+    const Real* br = b.data() + row.start;
+    const Real* inverse = inverse_diagonal_.data() + row.start;
+    Real* xr = x.data() + row.start;
+    const auto relax_at = [&](Index i) {
+        const bool at_end = i == 0 || i == n_ - 1;
+        if (inverse[i] > 0) xr[i] = (br[i] + (at_end ? s.end(i, n_, wraps_) : s.inner(i))) * inverse[i];
+    };
+    const Index first = (row.colour & 1) == colour ? 0 : 1;
+    const Index count = (n_ - first + 1) / 2;
+    for (Index m = 0; m < count; ++m) relax_at(first + 2 * (backward ? count - 1 - m : m));
 }
 
 template <int Dim>
@@ -103,20 +126,10 @@ void WeightedPoisson<Dim>::relax(const VecX& b, VecX& x, SweepOrder sweep) const
     const bool backward = sweep == SweepOrder::backward;
     for (int pass = 0; pass < 2; ++pass) {
         const int colour = backward ? 1 - pass : pass;
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            const Row& row = rows_[backward ? rows_.size() - 1 - k : k];
-            const Stencil s = stencil(row, x.data());
-            const Real* br = b.data() + row.start;
-            const Real* inverse = inverse_diagonal_.data() + row.start;
-            Real* xr = x.data() + row.start;
-            const auto relax_at = [&](Index i) {
-                const bool at_end = i == 0 || i == n_ - 1;
-                if (inverse[i] > 0) xr[i] = (br[i] + (at_end ? s.end(i, n_, wraps_) : s.inner(i))) * inverse[i];
-            };
-            const Index first = (row.colour & 1) == colour ? 0 : 1;
-            const Index count = (n_ - first + 1) / 2;
-            for (Index m = 0; m < count; ++m) relax_at(first + 2 * (backward ? count - 1 - m : m));
-        }
+        parallel_parts(static_cast<Index>(rows_.size()), two_coloured_ ? n_ : 0, [&](Index first, Index last, int) {
+            for (Index k = 0; k < last - first; ++k)
+                relax_row(rows_[static_cast<std::size_t>(backward ? last - 1 - k : first + k)], colour, backward, b, x);
+        });
     }
 }
 

@@ -60,9 +60,11 @@ private:
 
     Stencil stencil(const Row& row, const Real* x) const;
     void product(const Row& row, const Real* x, Real* y) const;
+    void relax_row(const Row& row, int colour, bool backward, const VecX& b, VecX& x) const;
 
     Index n_;
-    bool wraps_;
+    bool wraps_, two_coloured_;
+    mutable VecX dots_;  // by row
     std::vector<Row> rows_;
     LowFaceWeights<Dim> weights_;
     VecX diagonal_, inverse_diagonal_;

@@ -1,3 +1,4 @@
+#include <pliant/fluids/parallel_rows.h>
 #include <pliant/fluids/pressure_gradient.h>
 
 namespace pliant {
@@ -21,7 +22,7 @@ void subtract_gradient(const StaggeredGrid<Dim>& grid, const VecX& p, Real scale
     const Index n = cells.count[0], faces_along = grid.faces(0).count[0];
     const Real s = scale / grid.dx();
     const auto open = [&](int axis, Index face) { return grid.has_solids() ? grid.openness(axis).data() + face : nullptr; };
-    for_each_row(cells, [&](Index start, const Counts<Dim>& at) {
+    parallel_for_each_row(cells, [&](Index start, const Counts<Dim>& at, int) {
         // Faces across axis 0 between the cells of this row; on a periodic axis face 0 joins its ends.
         const Index face = start / n * faces_along;
         const Real* row = p.data() + start;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <pliant/fluids/pressure_solve.h>
 #include <pliant/math/error.h>
+#include <pliant/math/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,19 +63,28 @@ void PressureSolve::iterate(const PressureEquation& equation) {
     if (converged()) return;
     if (iterations() >= settings_.max_iterations) give_up("the pressure solver reached its limit of iterations");
 
+    const Index cells = pressure_.size();
     // The next direction: the preconditioned residual, made conjugate to the directions before.
     equation.precondition(residual_, z_);
-    const Real r_dot_z = residual_.dot(z_);
+    const Real r_dot_z = parallel_sum(cells, [&](Index first, Index last) {
+        return residual_.segment(first, last - first).dot(z_.segment(first, last - first));
+    });
     if (!(r_dot_z > 0)) give_up("the pressure solver stagnated");
     const Real beta = scalars_[residual_dot_z] > 0 ? r_dot_z / scalars_[residual_dot_z] : 0;
-    direction_ = z_ + beta * direction_;
+    parallel_parts(cells, 1, [&](Index first, Index last, int) {
+        auto d = direction_.segment(first, last - first);
+        d = z_.segment(first, last - first) + beta * d;
+    });
 
     // As far along it as lowers the error most.
     const Real curvature = equation.multiply(direction_, product_);
     if (!(curvature > 0)) give_up("the pressure solver stagnated");
     const Real alpha = r_dot_z / curvature;
-    pressure_ += alpha * direction_;
-    residual_ -= alpha * product_;
+    parallel_parts(cells, 1, [&](Index first, Index last, int) {
+        const Index n = last - first;
+        pressure_.segment(first, n) += alpha * direction_.segment(first, n);
+        residual_.segment(first, n) -= alpha * product_.segment(first, n);
+    });
     equation.remove_unseen(pressure_);
     scalars_[residual_dot_z] = r_dot_z;
     scalars_[passes] += 1;

@@ -131,6 +131,24 @@ TEST_CASE("projection: a checkerboard survives on the collocated grid alone", "[
     CHECK(lamp.fix()->assign == Runner::Assignments{{"grid", "staggered"}});
 }
 
+TEST_CASE("projection: a checkerboard of the pressure is felt by the staggered grid alone", "[projection]") {
+    for (const char* grid : {"collocated", "staggered"}) {
+        const Runner::Assignments scene{{"boundary", "periodic"}, {"resolution", "16"}, {"grid", grid}};
+        Runner::Assignments disturbed_scene = scene;
+        disturbed_scene.emplace_back("pressure_checkerboard", "0.5");
+        const Runner plain = done(scene), disturbed = done(disturbed_scene);
+        const std::vector<Real> p = numbers(plain, "pressure"), q = numbers(disturbed, "pressure");
+        CHECK_THAT(q[0] - p[0], WithinAbs(0.5, 1e-12));
+        CHECK_THAT(q[1] - p[1], WithinAbs(-0.5, 1e-12));
+        const std::vector<Real> u = numbers(plain, "velocity"), v = numbers(disturbed, "velocity");
+        const bool seen = std::string_view(grid) == "staggered";
+        CHECK((measured(disturbed, "kinetic_energy") > 100 * measured(plain, "kinetic_energy")) == seen);
+        for (std::size_t k = 0; k < u.size() && !seen; ++k) REQUIRE_THAT(v[k], WithinAbs(u[k], 1e-12));
+        // The laws say so.
+        for (std::size_t k = 0; k < disturbed.lesson().conserved.size(); ++k) CHECK((disturbed.holds(k) == Holds::no) == seen);
+    }
+}
+
 TEST_CASE("projection: one pass of the stage is one pass of the solver", "[projection]") {
     Runner runner = lesson({{"solver", "incomplete_cholesky"}, {"resolution", "40"}});
     runner.run_to_stage("divergence");
@@ -258,6 +276,8 @@ TEST_CASE("projection: the numbers explain themselves in corner cases", "[projec
         {{"field", "random"}, {"grid", "collocated"}, {"resolution", "1"}},
         {{"field", "random"}, {"grid", "collocated"}, {"resolution", "2"}, {"boundary", "periodic"}},
         {{"field", "random"}, {"grid", "collocated"}, {"resolution", "3"}},
+        {{"field", "jet"}, {"obstacle", "disc"}, {"resolution", "9"}, {"pressure_checkerboard", "-0.3"}},
+        {{"field", "jet"}, {"grid", "collocated"}, {"resolution", "5"}, {"pressure_checkerboard", "2"}},
         {{"field", "jet"}, {"grid", "collocated"}, {"resolution", "6"}, {"boundary", "periodic"}, {"speed", "0"}}};
     for (const Runner::Assignments& scene : scenes) {
         Runner runner = lesson(scene);

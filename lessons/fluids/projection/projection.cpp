@@ -120,6 +120,14 @@ void Projection::declare_stages() {
                .again = [this] { return staggered() ? !projection_->converged() : !central_projection_->converged(); },
                .begin = [this] { begin_pressure(); },
                .explain = [this](const Question& q) { return why_pressure_pass(q); }},
+              {.name = "disturbance",
+               .formula = "p ← p + A q,  q = ±1 in turn from cell to cell",
+               .source = "the checkerboard that a collocated grid does not see: HarlowWelch1965",
+               .run = [this] { disturb(); },
+               .reads = {"pressure"},
+               .writes = {"pressure"},
+               .active = [this] { return disturbance != 0; },
+               .explain = [this](const Question& q) { return why_disturbed(q.index); }},
               {.name = "projection",
                .formula = "u = ũ − Δt ∇p",
                .source = "Utrecht slides, u(t+Δt) = u(t) − Δt ∇p; survey, pressure projection",
@@ -185,6 +193,17 @@ void Projection::pressure_pass() {
         pass(*projection_);
     else
         pass(*central_projection_);
+}
+
+Real Projection::parity(Index cell) const {
+    const Counts<2> at = grid_->cells().coordinates(cell);
+    return (at[0] + at[1]) % 2 == 0 ? 1 : -1;
+}
+
+void Projection::disturb() {
+    for (Index c = 0; c < pressure_.size(); ++c)
+        if (grid_->is_fluid(c)) pressure_[c] += disturbance * parity(c);
+    (staggered() ? projection_->pressure() : central_projection_->pressure()) = pressure_;
 }
 
 void Projection::project() {

@@ -58,7 +58,7 @@ private:
     Choice<PressurePreconditioner> solver;
     Number tolerance;
     Whole max_iterations;
-    Number dt, speed, outflow;
+    Number dt, speed, outflow, disturbance;
     Whole seed;
     Number cell_x, cell_y;
     std::deque<DrawnArrow> drawn;
@@ -78,6 +78,7 @@ private:
     void take_divergence();
     void begin_pressure();
     void pressure_pass();
+    void disturb();
     void project();
     void split();
 
@@ -88,6 +89,7 @@ private:
     Obstacle solids() const { return staggered() ? Obstacle(obstacle) : Obstacle::none; }
     ProjectionSettings settings() const { return {tolerance, max_iterations, solver}; }
     GivenField given_field() const;
+    Real parity(Index cell) const;  // ±1 in turn
     void renew_centre();
     Points<2> pressure_gradient() const;  // Δt ∇p at cell centres, m/s
 
@@ -104,6 +106,7 @@ private:
     Explanation why_given(const Question& q) const;
     Explanation why_divergence(Index cell, Input::From from) const;
     std::optional<Explanation> why_pressure_pass(const Question& q) const;
+    Explanation why_disturbed(Index cell) const;
     Explanation why_projected(const Question& q) const;
     Explanation why_part(const Question& q) const;
     Explanation why_face_gradient(const std::string& left, int axis, Index cell, int side) const;

@@ -124,7 +124,7 @@ void Projection::write_notes(Scene& scene) const {
     }
     scene.notes.push_back(fmt::format("max|∇·u|: {} → {} in {:g} passes;  {}", number(tally_[initial], "1/s"),
                                       number(after_.lpNorm<Eigen::Infinity>(), "1/s"), tally_[passes], cells));
-    if (!walls_move())
+    if (!walls_move() && disturbance == 0)
         scene.notes.push_back(fmt::format("½⟨ũ²⟩ = {} = {} taken out + {} left", number(tally_[energy_given], "J/kg"),
                                           number(tally_[energy_given] - specific_energy(), "J/kg"),
                                           number(specific_energy(), "J/kg")));

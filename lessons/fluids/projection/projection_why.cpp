@@ -53,6 +53,14 @@ std::optional<Explanation> Projection::why_pressure_pass(const Question& q) cons
     return of_pressure ? grid_why().pressure(q.index) : grid_why().remaining_divergence(q.index);
 }
 
+Explanation Projection::why_disturbed(Index cell) const {
+    if (!grid_->is_fluid(cell)) return fixed_value("p′ = 0   (a solid cell)", 0);
+    return {"p′ = p + A q",
+            {flow::sample("p", From::before, "pressure", cell), Input::of(disturbance),
+             Input::constant("q", parity(cell), "", "+1 and −1 in turn, along x and along y")},
+            [](Values x) { return x[0] + x[1] * x[2]; }};
+}
+
 Explanation Projection::why_projected(const Question& q) const {
     const int axis = axis_of(q.field);
     return staggered() ? grid_why().projected(axis, q.index) : why_central_projected(axis, q.index);

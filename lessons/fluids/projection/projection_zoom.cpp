@@ -93,7 +93,7 @@ void Projection::zoom_cells(Scene& scene) const {
             centres.at.push_back(position<2>(middle));
             if (!scene.show_labels || (i != 0 && j != 0)) continue;
             // Where no arrow is.
-            const float down = i == 0 && j == 0 ? 10.f : i != 0 ? 14.f : !staggered() ? 22.f : j == 1 ? -13.f : 14.f;
+            const float down = i == 0 && j == 0 ? 10.f : i != 0 ? 14.f : !staggered() ? 20.f : j == 1 ? -13.f : 14.f;
             scene.label(position<2>(middle), short_number(pressure_[cell]), Ink::text, 0, down);
         }
     }
@@ -118,7 +118,7 @@ void Projection::zoom_velocity(Scene& scene) const {
         }
         if (!scene.show_labels) continue;
         // Outside the cell, beside the arrow; in the cells beside it above the arrow.
-        const Vec<2> at = !staggered() ? Vec<2>(0, axis == 0 ? -16 : -24)
+        const Vec<2> at = !staggered() ? Vec<2>(0, axis == 0 ? -16 : -22)
                           : axis == 0  ? Vec<2>(26 * out, -16)
                                        : Vec<2>(24, -12 * out);
         scene.label(position<2>(middle), short_number(value), Ink::velocity, static_cast<float>(at[0]),

@@ -1,0 +1,54 @@
+// Loops over cells in several threads. What they compute does not depend on how many there are.
+#pragma once
+#include <pliant/math/types.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pliant {
+
+// How many threads long loops may use; 1 at first. Throws Refused for less than 1. Without OpenMP there is only one.
+void set_threads(int count);
+int threads();
+
+namespace detail {
+// task(data, k) for every k below count, each in a thread of its own.
+void run_in_threads(int count, void (*task)(void*, int), void* data);
+
+constexpr Index least_work = 8192;  // numbers, below which a second thread costs more than it saves
+}  // namespace detail
+
+// body(first, last, thread) over consecutive parts of [0, count), one per thread; a single part where count · work, the numbers
+// that are touched, is small. The parts must not write to the same places, and not throw.
+template <class Body>
+void parallel_parts(Index count, Index work, Body&& body) {
+    const auto parts = static_cast<int>(count * work < detail::least_work ? 1 : std::min<Index>(threads(), count));
+    if (parts <= 1) return body(Index{0}, count, 0);
+    struct Task {
+        Body& body;
+        Index count;
+        int parts;
+    } task{body, count, parts};
+    const auto run = [](void* data, int k) {
+        const Task& t = *static_cast<Task*>(data);
+        t.body(t.count * k / t.parts, t.count * (k + 1) / t.parts, k);
+    };
+    detail::run_in_threads(parts, run, &task);
+}
+
+// Σ part(first, last) over pieces of [0, count) that depend on count alone, summed in their order.
+template <class Part>
+Real parallel_sum(Index count, Part&& part) {
+    constexpr Index most_pieces = 256, least_piece = 2048;
+    const Index piece = std::max(least_piece, (count + most_pieces - 1) / most_pieces), pieces = (count + piece - 1) / piece;
+    std::array<Real, most_pieces> sums;
+    parallel_parts(pieces, piece, [&](Index first, Index last, int) {
+        for (Index k = first; k < last; ++k)
+            sums[static_cast<std::size_t>(k)] = part(k * piece, std::min(count, (k + 1) * piece));
+    });
+    Real sum = 0;
+    for (Index k = 0; k < pieces; ++k) sum += sums[static_cast<std::size_t>(k)];
+    return sum;
+}
+
+}  // namespace pliant
