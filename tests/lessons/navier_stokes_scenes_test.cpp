@@ -172,3 +172,11 @@ TEST_CASE("navier_stokes: the stage that carries smoke exists in its scene alone
     }
     CHECK(start({{"scene", "smoke"}, {"resolution", "8"}}).stages().back()->name == "smoke");
 }
+
+TEST_CASE("navier_stokes: more cells than a step could take are refused") {
+    CHECK_THROWS_AS(start({{"scene", "cavity"}, {"aspect", "10"}, {"resolution", "512"}}), Refused);
+    Runner runner = start({{"scene", "cavity"}, {"aspect", "10"}, {"resolution", "8"}});
+    CHECK_THROWS_AS(runner.assign({{"resolution", "512"}}), Refused);
+    runner.step();
+    CHECK(field(runner, "pressure").size() == 8 * 80);
+}

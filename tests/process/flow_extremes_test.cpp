@@ -66,7 +66,8 @@ TEST_CASE("a pressure solver that may make one pass only says what it has left",
     REQUIRE(outcome.exit_code == diverged);
     const Json failure = Json::parse(outcome.out)["failure"];
     CHECK(failure["stage"] == "projection");
-    CHECK(contains(failure["what"], "after 1 iterations the largest divergence left is"));
+    for (const char* words : {"after 1 iterations", "the residual is", "the largest divergence left is"})
+        CHECK(contains(failure["what"], words));
     CHECK(contains(failure["limit"], "1/s was asked for, within 1 iterations"));
     // One is enough where that much is not asked for.
     CHECK(value(finite_run({"resolution=32", "max_iterations=1", "tolerance=0.9"}), "solver_iterations") <= 1);

@@ -198,3 +198,23 @@ TEST_CASE("a jet pushes the fluid around its place, through periodic sides, and 
     }
     CHECK_THROWS_AS((add_jet<2>(grid, u, 1, {0, 0}, 0, {1, 0})), Refused);
 }
+
+TEST_CASE("buoyancy pushes the open faces by the mean of the cells beside them") {
+    const StaggeredGrid<2> grid(drawn({"....", ".#..", "...."}));
+    FaceField<2> u = random_velocity(grid, 3);
+    const FaceField<2> before = u;
+    const VecX lightness = VecX::LinSpaced(12, 0, 11);
+    add_buoyancy<2>(grid, u, 0.1, 1, 3, lightness);
+    CHECK(u[0] == before[0]);
+    for (Index face = 0; face < u[1].size(); ++face) {
+        const Counts<2> at = grid.faces(1).coordinates(face);
+        const bool open = at[1] > 0 && at[1] < 3 && at[0] != 1;
+        const Real mean = open ? Real(0.5) * (lightness[face - 4] + lightness[face]) : Real{0};
+        CHECK_THAT(u[1][face] - before[1][face], Catch::Matchers::WithinAbs(0.1 * 3 * mean, 1e-14));
+    }
+    // Along a periodic axis the first face lies between the last cell and the first.
+    const StaggeredGrid<2> endless(box<2>({3, 1}, true));
+    FaceField<2> v = endless.zero_velocity();
+    add_buoyancy<2>(endless, v, 1, 0, 2, VecX::LinSpaced(3, 1, 3));
+    CHECK(v[0] == VecX{{4, 3, 5}});
+}

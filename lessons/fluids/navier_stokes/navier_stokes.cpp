@@ -177,7 +177,7 @@ NavierStokes::NavierStokes()
                              .help = "of the pressure solver; when they are not enough the run stops and says what is left",
                              .initial = 200,
                              .useful = {1, 200},
-                             .accepted = Interval{1, 10000},
+                             .accepted = Interval{1, 1000},
                              .used = [this] { return bool(with_projection); }}) {
     declare_fields();
     declare_stages();
@@ -188,6 +188,14 @@ NavierStokes::NavierStokes()
 }
 
 void NavierStokes::check() const {
+    constexpr Index most_cells = 1 << 19;
+    const Counts<2> cells = cells_of(scene(), settings());
+    if (const Index all = cells[0] * cells[1]; all > most_cells) {
+        const Real fewer = std::sqrt(static_cast<Real>(most_cells) / static_cast<Real>(all));
+        throw Refused("resolution", static_cast<Real>(Index(resolution)), "",
+                      fmt::format("at most about {} for a domain of this shape, which then has {} cells",
+                                  static_cast<Index>(fewer * static_cast<Real>(Index(resolution))), most_cells));
+    }
     if (scheme != Scheme::explicit_euler || !with_viscosity || nu() == 0) return;
     const Real limit = dx() * dx() / (4 * nu());
     if (dt > limit * (1 + 1e-12))

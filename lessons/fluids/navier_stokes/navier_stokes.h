@@ -4,13 +4,13 @@
 #include "fluids/flow/flow_fields.h"
 #include "fluids/flow/grid_why.h"
 #include "scenes.h"
-#include "wake_signal.h"
 
 #include <pliant/fluids/advection.h>
 #include <pliant/fluids/diffusion.h>
 #include <pliant/fluids/forces.h>
 #include <pliant/fluids/projection.h>
 #include <pliant/lesson/registry.h>
+#include <pliant/time/rhythm.h>
 
 #include <memory>
 #include <optional>
@@ -161,7 +161,7 @@ private:
     FaceField<2> velocity_;
     VecX pressure_, smoke_;
     Eigen::Array4d elapsed_ = Eigen::Array4d::Zero();
-    WakeSignal wake_;
+    Rhythm wake_;
     Real initial_energy_ = 0;  // J/kg
     std::vector<Index> source_cells_;
     Index wake_face_ = 0;  // where the wake is watched

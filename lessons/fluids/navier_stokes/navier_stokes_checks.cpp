@@ -47,7 +47,7 @@ void NavierStokes::declare_checks() {
          .broken =
              "a stage behind the projection, or no projection, leaves divergence: fluid is made and lost in every step, and "
              "the velocity that is drawn is not that of an incompressible fluid",
-         .used = [this] { return !stages.empty() && time() > 0; },
+         .used = [this] { return time() > 0; },
          .fix =
              [this] {
                  return with_projection

@@ -120,13 +120,17 @@ Vec<2> obstacle_centre(const FlowScene& scene) { return {0.45, 0.47 * scene.heig
 
 SmokeSource smoke_source() { return {{0.5, 0.1}, 0.07}; }
 
-StaggeredGridInfo<2> domain(const FlowScene& scene, const SceneSettings& settings) {
-    StaggeredGridInfo<2> info;
+Counts<2> cells_of(const FlowScene& scene, const SceneSettings& settings) {
     const Real height = scene.any_aspect ? settings.aspect * scene.width : scene.height;
     const auto cells = [&](Real length) {
         return std::max<Index>(1, std::lround(length * static_cast<Real>(settings.resolution)));
     };
-    info.cells = {cells(scene.width), cells(height)};
+    return {cells(scene.width), cells(height)};
+}
+
+StaggeredGridInfo<2> domain(const FlowScene& scene, const SceneSettings& settings) {
+    StaggeredGridInfo<2> info;
+    info.cells = cells_of(scene, settings);
     info.dx = settings.size / static_cast<Real>(settings.resolution);
     info.periodic = scene.periodic;
     for (auto& axis : info.walls)

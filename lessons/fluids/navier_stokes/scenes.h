@@ -53,7 +53,9 @@ struct FlowScene {
 
 std::span<const FlowScene> scenes();
 
-// The grid of a scene. Its cells are squares of L/resolution; the height is rounded to whole cells, at least one.
+// Cells along both axes. The height is rounded to whole cells, at least one.
+Counts<2> cells_of(const FlowScene& scene, const SceneSettings& settings);
+// The grid of a scene. Its cells are squares of L/resolution.
 StaggeredGridInfo<2> domain(const FlowScene& scene, const SceneSettings& settings);
 
 // The middle of the disc, in L: a little below the middle of the channel, so that the wake does not stay symmetric.

@@ -1,10 +1,10 @@
-#include "wake_signal.h"
+#include <pliant/time/rhythm.h>
 
 #include <algorithm>
 
-namespace pliant::navier_stokes {
+namespace pliant {
 
-void WakeSignal::note(Real time, Real value, Real least) {
+void Rhythm::note(Real time, Real value, Real least) {
     if (value < -least) memory_[armed] = 1;
     if (memory_[armed] == 1 && value >= 0) {
         const Real before = memory_[latest_value];
@@ -19,10 +19,10 @@ void WakeSignal::note(Real time, Real value, Real least) {
     memory_[latest_value] = value;
 }
 
-std::optional<Real> WakeSignal::period() const {
+std::optional<Real> Rhythm::period() const {
     const auto crossings = static_cast<Index>(memory_[count]);
     if (crossings < 2) return std::nullopt;
     return (memory_[first_crossing] - memory_[first_crossing + crossings - 1]) / static_cast<Real>(crossings - 1);
 }
 
-}  // namespace pliant::navier_stokes
+}  // namespace pliant

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-namespace pliant::navier_stokes {
+namespace pliant {
 
-class WakeSignal {
+class Rhythm {
 public:
     void reset() { memory_.setZero(); }
 
@@ -27,4 +27,4 @@ private:
     VecX memory_ = VecX::Zero(first_crossing + most_periods + 1);
 };
 
-}  // namespace pliant::navier_stokes
+}  // namespace pliant
