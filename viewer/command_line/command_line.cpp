@@ -1,7 +1,7 @@
 #include "command_line/command_line.h"
 
-#include <pliant/math/parallel.h>
 #include <pliant/lesson/suggest.h>
+#include <pliant/math/parallel.h>
 
 #include "command_line/options.h"
 
