@@ -2,8 +2,10 @@
 // vortex street, smoke.
 #include <pliant/fluids/channel_flow.h>
 #include <pliant/lesson/runner.h>
+
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include "why_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -179,4 +181,13 @@ TEST_CASE("navier_stokes: more cells than a step could take are refused") {
     CHECK_THROWS_AS(runner.assign({{"resolution", "512"}}), Refused);
     runner.step();
     CHECK(field(runner, "pressure").size() == 8 * 80);
+}
+
+TEST_CASE("navier_stokes: the numbers that are read off every scene are explained") {
+    for (const char* scene : {"box", "cavity", "taylor_green", "poiseuille", "couette", "karman", "smoke"})
+        for (const char* cells : {"16", "17"}) {
+            Runner runner = start({{"scene", scene}, {"resolution", cells}, {"advection", "mac_cormack"}});
+            for (int k = 0; k < 3; ++k) runner.step();
+            check_probes(runner, std::string(scene) + " " + cells);
+        }
 }

@@ -12,6 +12,7 @@
 #include <pliant/lesson/registry.h>
 #include <pliant/time/rhythm.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -119,6 +120,12 @@ private:
     std::optional<Explanation> why_projection(const Question& q) const;
     Explanation why_smoke(Index cell) const;
     Explanation why_strouhal() const;
+    Explanation why_effective_viscosity() const;
+    Explanation why_max_speed() const;
+    Explanation why_reynolds() const;
+    Input on_centre_line(int axis, Real along) const;
+    Explanation why_table_difference() const;
+    Explanation why_profile_difference() const;
 
     std::optional<Fix> shorter_step(Real cells) const;  // that the fastest fluid may cross
     std::optional<Fix> thicker_fluid(Real wanted) const;
@@ -130,10 +137,19 @@ private:
     Real wake_velocity() const;
     Real interpolation_viscosity() const;
     Real specific_energy() const;  // J/kg
-    std::optional<Real> table_difference() const;
-    std::optional<Real> profile_difference() const;
+    // Where a line differs most from what it is compared with.
+    struct Difference {
+        int axis;
+        Real along, measured, expected;  // m, m/s, m/s
+        Real size() const { return std::abs(measured - expected); }
+    };
+    static std::optional<Real> size_of_difference(const std::optional<Difference>& difference);
+    Real largest_divergence() const;  // of the velocity as it stands, 1/s
+    std::optional<Difference> largest_from_table() const;
+    std::optional<Difference> largest_from_closed_form() const;
     // Component across `axis`, m/s, on the line through the middle along the other axis, at a distance from the wall in m.
     Real velocity_on_centre_line(int axis, Real along) const;
+    GridPlace<2> place_on_centre_line(int axis, Real along) const;  // in cells
     void profile(int axis, Curve& curve) const;
     void published_profile(int axis, Curve& curve) const;
     void steady_profile(Curve& curve) const;

@@ -61,13 +61,17 @@ void NavierStokes::profile(int axis, Curve& curve) const {
     }
 }
 
-Real NavierStokes::velocity_on_centre_line(int axis, Real along) const {
+GridPlace<2> NavierStokes::place_on_centre_line(int axis, Real along) const {
     GridPlace<2> place;
     for (int a = 0; a < 2; ++a) {
         const Real n = static_cast<Real>(grid_->cell_counts()[a]);
         place[static_cast<std::size_t>(a)] = a == axis ? n / 2 : std::clamp(along / dx(), Real(0), n);
     }
-    return fields_of_flow_.flow().component(axis).at(place);
+    return place;
+}
+
+Real NavierStokes::velocity_on_centre_line(int axis, Real along) const {
+    return fields_of_flow_.flow().component(axis).at(place_on_centre_line(axis, along));
 }
 
 // ------------------------------------------------------------------------------------------------------------- the cavity
@@ -92,15 +96,16 @@ void NavierStokes::published_profile(int axis, Curve& curve) const {
         std::for_each(v_on_horizontal_line.begin(), v_on_horizontal_line.end(), add);
 }
 
-std::optional<Real> NavierStokes::table_difference() const {
+std::optional<NavierStokes::Difference> NavierStokes::largest_from_table() const {
     if (!scene().readings.centre_lines) return std::nullopt;
-    std::optional<Real> largest;
+    std::optional<Difference> largest;
     Curve published;
     for (int axis = 0; axis < 2; ++axis) {
         published_profile(axis, published);
         for (std::size_t k = 0; k < published.position.size(); ++k) {
-            const Real difference = std::abs(velocity_on_centre_line(axis, published.position[k]) - published.value[k]);
-            largest = std::max(largest.value_or(0), difference);
+            const Real along = published.position[k];
+            const Difference here{axis, along, velocity_on_centre_line(axis, along), published.value[k]};
+            if (!largest || here.size() > largest->size()) largest = here;
         }
     }
     return largest;
@@ -148,12 +153,13 @@ void NavierStokes::steady_profile(Curve& curve) const {
     });
 }
 
-std::optional<Real> NavierStokes::profile_difference() const {
+std::optional<NavierStokes::Difference> NavierStokes::largest_from_closed_form() const {
     if (!has_closed_form()) return std::nullopt;
-    Real largest = 0;
+    std::optional<Difference> largest;
     for (Index j = 0; j < grid_->cell_counts()[1]; ++j) {
         const Real y = (static_cast<Real>(j) + Real(0.5)) * dx();
-        largest = std::max(largest, std::abs(velocity_on_centre_line(0, y) - closed_form(y)));
+        const Difference here{0, y, velocity_on_centre_line(0, y), closed_form(y)};
+        if (!largest || here.size() > largest->size()) largest = here;
     }
     return largest;
 }

@@ -48,11 +48,7 @@ void NavierStokes::declare_fields() {
                .symbol = "∇·u",
                .unit = "1/s",
                .on = On::cell,
-               .view =
-                   [this] {
-                       pliant::divergence(*grid_, velocity_, divergence_now_);
-                       return flow::numbers(divergence_now_);
-                   },
+               .view = [this] { return largest_divergence(), flow::numbers(divergence_now_); },
                .help = "of the velocity as it stands now, behind any stage: what flows out of each cell, per area",
                .defined_by = {"u_on_faces", "v_on_faces"},
                .explain = [this](const Question& q) { return why_on_grid().divergence(q.index, Input::From::now); }},
@@ -108,61 +104,67 @@ void NavierStokes::declare_probes() {
     const auto size_of = [this](const VecX& field) {
         return with_projection ? std::optional(field.lpNorm<Eigen::Infinity>()) : std::nullopt;
     };
-    probes = {{.name = "kinetic_energy",
-               .symbol = "e",
-               .unit = "J/kg",
-               .help = "½|u|² per mass, mean over the fluid; times ρ and the area it is the energy per metre of depth",
-               .value = [this] { return specific_energy(); },
-               .exact = [this](Real t) -> std::optional<Real> {
-                   if (!scene().readings.decay) return std::nullopt;
-                   const Real ahead = with_viscosity ? nu() * (t - time()) : Real{0};
-                   return initial_energy_ * std::exp(-16 * pi * pi * (viscous_time() + ahead) / (size * size));
-               }},
-              {.name = "max_divergence",
-               .symbol = "max|∇·u|",
-               .unit = "1/s",
-               .help = "what the projection leaves",
-               .value = [this, size_of] { return size_of(divergence_after_); },
-               .explain = [this] { return flow::largest("max|∇·u|", divergence_after_, "divergence_after"); }},
-              {.name = "max_divergence_before",
-               .symbol = "max|∇·ũ|",
-               .unit = "1/s",
-               .help = "what the projection was given",
-               .value = [this, size_of] { return size_of(divergence_before_); },
-               .explain = [this] { return flow::largest("max|∇·ũ|", divergence_before_, "divergence_before"); }},
-              {.name = "divergence_left",
-               .symbol = "max|∇·u|",
-               .unit = "1/s",
-               .help = "at the end of the latest step; in the lecture's order it is what the projection leaves",
-               .value = [this] { return divergence_left(); }},
-              {.name = "max_speed",
-               .symbol = "max|u|",
-               .unit = "m/s",
-               .help = "largest component of the velocity on any face",
-               .value = [this] { return pliant::max_speed(velocity_); }},
-              {.name = "cfl",
-               .symbol = "CFL",
-               .help = "Courant number max|u| Δt/Δx: cells that the fastest fluid crosses in a step",
-               .value = [this] { return courant_number(*grid_, velocity_, dt); },
-               .explain = [this] { return why_on_grid().courant(velocity_); }},
-              {.name = "solver_iterations",
-               .help = "of the pressure solver in the latest step",
-               .value = [this] { return projection_ ? static_cast<Real>(projection_->iterations()) : 0; }},
-              {.name = "reynolds_number",
-               .symbol = "Re",
-               .help = "U L/ν: of the cavity with the lid's speed, of the vortex street with the disc's diameter and the inflow, "
-                       "elsewhere with the fastest fluid",
-               .value = [this] { return reynolds_number(); }},
-              {.name = "table_difference",
-               .unit = "m/s",
-               .help = "largest difference on both centre lines from the table of the steady square cavity at Re = 100",
-               .value = [this] { return table_difference(); }},
-              {.name = "effective_viscosity",
-               .unit = "m²/s",
-               .help = "viscosity that the decay of the Taylor–Green energy amounts to, −ln(e/e₀) L²/(16π²t); what exceeds ν is "
-                       "the method's",
-               .value = [this] { return effective_viscosity(); },
-               .exact = [this](Real) { return effective_viscosity() ? std::optional(viscous_time() / time()) : std::nullopt; }}};
+    probes = {
+        {.name = "kinetic_energy",
+         .symbol = "e",
+         .unit = "J/kg",
+         .help = "½|u|² per mass, mean over the fluid; times ρ and the area it is the energy per metre of depth",
+         .value = [this] { return specific_energy(); },
+         .exact = [this](Real t) -> std::optional<Real> {
+             if (!scene().readings.decay) return std::nullopt;
+             const Real ahead = with_viscosity ? nu() * (t - time()) : Real{0};
+             return initial_energy_ * std::exp(-16 * pi * pi * (viscous_time() + ahead) / (size * size));
+         }},
+        {.name = "max_divergence",
+         .symbol = "max|∇·u|",
+         .unit = "1/s",
+         .help = "what the projection leaves",
+         .value = [this, size_of] { return size_of(divergence_after_); },
+         .explain = [this] { return flow::largest("max|∇·u|", divergence_after_, "divergence_after"); }},
+        {.name = "max_divergence_before",
+         .symbol = "max|∇·ũ|",
+         .unit = "1/s",
+         .help = "what the projection was given",
+         .value = [this, size_of] { return size_of(divergence_before_); },
+         .explain = [this] { return flow::largest("max|∇·ũ|", divergence_before_, "divergence_before"); }},
+        {.name = "divergence_left",
+         .symbol = "max|∇·u|",
+         .unit = "1/s",
+         .help = "of the velocity as it stands; at the end of a step in the lecture's order it is what the projection leaves",
+         .value = [this] { return largest_divergence(); },
+         .explain = [this] { return largest_divergence(), flow::largest("max|∇·u|", divergence_now_, "divergence"); }},
+        {.name = "max_speed",
+         .symbol = "max|u|",
+         .unit = "m/s",
+         .help = "largest component of the velocity on any face",
+         .value = [this] { return pliant::max_speed(velocity_); },
+         .explain = [this] { return why_max_speed(); }},
+        {.name = "cfl",
+         .symbol = "CFL",
+         .help = "Courant number max|u| Δt/Δx: cells that the fastest fluid crosses in a step",
+         .value = [this] { return courant_number(*grid_, velocity_, dt); },
+         .explain = [this] { return why_on_grid().courant(velocity_); }},
+        {.name = "solver_iterations",
+         .help = "of the pressure solver in the latest step",
+         .value = [this] { return projection_ ? static_cast<Real>(projection_->iterations()) : 0; }},
+        {.name = "reynolds_number",
+         .symbol = "Re",
+         .help = "U L/ν: of the cavity with the lid's speed, of the vortex street with the disc's diameter and the inflow, "
+                 "elsewhere with the fastest fluid",
+         .value = [this] { return reynolds_number(); },
+         .explain = [this] { return why_reynolds(); }},
+        {.name = "table_difference",
+         .unit = "m/s",
+         .help = "largest difference on both centre lines from the table of the steady square cavity at Re = 100",
+         .value = [this] { return size_of_difference(largest_from_table()); },
+         .explain = [this] { return why_table_difference(); }},
+        {.name = "effective_viscosity",
+         .unit = "m²/s",
+         .help = "viscosity that the decay of the Taylor–Green energy amounts to, −ln(e/e₀) L²/(16π²t); what exceeds ν is "
+                 "the method's",
+         .value = [this] { return effective_viscosity(); },
+         .exact = [this](Real) { return effective_viscosity() ? std::optional(viscous_time() / time()) : std::nullopt; },
+         .explain = [this] { return why_effective_viscosity(); }}};
 }
 
 void NavierStokes::declare_wake_probes() {
@@ -176,7 +178,8 @@ void NavierStokes::declare_wake_probes() {
                   {{.name = "profile_difference",
                     .unit = "m/s",
                     .help = "largest difference across the channel from the closed form at this time",
-                    .value = [this] { return profile_difference(); }},
+                    .value = [this] { return size_of_difference(largest_from_closed_form()); },
+                    .explain = [this] { return why_profile_difference(); }},
                    {.name = "wake_velocity",
                     .symbol = "v",
                     .unit = "m/s",
@@ -200,6 +203,16 @@ void NavierStokes::declare_wake_probes() {
                         if (!scene().drives.smoke) return std::nullopt;
                         return smoke_.sum() * dx() * dx();
                     }}});
+}
+
+// Leaves the divergence of each cell in divergence_now_.
+Real NavierStokes::largest_divergence() const {
+    divergence(*grid_, velocity_, divergence_now_);
+    return divergence_now_.lpNorm<Eigen::Infinity>();
+}
+
+std::optional<Real> NavierStokes::size_of_difference(const std::optional<Difference>& difference) {
+    return difference ? std::optional(difference->size()) : std::nullopt;
 }
 
 std::vector<std::string_view> NavierStokes::shown(std::vector<std::string_view> names) const {

@@ -104,8 +104,7 @@ void NavierStokes::end_step() {
     elapsed_[0] += dt;
     if (with_viscosity) elapsed_[1] += nu() * dt;
     if (with_forces) elapsed_[2] += uniform_force()[0] * dt;
-    divergence(*grid_, velocity_, divergence_now_);
-    elapsed_[3] = divergence_now_.lpNorm<Eigen::Infinity>();
+    elapsed_[3] = largest_divergence();
     if (scene().readings.wake) wake_.note(time(), wake_velocity(), 0.05 * reference_speed());
 }
 

@@ -101,15 +101,4 @@ Explanation NavierStokes::why_smoke(Index cell) const {
     return why_advected().quantity("smoke", cell);
 }
 
-Explanation NavierStokes::why_strouhal() const {
-    const Input length =
-        Input::part("D", "m",
-                    {"D = d L",
-                     {Input::constant("d", scene().obstacle, "", "diameter of the disc in units of L"), Input::of(size)},
-                     [](Values x) { return x[0] * x[1]; }});
-    return {"St = D / (U T)",
-            {length, Input::of(inflow), Input::constant("T", *wake_.period(), "s", "mean of the latest periods of the wake's v")},
-            [](Values x) { return x[0] / (x[1] * x[2]); }};
-}
-
 }  // namespace pliant::navier_stokes
