@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr Index most_cells = 512 * 512, most_iterations = 400;
+constexpr Index most_cells = 256 * 256, most_iterations = 300;
 
 const Registration<FreeSurface> registration{
     {.id = "fluids/free_surface",
@@ -116,7 +116,7 @@ FreeSurface::FreeSurface()
                          .help = "cells along the width of the tank",
                          .initial = 80,
                          .useful = {16, 160},
-                         .accepted = Interval{1, 512},
+                         .accepted = Interval{1, 256},
                          .effect = Effect::rebuild}),
       gravity(*this, {.key = "gravity",
                       .symbol = "g",
@@ -271,7 +271,7 @@ std::optional<Fix> FreeSurface::fix(const Failure& failure) const {
 }
 
 std::vector<std::pair<std::string, std::string>> FreeSurface::finer() const {
-    return {{"resolution", std::to_string(std::min<Index>(2 * resolution, 512))}, {"time_step", format_exact(dt / 2)}};
+    return {{"resolution", std::to_string(std::min<Index>(2 * resolution, 256))}, {"time_step", format_exact(dt / 2)}};
 }
 
 }  // namespace pliant::free_surface

@@ -67,7 +67,7 @@ void FreeSurface::declare_checks() {
          .broken = "what is thinner than a few cells is not resolved, and drops below a cell are lost",
          .fix =
              [this] {
-                 const Index more = std::min<Index>(2 * resolution, 512);
+                 const Index more = std::min<Index>(2 * resolution, 256);
                  return std::optional(Fix{fmt::format("n = {}", more), {{"resolution", std::to_string(more)}}});
              }},
         {.name = "small waves",

@@ -38,7 +38,8 @@ void NavierStokes::declare_lines() {
          .unit = "m/s",
          .position_name = "y",
          .position_unit = "m",
-         .help = "velocity along the channel, from wall to wall; pushed, the steady one is G y (H − y)/(2ν), dragged, U y/H",
+         .help = "velocity along the channel, from wall to wall; pushed, the steady one is G y (H − y)/(2ν), drawn when it is "
+                 "near; dragged, U y/H",
          .sample = [this](Curve& curve) { profile(0, curve); },
          .reference = [this](Curve& curve) { scene().drives.lid ? present_profile(curve) : steady_profile(curve); },
          .reference_name = "closed form",
@@ -147,7 +148,14 @@ void NavierStokes::present_profile(Curve& curve) const {
 }
 
 void NavierStokes::steady_profile(Curve& curve) const {
+    curve = {};
     if (nu() == 0 || !with_viscosity) return;
+    // What is still far away would leave nothing to see of the flow as it is.
+    constexpr Real far = 10;
+    const Real middle = height() / 2;
+    if (scene().drives.body_force && has_closed_form() &&
+        std::abs(poiseuille_speed(middle, height(), body_force, nu())) > far * std::abs(closed_form(middle)))
+        return;
     sample_across(grid_->cell_counts()[1], dx(), curve, [this](Real y) {
         return scene().drives.lid ? lid_speed * y / height() : poiseuille_speed(y, height(), body_force, nu());
     });
