@@ -1,4 +1,5 @@
 // How each number of a step came about: the path back, the samples and their weights, the correction.
+#include "fluids/flow/advection_why.h"
 #include "advection_lesson.h"
 
 #include <algorithm>
@@ -183,28 +184,7 @@ Explanation AdvectionLesson::why_returned(Index cell) const {
 }
 
 Explanation AdvectionLesson::why_rival(std::size_t k, Index cell) const {
-    const SemiLagrangian<2>& advection = *rivals_[k];
-    const std::string_view name = scheme_fields[k];
-    const Lattice<2>& cells = grid_->cells();
-    const auto carried = [&](const std::string& left, Index c) {
-        return weighted_samples(left, advection.carried(), advection.departure(cells.place(cells.coordinates(c)), dt()).departure,
-                                From::before, name);
-    };
-    if (schemes[k] != Scheme::mac_cormack) return carried("q′", cell);
-    // What returns: the carried values around the place that the fluid here goes to.
-    const GridPlace<2> place = cells.place(cells.coordinates(cell));
-    Explanation returned{"q̃ = Σ w q̂, over the samples around the place that the fluid goes to", {}, {}};
-    std::vector<std::pair<Input, Input>> terms;
-    for (const WeightedSample<2>& s :
-         interpolation_stencil<2>(advection.forward(), advection.departure(place, -dt()).departure).samples) {
-        const std::string symbol = fmt::format("q̂{}", terms.size() + 1);
-        terms.emplace_back(Input::constant(fmt::format("w{}", terms.size() + 1), s.weight, "", "weight of this sample"),
-                           Input::part(symbol, "", carried(symbol, flow::sample_beyond(cells, s.at).index)));
-    }
-    const GridPlace<2> from = advection.departure(place, dt()).departure;
-    const auto end = [&](bool high) { return end_of_range(high, advection.carried(), from, From::before, name); };
-    return limited(Input::part("q̂", "", carried("q̂", cell)), Input::before("q_old", name, cell),
-                   Input::part("q̃", "", weighted_sum(returned.formula, terms)), end(false), end(true));
+    return flow::AdvectionWhy(*grid_, *rivals_[k], dt(), step()).quantity(scheme_fields[k], cell);
 }
 
 // ---------------------------------------------------------------------------------------------------- what is exact
