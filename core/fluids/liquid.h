@@ -29,6 +29,9 @@ class Liquid {
 public:
     // tank: its types say which cells are solid. Throws as StaggeredGrid and PressureProjection do.
     Liquid(StaggeredGridInfo<Dim> tank, LiquidSettings settings);
+    // Its parts refer to its grid.
+    Liquid(const Liquid&) = delete;
+    Liquid& operator=(const Liquid&) = delete;
 
     // The liquid where the signed distance [m, at a place in m] is below 0, at rest.
     void fill(const std::function<Real(const Vec<Dim>&)>& signed_distance);
