@@ -74,8 +74,8 @@ public:
             const PlacePair<Dim> fraction = for_axes<Dim>([&](auto a) -> Pair {
                 const Pair t = load_pair(x[a] + i) + shift[a];
                 const auto j = static_cast<int>(t[0]), k = static_cast<int>(t[1]);
-                first += j * stride[a];
-                second += k * stride[a];
+                first += a == 0 ? j : j * stride[a];
+                second += a == 0 ? k : k * stride[a];
                 return t - Pair{static_cast<Real>(j), static_cast<Real>(k)};
             });
             const Pair q = beside(values + first, lane(fraction, 0), stride),
