@@ -175,7 +175,7 @@ template <int Axis>
 void SemiLagrangian<Dim>::write_row(Index start, const Counts<Dim>& at, const VecX& values, VecX& out) const {
     if constexpr (Axis < 0) {
         const Index n = grid_.cells().count[0];
-        if (!grid_.has_solids())
+        if (!grid_.has_gaps())
             out.segment(start, n) = values.head(n);
         else
             for (Index i = 0; i < n; ++i)
@@ -188,7 +188,7 @@ void SemiLagrangian<Dim>::write_row(Index start, const Counts<Dim>& at, const Ve
         const Index first = walled && Axis == 0 ? 1 : 0, open = lattice.count[0] - 2 * first;
         auto row = out.segment(start + first, open);
         const auto carried = values.segment(first, open);
-        if (grid_.has_solids())
+        if (grid_.has_gaps())
             row += grid_.openness(Axis).segment(start + first, open).cwiseProduct(carried - row);
         else
             row = carried;

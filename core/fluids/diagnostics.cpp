@@ -47,7 +47,7 @@ void divergence(const StaggeredGrid<Dim>& grid, const FaceField<Dim>& velocity, 
         }
         row *= inverse_dx;
     });
-    if (!grid.has_solids()) return;
+    if (!grid.has_gaps()) return;
     for (Index c = 0; c < out.size(); ++c)
         if (!grid.is_fluid(c)) out[c] = 0;
 }

@@ -9,7 +9,7 @@ namespace pliant {
 
 template <int Dim>
 FluidRegions<Dim>::FluidRegions(const StaggeredGrid<Dim>& grid) : grid_(&grid) {
-    if (!grid.has_solids()) {
+    if (!grid.has_gaps()) {
         cells_ = {grid.cells().size()};
         return;
     }

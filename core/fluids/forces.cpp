@@ -47,7 +47,7 @@ void add_jet(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, 
             if (across > reach) return;
             for (Index i = first; i < end; ++i) {
                 const Real r2 = across + square(0, place[0] + static_cast<Real>(i));
-                if (r2 > reach || (grid.has_solids() && grid.openness(a)[start + i] == 0)) continue;
+                if (r2 > reach || (grid.has_gaps() && grid.openness(a)[start + i] == 0)) continue;
                 velocity[a][start + i] += dt * acceleration[a] * std::exp(Real(-0.5) * r2);
             }
         });

@@ -24,7 +24,7 @@ HelmholtzParts<Dim> helmholtz_parts(const StaggeredGrid<Dim>& grid, const FaceFi
     subtract_gradient(grid, parts.potential, -1, parts.gradient);
     for (int a = 0; a < Dim; ++a) {
         parts.solenoidal[a] = velocity[a] - parts.gradient[a];
-        if (!grid.periodic(a) || grid.has_solids()) continue;
+        if (!grid.periodic(a) || grid.has_gaps()) continue;
         parts.drift[a] = parts.solenoidal[a].mean();
         parts.solenoidal[a].array() -= parts.drift[a];
     }

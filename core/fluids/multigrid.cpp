@@ -82,7 +82,7 @@ Multigrid<Dim>::Multigrid(const StaggeredGrid<Dim>& grid, const SurfaceFractions
     Lattice<Dim> cells = finest;
 
     // Levels with one weight for all faces: down to where an odd number of cells leaves a coarse cell half filled.
-    bool uniform = !grid.has_solids(), done = false;
+    bool uniform = !grid.has_gaps(), done = false;
     while (uniform && !done) {
         add_level(cells, std::make_unique<UniformPoisson<Dim>>(cells, uniform_weight(finest, cells)));
         uniform = halves_evenly(cells);
@@ -93,7 +93,7 @@ Multigrid<Dim>::Multigrid(const StaggeredGrid<Dim>& grid, const SurfaceFractions
 
     // The levels below, or all of them if there are solid cells.
     LowFaceWeights<Dim> weights = open_faces(grid);
-    if (!grid.has_solids()) {
+    if (!grid.has_gaps()) {
         weights = coarsened_weights(cells, uniform_weights(cells, uniform_weight(finest, cells)));
         cells = coarsened(cells);
     }

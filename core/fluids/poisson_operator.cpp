@@ -182,7 +182,7 @@ VecX pressure_diagonal(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Di
 
 template <int Dim>
 std::unique_ptr<PoissonOperator<Dim>> pressure_operator(const StaggeredGrid<Dim>& grid, const SurfaceFractions<Dim>& fractions) {
-    if (grid.has_solids())
+    if (grid.has_gaps())
         return std::make_unique<WeightedPoisson<Dim>>(grid.cells(), open_faces(grid), surface_weights(grid, fractions));
     return std::make_unique<UniformPoisson<Dim>>(grid.cells(), 1);
 }

@@ -21,7 +21,7 @@ void subtract_gradient(const StaggeredGrid<Dim>& grid, const VecX& p, Real scale
     const Lattice<Dim>& cells = grid.cells();
     const Index n = cells.count[0], faces_along = grid.faces(0).count[0];
     const Real s = scale / grid.dx();
-    const auto open = [&](int axis, Index face) { return grid.has_solids() ? grid.openness(axis).data() + face : nullptr; };
+    const auto open = [&](int axis, Index face) { return grid.has_gaps() ? grid.openness(axis).data() + face : nullptr; };
     parallel_for_each_row(cells, [&](Index start, const Counts<Dim>& at, int) {
         // Faces across axis 0 between the cells of this row; on a periodic axis face 0 joins its ends.
         const Index face = start / n * faces_along;

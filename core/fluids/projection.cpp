@@ -71,7 +71,7 @@ void PressureProjection<Dim>::begin(const FaceField<Dim>& velocity, Real dt) {
     // Below what rounding leaves of a divergence of 0 there is nothing to solve.
     const Real rounding = 8 * Dim * std::numeric_limits<Real>::epsilon() * max_speed(velocity) / grid_.dx();
     VecX& pressure = solve_.pressure();
-    for (Index c = 0; grid_.has_solids() && c < pressure.size(); ++c)
+    for (Index c = 0; grid_.has_gaps() && c < pressure.size(); ++c)
         if (!grid_.is_fluid(c)) pressure[c] = 0;
     solve_.begin(Equation(*this), dt, rounding);
 }

@@ -67,7 +67,7 @@ void StaggeredGrid<Dim>::find_faces() {
     std::vector<CellType>& types = info_.types;
     const auto count = [&](CellType type) { return std::count(types.begin(), types.end(), type); };
     if (count(CellType::fluid) == static_cast<std::ptrdiff_t>(types.size())) types.clear();
-    fluid_cells_ = has_solids() ? count(CellType::fluid) : cells_.size();
+    fluid_cells_ = has_gaps() ? count(CellType::fluid) : cells_.size();
     has_air_ = count(CellType::air) > 0;
     for (int a = 0; a < Dim; ++a) find_closed_faces(a);
 }
@@ -111,14 +111,14 @@ void StaggeredGrid<Dim>::find_closed_faces(int axis) {
     closed_[axis].clear();
     beside_closed_[axis].clear();
     surface_[axis].clear();
-    if (has_solids())
+    if (has_gaps())
         openness_[axis].setOnes(lattice.size());
     else
         openness_[axis].resize(0);
     for (Index face = 0; face < lattice.size(); ++face) {
         const Index at = lattice.coordinates(face)[axis];
         const bool on_wall = !info_.periodic[axis] && (at == 0 || at == info_.cells[axis]);
-        if (!on_wall && !has_solids()) continue;
+        if (!on_wall && !has_gaps()) continue;
         int fluid = 0, barriers = 0;
         for (int side = 0; side < 2; ++side) {
             const Index cell = cell_beside(axis, face, side);
@@ -129,7 +129,7 @@ void StaggeredGrid<Dim>::find_closed_faces(int axis) {
         if (fluid > 0 && barriers == 0) continue;
         closed_[axis].push_back(face);
         beside_closed_[axis].push_back(static_cast<std::uint8_t>(fluid));
-        if (has_solids()) openness_[axis][face] = 0;
+        if (has_gaps()) openness_[axis][face] = 0;
     }
 }
 

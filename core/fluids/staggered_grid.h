@@ -62,7 +62,7 @@ public:
     const Lattice<Dim>& faces(int axis) const { return faces_[axis]; }
 
     // Is there a cell that is not fluid?
-    bool has_solids() const { return !info_.types.empty(); }
+    bool has_gaps() const { return !info_.types.empty(); }
     bool has_air() const { return has_air_; }
     CellType type(Index cell) const { return info_.types.empty() ? CellType::fluid : info_.types[cell]; }
     bool is_fluid(Index cell) const { return type(cell) == CellType::fluid; }

@@ -42,6 +42,6 @@ TEST_CASE("nothing that a monkey does breaks the lab", "[monkey]") {
 TEST_CASE("nothing that a monkey does for long breaks the lab", "[monkey][slow]") {
     for (const LessonEntry& entry : lessons()) {
         CAPTURE(entry.info.id);
-        play(entry, 400);
+        play(entry, 250);
     }
 }

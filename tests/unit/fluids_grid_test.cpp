@@ -42,7 +42,7 @@ TEST_CASE("a staggered grid counts its faces", "[fluids][grid]") {
     CHECK(closed.faces(1).size() == 5 * 4);
     CHECK(closed.closed_faces(0).size() == 6);
     CHECK(closed.closed_faces(1).size() == 10);
-    CHECK_FALSE(closed.has_solids());
+    CHECK_FALSE(closed.has_gaps());
 
     const StaggeredGrid<3> endless(box<3>({5, 3, 4}, true));
     for (int a = 0; a < 3; ++a) {

@@ -133,6 +133,8 @@ public:
     void move(Spot s) { act({"mousemove", "--window", window_, std::to_string(s.x), std::to_string(s.y)}); }
     void press() { act({"mousedown", "1"}); }
     void release() { act({"mouseup", "1"}); }
+    // Turns the wheel where the mouse is, a notch at a time.
+    void wheel(bool down) { act({"click", down ? "5" : "4"}); }
     void hold(const std::string& name) { act({"keydown", name}); }
     void let_go(const std::string& name) { act({"keyup", name}); }
     void click(Spot s) { move(s), press(), release(); }

@@ -12,23 +12,13 @@ TEST_CASE("a material point is dragged, the lesson answers while the hand moves,
     REQUIRE(desk.becomes("playing", false));
     REQUIRE(desk.becomes("step", 1));
 
-    // P is 0 and Q is 1, on the front of the outline to the left.
-    Spot grip{};
-    const auto holds_point = [&] {
-        for (double down = 0.34; down < 0.56; down += 0.02)
-            for (double across = 0.1; across < 0.34; across += 0.015) {
-                grip = desk.on("scene", across, down);
-                desk.move(grip);
-                const Json hovered = desk.state()["hovered"];
-                if (hovered != 0 && hovered != 1) continue;
-                desk.press();
-                if (desk.state()["pulling"] >= 0) return true;
-                desk.release();
-            }
-        return false;
-    };
-    REQUIRE(holds_point());
-    const std::string key = desk.state()["pulling"] == 0 ? "P_x" : "Q_x";
+    // Q is 1.
+    const Spot grip = desk.on("handle 1");
+    desk.move(grip);
+    REQUIRE(desk.becomes("hovered", 1));
+    desk.press();
+    REQUIRE(desk.becomes("pulling", 1));
+    const std::string key = "Q_x";
     const double before = desk.parameter(key);
     const Json probes = desk.state()["probes"];
     desk.move({grip.x + 10, grip.y + 10});
@@ -49,20 +39,11 @@ TEST_CASE("the end of a rod is dragged through its rest: force and strain change
                                                       "parameters": {"scene": "rod", "force": 300}})")});
     REQUIRE(desk.becomes("playing", false));
     REQUIRE(desk.becomes("step", 1));
-    Spot grip{};
-    const auto holds_end = [&] {
-        for (double down = 0.3; down < 0.7; down += 0.02)
-            for (double across = 0.35; across < 0.8; across += 0.012) {
-                grip = desk.on("scene", across, down);
-                desk.move(grip);
-                if (desk.state()["hovered"] != 0) continue;
-                desk.press();
-                if (desk.state()["pulling"] == 0) return true;
-                desk.release();
-            }
-        return false;
-    };
-    REQUIRE(holds_end());
+    const Spot grip = desk.on("handle 0");
+    desk.move(grip);
+    REQUIRE(desk.becomes("hovered", 0));
+    desk.press();
+    REQUIRE(desk.becomes("pulling", 0));
     desk.move({grip.x - 30, grip.y - 8});
     desk.move({grip.x - 160, grip.y - 40});
     CHECK(desk.becomes([&](const Json&) { return desk.parameter("force") < 0; }));
@@ -70,4 +51,15 @@ TEST_CASE("the end of a rod is dragged through its rest: force and strain change
     CHECK(desk.becomes([&](const Json& s) { return s["probes"]["strain"] < 0; }));
     desk.key("ctrl+z");
     CHECK(desk.becomes([&](const Json&) { return desk.parameter("force") == 300; }));
+}
+
+TEST_CASE("the corner of a column of water is dragged, and the water falls from its new shape", "[window]") {
+    need_screen_and_mouse();
+    Desk desk({"--lesson", "fluids/free_surface"});
+    const Spot grip = desk.on("handle 0");
+    desk.drag(grip, {grip.x + 60, grip.y + 30});
+    CHECK(desk.becomes(
+        [&](const Json&) { return desk.parameter("column_width") > 0.3 && desk.parameter("column_height") < 0.48; }));
+    desk.key("ctrl+z");
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("column_width") == 0.25; }));
 }

@@ -24,7 +24,7 @@ void Lab::lab_layout(float width, float height) {
     const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right,
                 body = height - status - top;
     const float list =
-        std::min(body * 0.36f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
+        std::min(body * 0.42f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
     const float bars = 2 * ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y +
                        2 * ImGui::GetStyle().ItemSpacing.y;
     {

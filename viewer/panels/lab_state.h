@@ -51,6 +51,7 @@ struct LabState {
     bool help_shown = false, hints_shown = true, notes_shown = false;
 
     std::string search;
+    std::string listed{};  // the lesson that the list has scrolled to
     bool focus_search = false;
     PlotPanelState plots;
     bool cost_shown = false;  // cost and error in the place of the plots

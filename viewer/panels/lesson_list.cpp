@@ -53,10 +53,14 @@ void preset_menu(LabState& lab) {
     lab.note_control("presets");
 }
 
-}  // namespace
+bool has_walkthrough(const LabState& lab) {
+    return !find_text(std::string(lab.session.entry().info.id) + "/walkthrough.md").empty();
+}
 
-void draw_lesson_list(LabState& lab) {
-    search_box(lab);
+// The chapters and their lessons. The open one is scrolled to when another was open before.
+void names_of_lessons(LabState& lab) {
+    const bool opened = lab.listed != lab.session.entry().info.id;
+    lab.listed = lab.session.entry().info.id;
     std::string_view chapter;
     for (const LessonEntry& e : lessons()) {
         if (!lab.search.empty() && !matches(e, lab.search)) continue;
@@ -72,10 +76,25 @@ void draw_lesson_list(LabState& lab) {
         if (ImGui::Selectable(label.c_str(), selected) && !selected) lab.session.open(e);
         lab.note_control("lesson " + std::string(e.info.id));
         tooltip(std::string(e.info.summary), lab.scale);
+        if (selected && opened) ImGui::SetScrollHereY();
         ImGui::Unindent(lab.px(6));
     }
+}
+
+}  // namespace
+
+void draw_lesson_list(LabState& lab) {
+    search_box(lab);
+    // What belongs to the open lesson stays in sight below the names.
+    const int rows = (preset_names(lab.session.entry().info.id).empty() ? 0 : 1) + (has_walkthrough(lab) ? 1 : 0);
+    const float below = static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing();
+    ImGui::BeginChild("names",
+                      {0, std::max(ImGui::GetContentRegionAvail().y - below, 3 * ImGui::GetTextLineHeightWithSpacing())});
+    names_of_lessons(lab);
+    ImGui::EndChild();
+    lab.note_control("lessons");
     preset_menu(lab);
-    if (!find_text(std::string(lab.session.entry().info.id) + "/walkthrough.md").empty()) {
+    if (has_walkthrough(lab)) {
         const bool active = lab.session.walkthrough.has_value();
         if (ImGui::Button(active ? "Leave the walkthrough" : "Walkthrough", {-1, 0}))
             active ? lab.session.walkthrough.reset() : lab.session.start_walkthrough();

@@ -180,6 +180,19 @@ void handle_mouse(LabState& lab, const View& view) {
         mark_hovered(lab, view, *lab.hovered), read_out(lab, *view.lesson, *lab.hovered);
 }
 
+// Where the things to drag are, by name.
+void note_handles(LabState& lab, const View& view) {
+    for (const PointMarks& marks : view.scene.points) {
+        if (!marks.pick.pickable || marks.pick.on != On::handle) continue;
+        const float reach = lab.px(marks.radius);
+        for (std::size_t i = 0; i < marks.at.size(); ++i) {
+            const Eigen::Vector3f p = view.projection.pixel(marks.at[i]);
+            lab.controls[fmt::format("handle {}", marks.pick.id(i))] = {view.origin.x + p.x() - reach,
+                                                                        view.origin.y + p.y() - reach, 2 * reach, 2 * reach};
+        }
+    }
+}
+
 // A picture at a place of the window, under the mouse.
 void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, float right_margin, const char* name) {
     const Size pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
@@ -195,7 +208,7 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     lab.note_control(name);
     handle_mouse(lab, view);
-    if (view.first) mark_thing(lab, view);
+    if (view.first) mark_thing(lab, view), note_handles(lab, view);
     draw_labels(lab, view);
     if (view.lesson) {
         // Above the hints, where they are shown.

@@ -61,7 +61,7 @@ void Projection::draw_arrows(Scene& scene) const {
 }
 
 void Projection::draw_walls(Scene& scene) const {
-    if (grid_->has_solids()) {
+    if (grid_->has_gaps()) {
         TriangleMarks solid{.corners = {}, .triangles = {}, .ink = Ink::ground};
         for (Index c = 0; c < grid_->cells().size(); ++c) {
             if (grid_->is_fluid(c)) continue;
