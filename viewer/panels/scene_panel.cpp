@@ -182,8 +182,10 @@ void handle_mouse(LabState& lab, const View& view) {
 
 // Where the things to drag are, by name.
 void note_handles(LabState& lab, const View& view) {
+    constexpr std::size_t most = 16;  // a lattice of nodes needs no names
+    const auto pulled = lab.session.lesson().can_pull();
     for (const PointMarks& marks : view.scene.points) {
-        if (!marks.pick.pickable || marks.pick.on != On::handle) continue;
+        if (!marks.pick.pickable || marks.pick.on != pulled || marks.at.size() > most) continue;
         const float reach = lab.px(marks.radius);
         for (std::size_t i = 0; i < marks.at.size(); ++i) {
             const Eigen::Vector3f p = view.projection.pixel(marks.at[i]);
