@@ -63,3 +63,17 @@ TEST_CASE("the corner of a column of water is dragged, and the water falls from 
     desk.key("ctrl+z");
     CHECK(desk.becomes([&](const Json&) { return desk.parameter("column_width") == 0.25; }));
 }
+
+TEST_CASE("a click on a cell shows the path that leads there", "[window]") {
+    need_screen_and_mouse();
+    Desk desk({"--lesson", "fluids/advection"});
+    const double before = desk.parameter("cell_x");
+    // Some cells to the right of the handle, and above.
+    const Spot handle = desk.on("handle 0");
+    const Spot there{handle.x + 40, handle.y - 25};
+    desk.click(there);
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("cell_x") > before + 1; }));
+    const Spot now = desk.on("handle 0");
+    CHECK(std::abs(now.x - there.x) < 8);
+    CHECK(std::abs(now.y - there.y) < 8);
+}

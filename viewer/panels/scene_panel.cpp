@@ -152,11 +152,24 @@ void go_on_dragging(LabState& lab, const View& view) {
     view.dimension == 3 ? orbit(*s.camera, d.x, d.y) : pan(*s.camera, 2, view.projection, d.x, d.y);
 }
 
+// A lesson that looks at one cell, with a handle on it, looks at the one that is clicked.
+void look_at_cell(LabState& lab) {
+    const Lesson& lesson = lab.session.lesson();
+    if (lab.hovered->on != On::cell || lesson.can_pull() != On::handle) return;
+    const Pull there{0, lab.hovered->at, lab.hovered->at};
+    const auto chosen = lesson.dragged(there);
+    const auto of_cell = [](const auto& assignment) { return assignment.first == "cell_x" || assignment.first == "cell_y"; };
+    if (chosen.empty() || !std::ranges::all_of(chosen, of_cell)) return;
+    lab.session.pull(there);
+    lab.session.pull(std::nullopt);
+}
+
 // A press that did not move picks what lies there.
 void end_drag(LabState& lab) {
     if (lab.clicked_only && lab.hovered && lab.hovered->on != On::handle && lab.layout == Layout::lab) {
         lab.session.inspector.thing = Thing{lab.hovered->on, lab.hovered->index};
         lab.choose_inspector = true;
+        look_at_cell(lab);
     }
     if (lab.pulling && !lab.clicked_only) lab.session.pull(std::nullopt);
     lab.clicked_only = false;
