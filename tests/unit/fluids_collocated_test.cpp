@@ -5,8 +5,8 @@
 #include <pliant/fluids/diagnostics.h>
 #include <pliant/fluids/projection.h>
 #include <pliant/math/error.h>
+#include <pliant/math/null_dimension.h>
 
-#include <Eigen/QR>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
@@ -22,20 +22,6 @@ namespace {
 template <int Dim>
 Lattice<Dim> cells(const Counts<Dim>& count, bool periodic) {
     return StaggeredGrid<Dim>(box<Dim>(count, periodic)).cells();
-}
-
-// Dimension of the null space of a linear map on n numbers, by the rank of its matrix.
-template <class Map>
-Index null_dimension(Index n, Map&& map) {
-    MatX matrix(n, n);
-    VecX column;
-    for (Index c = 0; c < n; ++c) {
-        map(VecX::Unit(n, c), column);
-        matrix.col(c) = column;
-    }
-    Eigen::ColPivHouseholderQR<MatX> qr(matrix);
-    qr.setThreshold(1e-10);
-    return n - qr.rank();
 }
 
 Index staggered_null(const StaggeredGridInfo<2>& info) {

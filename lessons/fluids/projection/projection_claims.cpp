@@ -1,9 +1,9 @@
 // What the lectures say of the projection, measured.
 #include <pliant/fluids/collocated.h>
 #include <pliant/lesson/runner.h>
+#include <pliant/math/null_dimension.h>
 #include <pliant/study/claims.h>
 #include <pliant/study/claims_report.h>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -50,20 +50,6 @@ Left what_is_left() {
         }
     }
     return left;
-}
-
-// Dimension of the null space, by the rank of the dense matrix.
-template <class Map>
-Index null_dimension(Index n, Map&& map) {
-    MatX matrix(n, n);
-    VecX column;
-    for (Index c = 0; c < n; ++c) {
-        map(VecX::Unit(n, c), column);
-        matrix.col(c) = column;
-    }
-    Eigen::ColPivHouseholderQR<MatX> qr(matrix);
-    qr.setThreshold(1e-10);
-    return n - qr.rank();
 }
 
 std::array<Index, 2> null_dimensions() {
