@@ -316,6 +316,25 @@ void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
     if (!joins) undo_.push_back({{{key, before}}, beside});
 }
 
+bool Session::assign_together(const Values& values) {
+    Values before, wanted;
+    for (const auto& [key, value] : values) {
+        const Parameter& p = lesson().parameter(key);
+        if (runner_->wanted(p) == value) continue;
+        if (locked(p)) {
+            say(Message::Kind::refused,
+                fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", key));
+            return false;
+        }
+        before.emplace_back(key, runner_->wanted(p));
+        wanted.emplace_back(key, value);
+    }
+    if (!wanted.empty() && !set(wanted)) return false;
+    if (!before.empty()) undo_.push_back({std::move(before), false});
+    reset();
+    return true;
+}
+
 void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }
 
 void Session::restore_defaults() {
