@@ -182,6 +182,7 @@ void ImplicitSolver::finish(Dofs x, Dofs v) const {
 
 void ImplicitSolver::fail(const std::string& what) const {
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.what = fmt::format("{} after {} iterations: residual {:.6g} N, last step {:.6g} m", what, iterations_, residual_norm_,
                                last_step_);
     failure.limit = fmt::format("accepted: at most {} iterations, and a last step of at most {:.6g} m", options_.max_iterations,
