@@ -36,8 +36,8 @@ void add_external_forces(const ExternalLoad<Dim>& load, const VecX& mass, Points
 template <int Dim>
 Real external_energy(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<Dim> x);
 
-// Spring, damping and external forces together. The directions of projected damping are those of the start of the step. In 3D
-// linearise() gives the net as a SpringTangent.
+// Spring, damping and external forces together. The directions of projected damping are those of begin_step(). In 3D linearise()
+// gives the net as a SpringTangent.
 template <int Dim>
 class SpringSystem final : public SecondOrderSystem {
 public:
@@ -53,6 +53,7 @@ public:
     SpringTangent& tangent();
 
     void begin_step(ConstDofs x) override { start_ = x; }
+    bool damped() const override { return damping != SpringDamping::none || !terms.drag.empty(); }
     Real potential(ConstDofs x) const override;
     Real dissipation(ConstDofs v) const override;
     void force(ConstDofs x, ConstDofs v, Dofs f) const override;
@@ -65,7 +66,7 @@ private:
     const VecX& mass_;
     SpringMatrix<Dim> matrix_;
     std::unique_ptr<SpringTangent> tangent_;  // made when it is asked for
-    VecX start_;                              // positions at the start of the step, m
+    VecX start_;                              // where begin_step() took the directions of damping, m
 };
 
 }  // namespace pliant

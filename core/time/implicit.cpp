@@ -42,7 +42,7 @@ void ImplicitSolver::set_options(const NewtonOptions& options) {
 void ImplicitSolver::begin(ConstDofs x) {
     if (options_.linear_solve == LinearSolve::conjugate_gradients && form_.lower_bound.size() > 0)
         throw Refused("conjugate gradients: lower bounds are kept by the direct solve alone");
-    system_.begin_step(x);
+    system_.begin_step(form_.frozen_at);
     iterations_ = unproved_ = linear_iterations_ = 0;
     converged_ = false;
     residual_norm_ = last_step_ = 0;
