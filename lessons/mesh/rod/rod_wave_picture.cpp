@@ -1,0 +1,96 @@
+// A rod that carries a wave: the rod itself, and above it its displacement, with that of the continuum.
+#include "rod.h"
+
+#include <pliant/lesson/format.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::rod {
+namespace {
+
+// In lengths of the rod: where the rod lies below its curve, and how tall a displacement of the amplitude is drawn.
+constexpr Real rod_low = -0.36, tall = 0.13;
+constexpr Index most_ticks = 60;
+
+}  // namespace
+
+void RodLesson::draw_waves(Scene& picture) const {
+    draw_straight_rod(picture);
+    draw_wave(picture);
+    if (runs_a_pulse()) draw_pulse_place(picture);
+    const Real L = length;
+    picture.frame(position(-0.1 * L, -0.48 * L), position(1.1 * L, 0.36 * L));
+}
+
+void RodLesson::draw_straight_rod(Scene& picture) const {
+    const Real y = rod_low * length;
+    const auto at = [&](Index i) { return position(position_(0, i), y + position_(1, i)); };
+    LineMarks bar{.ends = {}, .ink = Ink::edge, .width = 8, .pick = {.pickable = true, .on = On::edge}};
+    PointMarks nodes{
+        .at = {}, .ink = Ink::body, .radius = segments > most_ticks ? 2.0f : 5.0f, .pick = {.pickable = true, .on = On::node}};
+    bar.values = picture.values(*this, On::edge), nodes.values = picture.values(*this, On::node);
+    for (Index i = 0; i <= segments; ++i) {
+        nodes.at.push_back(at(i));
+        if (i == segments) break;
+        bar.ends.push_back(at(i));
+        bar.ends.push_back(at(i + 1));
+    }
+    picture.lines.push_back(std::move(bar));
+    picture.points.push_back(std::move(nodes));
+    const Real wall = 0.07 * length;
+    picture.line(position(0, y - wall), position(0, y + wall), Ink::ground, 6);
+    picture.label(position(0, y - wall), "held", Ink::text, 0, 12);
+    if (end() == RodEnd::fixed) picture.line(position(length, y - wall), position(length, y + wall), Ink::ground, 6);
+    picture.label(position(length, y - wall), end() == RodEnd::fixed ? "held" : "free", Ink::text, 0, 12);
+}
+
+void RodLesson::draw_wave(Scene& picture) const {
+    const Real up = amplitude > 0 ? tall * length / amplitude : Real{0};
+    // What has blown up would leave the picture.
+    const auto height = [&](Real u) { return std::clamp(up * u, -0.34 * length, 0.34 * length); };
+    picture.line(position(0, 0), position(length, 0), Ink::rest, 1);
+    picture.line(position(0, -0.28 * length), position(0, 0.28 * length), Ink::ground, 4);
+    const bool fixed = end() == RodEnd::fixed;
+    picture.line(position(length, -0.28 * length), position(length, 0.28 * length), fixed ? Ink::ground : Ink::rest,
+                 fixed ? 4.0f : 1.5f, !fixed);
+    for (const Real value : {-amplitude, Real{0}, Real{amplitude}})
+        picture.label(position(0, up * value), format_quantity(value, "m", 3), Ink::text, -34, 0);
+    picture.label(position(0, 0.28 * length), "u along the rod", Ink::text, 50, -10);
+
+    Curve exact;
+    sample_exact(exact, &RodLesson::exact_displacement);
+    // Its pieces are shorter than a dash: some are left out.
+    LineMarks continuum_curve{.ends = {}, .ink = Ink::accent, .width = 2};
+    for (std::size_t k = 0; k + 1 < exact.position.size(); ++k)
+        if (k / 3 % 2 == 0)
+            for (const std::size_t e : {k, k + 1})
+                continuum_curve.ends.push_back(position(exact.position[e], height(exact.value[e])));
+    LineMarks curve{.ends = {}, .ink = Ink::velocity, .width = 2.5f};
+    PointMarks points{.at = {}, .ink = Ink::velocity, .radius = segments > most_ticks ? 2.0f : 4.0f};
+    for (Index i = 0; i <= segments; ++i) {
+        const Position here = position(rest_place(i), height(displacement_of(i)));
+        if (i > 0) curve.ends.push_back(points.at.back()), curve.ends.push_back(here);
+        points.at.push_back(here);
+    }
+    picture.lines.push_back(std::move(curve));
+    picture.points.push_back(std::move(points));
+    picture.lines.push_back(std::move(continuum_curve));
+}
+
+// Where the energy of the pulse is, and which way it flows.
+void RodLesson::draw_pulse_place(Scene& picture) const {
+    if (!picture.show_arrows || amplitude == 0 || clock_[elapsed] == 0) return;
+    Real flow = 0, energy = kinetic_energy_now() + elastic_energy();
+    for (Index i = 0; i < segments; ++i)
+        flow -= tension_[i] * segment() * along().dot(0.5 * (velocity_.col(i) + velocity_.col(i + 1)));
+    if (std::abs(flow) < 0.3 * chain_speed() * energy) return;
+    const Real at = pulse_position(), y = (rod_low + 0.12) * length, reach = flow > 0 ? 0.08 * length : -0.08 * length;
+    picture.arrow(position(at - reach, y), position(at + reach, y), Ink::velocity, "");
+    const auto speed = wave_speed();
+    if (speed) picture.label(position(at, y), "c = " + format_quantity(*speed, "m/s", 4), Ink::velocity, 0, -14);
+}
+
+}  // namespace pliant::rod
