@@ -32,7 +32,7 @@ void add_external_forces(const ExternalLoad<Dim>& load, const VecX& mass, Points
 template <int Dim>
 Real external_energy(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<Dim> x);
 
-// Spring, damping and external forces together. The directions of projected damping are those of the start of the step.
+// Spring, damping and external forces together. The directions of projected damping are those of begin_step().
 template <int Dim>
 class SpringSystem final : public SecondOrderSystem {
 public:
@@ -43,6 +43,7 @@ public:
     ExternalLoad<Dim> load;
 
     void begin_step(ConstDofs x) override { start_ = x; }
+    bool damped() const override { return damping != SpringDamping::none; }
     Real potential(ConstDofs x) const override;
     Real dissipation(ConstDofs v) const override;
     void force(ConstDofs x, ConstDofs v, Dofs f) const override;
@@ -53,7 +54,7 @@ private:
     const Springs& springs_;
     const VecX& mass_;
     SpringMatrix<Dim> matrix_;
-    VecX start_;  // positions at the start of the step, m
+    VecX start_;  // where begin_step() took the directions of damping, m
 };
 
 }  // namespace pliant

@@ -30,7 +30,7 @@ ImplicitSolver::ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& ma
 }
 
 void ImplicitSolver::begin(ConstDofs x) {
-    system_.begin_step(x);
+    system_.begin_step(form_.frozen_at);
     iterations_ = unproved_ = 0;
     converged_ = false;
     residual_norm_ = last_step_ = 0;

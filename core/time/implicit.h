@@ -8,14 +8,17 @@
 namespace pliant {
 
 // What an implicit step needs to know of a system: forces f(x, v) = -grad U(x) - C v with a symmetric, positive semidefinite
-// damping matrix C. Where C depends on the positions, its value at the start of the step is used for the whole of the step:
-// the damping is then linear in v and the step has a potential, at an error of the order of dt.
+// damping matrix C. Where C depends on the positions, an implicit step takes its value at one place for the whole of the step:
+// the damping is then linear in v and the step has a potential. Implicit Euler takes the start of the step, at an error of the
+// order of dt; schemes of second order take a prediction (ImplicitForm::frozen_at), at an error of the order of dt^2.
 class SecondOrderSystem {
 public:
     virtual ~SecondOrderSystem() = default;
 
-    // Freezes what the step takes from its start.
+    // Freezes at x what the step does not solve for, the damping matrix's positions.
     virtual void begin_step(ConstDofs x) = 0;
+    // Does the force depend on the velocity?
+    virtual bool damped() const { return true; }
     virtual Real potential(ConstDofs x) const = 0;                   // U, J
     virtual Real dissipation(ConstDofs v) const = 0;                 // 1/2 v . C v, W
     virtual void force(ConstDofs x, ConstDofs v, Dofs f) const = 0;  // N
