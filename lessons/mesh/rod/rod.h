@@ -66,11 +66,12 @@ private:
     Real weight_acceleration() const { return hangs() ? Real{gravity} : Real{0}; }
     RodEnd end() const { return setting == Setting::fixed_end ? RodEnd::fixed : RodEnd::free; }
     Vec<2> along() const { return hangs() ? Vec<2>(0, -1) : Vec<2>(1, 0); }
+    Index count() const { return segments; }
     Real rest_place(Index node) const { return segment() * static_cast<Real>(node); }  // s of a node, m
 
     // --- the rod and its chains ---
-    Real segment() const { return length / static_cast<Real>(Index(segments)); }        // Δs, m
-    Real node_mass() const { return total_mass / static_cast<Real>(Index(segments)); }  // m, kg
+    Real segment() const { return length / static_cast<Real>(count()); }        // Δs, m
+    Real node_mass() const { return total_mass / static_cast<Real>(count()); }  // m, kg
     Real stiffness_of(Rule rule, Index n) const;                                        // k of a rod of n segments, N/m
     Real stiffness() const { return stiffness_of(spring_rule, segments); }              // N/m
     Real chain_axial_stiffness() const { return by_hand() ? stiffness() * segment() : Real{axial_stiffness}; }  // EA, N

@@ -44,14 +44,18 @@ void RodLesson::draw_hanging(Scene& picture) const {
     } else {
         draw_hanging_rod(picture, spring_rule, 0.68 * H);
     }
-    picture.frame(position(-0.3 * H, -1.06 * H), position(right + 0.06 * H, 0.12 * H));
+    picture.label(position(0, 0), "no load", Ink::text, 0, -14);
+    picture.frame(position(-0.3 * H, -1.06 * H), position(right + 0.06 * H, (hangs_still() ? 0.12 : 0.25) * H));
 }
 
 // How far a rod at x has come down, as a dimension beside it.
 void RodLesson::draw_descent(Scene& picture, Real x, Real tip) const {
     const Real H = deepest(), beside = x + 0.07 * H;
     if (std::abs(tip) < 1e-3 * H) return picture.label(position(beside, -length), format_quantity(tip, "m"), Ink::text, 24, 14);
-    picture.dimension_line(position(beside, -length), position(beside, -length - tip), format_quantity(tip, "m"), 38, 0);
+    // Clear of the dashed lines.
+    const Real middle = -length - 0.5 * tip, rest = -length - continuum().hanging_tip(weight_acceleration());
+    const float below = std::abs(middle - rest) < 0.04 * H || std::abs(tip) < 0.08 * H ? 16.0f : 0.0f;
+    picture.dimension_line(position(beside, -length), position(beside, -length - tip), format_quantity(tip, "m"), 38, below);
 }
 
 void RodLesson::draw_continuum(Scene& picture, Real x) const {
@@ -83,7 +87,7 @@ void RodLesson::draw_hanging_rod(Scene& picture, Rule rule, Real x) const {
         u = hanging_displacements(rule);
 
     LineMarks bar{.ends = {}, .ink = computed ? Ink::edge : Ink::rest, .width = computed ? 6.0f : 4.0f};
-    PointMarks nodes{.at = {}, .ink = computed ? Ink::body : Ink::rest, .radius = n > most_ticks ? 2.0f : 5.0f};
+    PointMarks nodes{.at = {}, .ink = computed ? Ink::body : Ink::rest, .radius = n > most_ticks ? 2.0f : 4.0f};
     if (computed) {
         bar.pick = {.pickable = true, .on = On::edge};
         nodes.pick = {.pickable = true, .on = On::node};
@@ -107,7 +111,7 @@ void RodLesson::draw_hanging_rod(Scene& picture, Rule rule, Real x) const {
 
 VecX RodLesson::hanging_displacements(Rule rule) const {
     VecX tension, move;
-    balance_chain(VecX::Constant(segments, stiffness_of(rule, segments)), node_masses_ * weight_acceleration(), tension, move);
+    balance_chain(VecX::Constant(count(), stiffness_of(rule, segments)), node_masses_ * weight_acceleration(), tension, move);
     return move;
 }
 

@@ -178,8 +178,8 @@ void RodLesson::declare_checks() {
 // ------------------------------------------------------------------------------------------------------- what is measured
 
 Real RodLesson::elastic_energy() const {
-    Points<2> slope(2, segments);
-    VecX strain(Index{segments});
+    Points<2> slope(2, count());
+    VecX strain(count());
     rod_slopes(segment(), position_, slope);
     rod_strains(slope, strain);
     return rod_energy(chain_axial_stiffness(), segment(), strain);
@@ -201,7 +201,7 @@ Real RodLesson::force_rounding() const {
 Real RodLesson::imbalance() const {
     Points<2> force = spring_force_;
     if (loaded()) force += external_force_;
-    return (force.rightCols(segments).transpose() * along()).cwiseAbs().maxCoeff();
+    return (force.rightCols(count()).transpose() * along()).cwiseAbs().maxCoeff();
 }
 
 Real RodLesson::imbalance_rounding() const {
@@ -268,7 +268,7 @@ std::string RodLesson::too_large_a_step() const {
         return fmt::format("{} without damping is stable at no Δt: {}. Give damping, or choose another scheme", name, growth);
     return fmt::format(
         "Δt = {} is above the stability limit of {} ({}, N = {}): {}. Lower time_step or segments, or choose implicit_euler",
-        format_quantity(dt, "s"), format_quantity(limit, "s", 3), name, Index(segments), growth);
+        format_quantity(dt, "s"), format_quantity(limit, "s", 3), name, count(), growth);
 }
 
 std::string RodLesson::blow_up_hint() const {

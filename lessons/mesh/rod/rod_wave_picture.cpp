@@ -30,7 +30,7 @@ void RodLesson::draw_straight_rod(Scene& picture) const {
     const auto at = [&](Index i) { return position(position_(0, i), y + position_(1, i)); };
     LineMarks bar{.ends = {}, .ink = Ink::edge, .width = 8, .pick = {.pickable = true, .on = On::edge}};
     PointMarks nodes{
-        .at = {}, .ink = Ink::body, .radius = segments > most_ticks ? 2.0f : 5.0f, .pick = {.pickable = true, .on = On::node}};
+        .at = {}, .ink = Ink::body, .radius = segments > most_ticks ? 1.0f : 3.0f, .pick = {.pickable = true, .on = On::node}};
     bar.values = picture.values(*this, On::edge), nodes.values = picture.values(*this, On::node);
     for (Index i = 0; i <= segments; ++i) {
         nodes.at.push_back(at(i));
@@ -69,7 +69,7 @@ void RodLesson::draw_wave(Scene& picture) const {
             for (const std::size_t e : {k, k + 1})
                 continuum_curve.ends.push_back(position(exact.position[e], height(exact.value[e])));
     LineMarks curve{.ends = {}, .ink = Ink::velocity, .width = 2.5f};
-    PointMarks points{.at = {}, .ink = Ink::velocity, .radius = segments > most_ticks ? 2.0f : 4.0f};
+    PointMarks points{.at = {}, .ink = Ink::velocity, .radius = segments > most_ticks ? 2.0f : 3.5f};
     for (Index i = 0; i <= segments; ++i) {
         const Position here = position(rest_place(i), height(displacement_of(i)));
         if (i > 0) curve.ends.push_back(points.at.back()), curve.ends.push_back(here);

@@ -42,18 +42,18 @@ std::optional<Real> RodLesson::exact_strain(Real s, Real t) const {
 // sin i θ_j of the watched mode, of every node.
 VecX RodLesson::mode_shape() const {
     const Real phase = chain().phase(watched_mode(), end());
-    return VecX::NullaryExpr(segments + 1, [phase](Index i) { return std::sin(phase * static_cast<Real>(i)); });
+    return VecX::NullaryExpr(count() + 1, [phase](Index i) { return std::sin(phase * static_cast<Real>(i)); });
 }
 
 Real RodLesson::mode_amplitude() const {
     const VecX shape = mode_shape();
-    return shape.dot(position_.transpose() * along() - VecX::LinSpaced(segments + 1, 0, length)) / shape.squaredNorm();
+    return shape.dot(position_.transpose() * along() - VecX::LinSpaced(count() + 1, 0, length)) / shape.squaredNorm();
 }
 
 // Where its energy lies on average.
 Real RodLesson::pulse_position() const {
-    Points<2> slope(2, segments);
-    VecX strain(Index{segments});
+    Points<2> slope(2, count());
+    VecX strain(count());
     rod_slopes(segment(), position_, slope);
     rod_strains(slope, strain);
     Real energy = 0, moment = 0;
@@ -182,7 +182,7 @@ void RodLesson::declare_lines() {
               .others = {{"picked by hand", against_segments(Rule::constant)},
                          {"this rod",
                           [this](Curve& curve) {
-                              curve = {{static_cast<Real>(Index(segments))}, {tip_displacement()}};
+                              curve = {{static_cast<Real>(count())}, {tip_displacement()}};
                           },
                           true}}},
              {.name = "displacement_profile",

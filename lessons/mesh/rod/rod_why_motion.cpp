@@ -82,7 +82,7 @@ Explanation RodLesson::why_row(Index node, int component, bool of_velocity) cons
 // The place that the scheme solves for: that of the end, or of the middle of the step.
 Explanation RodLesson::why_solution(Index node, int component) const {
     const Index dof = 2 * node + component;
-    const ImplicitSolver& solver = integrator_->solver();
+    ImplicitSolver& solver = integrator_->solver();
     VecX force(position_.size()), imbalance;
     solver.imbalance(imbalance);
     system_->force(solver.position(), solver.velocity(), force);

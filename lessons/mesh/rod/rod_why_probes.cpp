@@ -143,7 +143,7 @@ Explanation RodLesson::why_imbalance() const {
     Points<2> force = spring_force_;
     if (loaded()) force += external_force_;
     Index node = 0;
-    (force.rightCols(segments).transpose() * along()).cwiseAbs().maxCoeff(&node);
+    (force.rightCols(count()).transpose() * along()).cwiseAbs().maxCoeff(&node);
     ++node;
     Explanation e{fmt::format("|f| = |f_y|, the largest: of node {}", node), {Input::now("f_y", "spring_force", node, 1)}, {}};
     if (loaded()) {
