@@ -72,8 +72,8 @@ private:
     // --- the rod and its chains ---
     Real segment() const { return length / static_cast<Real>(count()); }        // Δs, m
     Real node_mass() const { return total_mass / static_cast<Real>(count()); }  // m, kg
-    Real stiffness_of(Rule rule, Index n) const;                                        // k of a rod of n segments, N/m
-    Real stiffness() const { return stiffness_of(spring_rule, segments); }              // N/m
+    Real stiffness_of(Rule rule, Index n) const;                                // k of a rod of n segments, N/m
+    Real stiffness() const { return stiffness_of(spring_rule, segments); }      // N/m
     Real chain_axial_stiffness() const { return by_hand() ? stiffness() * segment() : Real{axial_stiffness}; }  // EA, N
     UniformRod continuum() const { return {length, axial_stiffness, total_mass}; }
     MassChain chain_of(Rule rule, Index n) const;
@@ -114,7 +114,7 @@ private:
     std::optional<Real> travelled(Real t) const;  // m, while the pulse is away from both ends
     std::optional<Real> wave_speed() const;
     const VecX& frequencies() const;
-    Real largest_strain_expected() const;
+    Real largest_strain() const;
     Real stable_time_step() const;
     Real fastest() const;  // rad/s
     std::string too_large_a_step() const;

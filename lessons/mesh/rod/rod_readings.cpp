@@ -68,6 +68,11 @@ void RodLesson::declare_probes() {
              if (!hangs()) return std::nullopt;
              return chain().hanging_tip(gravity);
          }},
+        {.name = "stiffness",
+         .symbol = "k",
+         .unit = "N/m",
+         .help = "of each spring: EA/Δs, or what was picked",
+         .value = [this] { return stiffness(); }},
         {.name = "chain_axial_stiffness",
          .symbol = "k Δs",
          .unit = "N",
@@ -215,10 +220,12 @@ Real RodLesson::static_tip(Rule rule, Index n) const {
     return move[n];
 }
 
-// Of weight or wave, or of a rod that is merely as long as it is.
-Real RodLesson::largest_strain_expected() const {
-    const Real weight = total_mass * weight_acceleration() / chain_axial_stiffness();
-    return 1 + 2 * weight + (hangs() ? Real{0} : 2 * amplitude / segment());
+// Of a rod that moves: ten times the strain with all of its energy in one segment, which no motion passes.
+Real RodLesson::largest_strain() const {
+    const Real weight = total_mass * weight_acceleration();
+    if (hangs_still()) return 1000 * (1 + weight / chain_axial_stiffness());
+    const Real energy = hangs() ? 2 * weight * chain().hanging_tip(gravity) : start_energy_;
+    return 1e-3 + 10 * std::sqrt(2 * energy / (chain_axial_stiffness() * segment()));
 }
 
 // ------------------------------------------------------------------------------------------------------------- stability

@@ -7,8 +7,6 @@
 namespace pliant::rod {
 namespace {
 
-constexpr Real blown_up = 1000;  // times what the rod can do itself
-
 Field in_plane(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Points<2>& numbers,
                std::string_view help) {
     Field f = scalar_field(name, symbol, unit, on, numbers, help);
@@ -53,9 +51,9 @@ void RodLesson::declare_fields() {
     named("external_force").used = [this] { return loaded(); };
 }
 
-// Strains a thousand times those that weight or wave can cause, and what follows from them.
+// Of the strain, and what follows from it.
 void RodLesson::declare_bounds() {
-    const auto strain = [this] { return blown_up * largest_strain_expected(); };
+    const auto strain = [this] { return largest_strain(); };
     const auto force = [this, strain] { return 2 * chain_axial_stiffness() * strain() + total_mass * weight_acceleration(); };
     const auto reach = [this, strain] { return length * (2 + strain()); };
     const auto density = [this, strain] { return 0.5 * chain_axial_stiffness() * strain() * strain(); };
@@ -105,7 +103,7 @@ void RodLesson::declare_stages() {
          .source = "lecture C: the integral as a sum over the segments",
          .run = [this] { segment_energy_ = segment() * energy_density_; },
          .reads = {"energy_density"},
-         .writes = {"segment_energy", "elastic_energy"},
+         .writes = {"segment_energy"},
          .explain = [this](const Question& q) { return why_segment_energy(q.index); }},
         {.name = "springs",
          .formula = "Uᵢ = ½ k (|xᵢ₊₁ − xᵢ| − Δs)²  with  k = EA/Δs;  tension T = k (|xᵢ₊₁ − xᵢ| − Δs)",

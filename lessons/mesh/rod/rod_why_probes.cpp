@@ -38,6 +38,7 @@ void RodLesson::explain_probes() {
                 {Input::of(total_mass), Input::of(gravity), Input::of(segments), why_stiffness()},
                 [](Values x) { return x[0] * x[1] * (x[2] + 1) / (2 * x[3]); }};
     });
+    give("stiffness", [this] { return why_spring({"spring_stiffness", 0}); });
     give("chain_axial_stiffness", [this]() -> Explanation {
         return {"k Δs", {why_stiffness(), why_segment()}, [](Values x) { return x[0] * x[1]; }};
     });
