@@ -27,11 +27,23 @@ Real largest(const VecX& values) { return values.size() ? values.lpNorm<Eigen::I
 ImplicitSolver::ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options)
     : system_(system), mass_(mass), options_(options), model_(fixed_flags(mass)) {
     for (VecX* values : {&x_, &v_, &residual_, &reaction_, &direction_, &trial_, &scratch_}) values->setZero(mass.size());
+    for (Index d = 0; d < mass.size(); ++d)
+        if (mass.fixed(d)) fixed_.push_back(d);
+}
+
+void ImplicitSolver::set_options(const NewtonOptions& options) {
+    if (options == options_) return;
+    options_ = options;
+    gradients_.reset();
+    linearised_ = nullptr;
+    linear_residual_.resize(0);
 }
 
 void ImplicitSolver::begin(ConstDofs x) {
+    if (options_.linear_solve == LinearSolve::conjugate_gradients && form_.lower_bound.size() > 0)
+        throw Refused("conjugate gradients: lower bounds are kept by the direct solve alone");
     system_.begin_step(form_.frozen_at);
-    iterations_ = unproved_ = 0;
+    iterations_ = unproved_ = linear_iterations_ = 0;
     converged_ = false;
     residual_norm_ = last_step_ = 0;
 
@@ -86,6 +98,10 @@ void ImplicitSolver::evaluate_residual() {
 }
 
 void ImplicitSolver::find_direction() {
+    options_.linear_solve == LinearSolve::direct ? factorise_for_direction() : iterate_for_direction();
+}
+
+void ImplicitSolver::factorise_for_direction() {
     room_.resize(form_.lower_bound.size());
     if (room_.size() > 0) room_ = form_.lower_bound - x_;
     // The exact second derivatives converge fastest; where they are not positive definite, Newton's direction need not lead
@@ -101,11 +117,44 @@ void ImplicitSolver::find_direction() {
     fail("the matrix of the Newton iteration could not be factorised");
 }
 
+void ImplicitSolver::iterate_for_direction() {
+    inertia_ = form_.acceleration_rate * mass_.mass();
+    linearised_ = system_.linearise(x_, form_.velocity_rate, inertia_);
+    if (!linearised_) throw Refused("conjugate gradients: this system offers no products; give the direct solve");
+    // Fixed degrees of freedom take no part.
+    const auto masked = [this](auto map) {
+        return [this, map](const VecX& from, VecX& to) {
+            (linearised_->*map)(from, to);
+            for (const Index d : fixed_) to[d] = 0;
+        };
+    };
+    if (!gradients_)
+        gradients_.emplace(x_.size(), masked(&LinearisedSystem::multiply), masked(&LinearisedSystem::precondition),
+                           ConjugateGradients::Settings{options_.linear_tolerance, options_.linear_iterations});
+    direction_.setZero(x_.size());
+    scratch_ = -residual_;
+    gradients_->begin(scratch_, direction_);
+    try {
+        gradients_->solve();
+        linear_converged_ = gradients_->status() != ConjugateGradients::Status::capped;
+    } catch (const Diverged&) {
+        // Where rounding hides the curvature along their direction; what they have reached leads downhill all the same.
+        if (gradients_->iterations() == 0) throw;
+        linear_converged_ = false;
+    }
+    linear_iterations_ += static_cast<int>(gradients_->iterations());
+    direction_ = gradients_->x();
+    gradients_->residual_vector(linear_residual_);
+    reaction_.setZero();
+}
+
+Real ImplicitSolver::diagonal(Index dof) const { return linearised_ ? linearised_->diagonal(dof) : model_.diagonal(dof); }
+
 bool ImplicitSolver::at_rounding_level() const {
     // Positions are known to their rounding, and so is a force only to its stiffness times that.
     const Real rounding = 16 * epsilon * largest(x_);
     for (Index d = 0; d < residual_.size(); ++d)
-        if (!(std::abs(residual_[d] - reaction_[d]) <= rounding * model_.diagonal(d))) return false;
+        if (!(std::abs(residual_[d] - reaction_[d]) <= rounding * diagonal(d))) return false;
     return true;
 }
 
@@ -127,7 +176,7 @@ void ImplicitSolver::take_guarded_step() {
     const Real reached = potential(trial_);
     if (lower_than_reference(trial_, reached)) {
         unproved_ = 0;
-    } else if (std::isfinite(reached) && unproved_ < unproved_steps) {
+    } else if (std::isfinite(reached) && unproved_ < unproved_steps && !last_before_cap()) {
         ++unproved_;
     } else {
         search_from_reference();
@@ -163,7 +212,7 @@ void ImplicitSolver::iterate() {
     if (step_is_small()) {
         fraction_ = 1;
         last_step_ = largest(direction_);
-        converged_ = last_step_ <= options_.relative_step * length_ || at_rounding_level();
+        converged_ = linear_converged_ && (last_step_ <= options_.relative_step * length_ || at_rounding_level());
         x_ += direction_;
         keep_bounds(x_);
     } else {
@@ -174,7 +223,7 @@ void ImplicitSolver::iterate() {
 }
 
 void ImplicitSolver::finish(Dofs x, Dofs v) const {
-    if (!converged_) fail("Newton's method did not converge");
+    if (!converged_ && options_.at_cap == AtCap::fail) fail("Newton's method did not converge");
     x = x_;
     for (Index d = 0; d < v.size(); ++d)
         if (!mass_.fixed(d)) v[d] = v_[d];
@@ -182,6 +231,7 @@ void ImplicitSolver::finish(Dofs x, Dofs v) const {
 
 void ImplicitSolver::fail(const std::string& what) const {
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.what = fmt::format("{} after {} iterations: residual {:.6g} N, last step {:.6g} m", what, iterations_, residual_norm_,
                                last_step_);
     failure.limit = fmt::format("accepted: at most {} iterations, and a last step of at most {:.6g} m", options_.max_iterations,

@@ -1,8 +1,11 @@
 // Newton's method for implicit time steps of systems whose elastic forces have a potential.
 #pragma once
+#include <pliant/math/conjugate_gradients.h>
 #include <pliant/time/bounded_quadratic.h>
 #include <pliant/time/integrators.h>
+#include <pliant/time/linearised_system.h>
 
+#include <optional>
 #include <string>
 
 namespace pliant {
@@ -29,19 +32,43 @@ public:
     // whose pattern never changes and holds every diagonal entry.
     virtual const SparseMatrix& stiffness(ConstDofs x, Real velocity_rate, Curvature curvature) = 0;
 
+    // The same matrix with positive curvature, and with `added` on its diagonal, known by its products; it stays as it is until
+    // the next call. Null when the system offers none.
+    virtual const LinearisedSystem* linearise(ConstDofs /*x*/, Real /*velocity_rate*/, const VecX& /*added*/) { return nullptr; }
+
     // A length that counts as large for this system, m: Newton's steps are measured against it.
     virtual Real length_scale(ConstDofs x) const = 0;
+};
+
+// How the linear system of a Newton iteration is solved.
+enum class LinearSolve {
+    direct,              // factorised, to rounding; exact second derivatives where they are positive definite
+    conjugate_gradients  // of the system's linearise(), from 0 on: each iteration lowers the model of the potential, so that one
+                         // that is cut off early is a step downhill still [Nocedal2006 §7.1, inexact Newton]
+};
+
+// What happens when the cap on Newton's iterations is reached.
+enum class AtCap {
+    fail,   // finish() throws Diverged
+    accept  // the last iterate is taken, whose potential is lower than that of the start; imbalance() tells what is left. With
+            // one iteration: the linearly implicit step [Baraff1998]
 };
 
 struct NewtonOptions {
     Real relative_step = 1e-9;  // converged when a full step moves no degree of freedom by more, in length scales
     int max_iterations = 100;
+    AtCap at_cap = AtCap::fail;
+    LinearSolve linear_solve = LinearSolve::direct;
+    Real linear_tolerance = 1e-2;  // of conjugate gradients: |residual| / |gradient|
+    int linear_iterations = 1000;  // their cap in each Newton iteration; Newton's method cannot converge in one that reaches it
+    bool operator==(const NewtonOptions&) const = default;
 };
 
 // Solves an ImplicitForm by minimising the incremental potential
 //   Phi(x) = 1/2 a_rate |x - a_origin|_M^2 + U(x) + 1/2 v . C v / v_rate,
 // whose gradient is the residual M a_rate (x - a_origin) - f(x, v), by Newton's method. Each pass factorises the sparse matrix
-// anew; its pattern is analysed once. Passes can be run one by one: begin(), iterate() while again(), finish().
+// anew, whose pattern is analysed once, or runs conjugate gradients; neither allocates after the first step. Passes can be run
+// one by one: begin(), iterate() while again(), finish().
 //
 // Full steps may raise the potential for a few passes, as long as it is then lower than before: turning a stiff spring costs a
 // detour over its stretching (the Maratos effect). If it is not, the solver goes back and searches along the line for a step
@@ -53,23 +80,25 @@ public:
     // Both must outlive the solver.
     ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options = {});
 
-    void set_options(NewtonOptions options) { options_ = options; }
+    void set_options(const NewtonOptions& options);
 
     // The form to be filled by a scheme before begin().
     ImplicitForm& form() { return form_; }
 
-    // Starts at the form's prediction or at x, the positions of the start of the step: where the potential is lower.
+    // Starts at the form's prediction or at x, the positions of the start of the step: where the potential is lower. Throws
+    // Refused for conjugate gradients with lower bounds, or of a system that offers no products.
     void begin(ConstDofs x);
     // One Newton iteration. Throws Diverged when no step along its direction lowers the potential.
     void iterate();
     bool converged() const { return converged_; }
     bool again() const { return !converged_ && iterations_ < options_.max_iterations; }
     // Replaces x and v of the start of the step by the solution; fixed degrees of freedom keep their velocity. Throws Diverged,
-    // with iterations and residual, when it has not converged.
+    // with iterations and residual, when it has not converged, unless the options accept that.
     void finish(Dofs x, Dofs v) const;
 
     int iterations() const { return iterations_; }
     int factorisations() const { return model_.factorisations(); }  // since the solver was made
+    int linear_iterations() const { return linear_iterations_; }    // of conjugate gradients, in this step
     Real residual() const { return residual_norm_; }                // largest free component before the last iteration, N
     // Force with which its lower bound holds a degree of freedom, N, >= 0.
     Real reaction(Index dof) const { return reaction_[dof]; }
@@ -78,11 +107,15 @@ public:
     const VecX& velocity() const { return v_; }    // its velocity, m/s
 
     // --- what the last iteration did ---
-    // With the gradient g and the matrix H of its model at the iterate before it, the direction d fulfils H d = reaction - g
-    // where no degree of freedom is fixed. The iterate after it is from() + fraction() d, cut off at the lower bounds.
+    // With the gradient g and the matrix H of its model at the iterate before it, the direction d fulfils
+    // H d = reaction - g - linear_residual where no degree of freedom is fixed. The iterate after it is from() + fraction() d,
+    // cut off at the lower bounds.
     const VecX& gradient() const { return residual_; }                 // M a - f(x, v), N; 0 where fixed
-    const SparseMatrix& curvature() const { return model_.matrix(); }  // N/m
-    const VecX& direction() const { return direction_; }               // m
+    const SparseMatrix& curvature() const { return model_.matrix(); }  // N/m, of the direct solve
+    // Of conjugate gradients: the matrix, and what they have left, N. Null and 0 of the direct solve.
+    const LinearisedSystem* linearised() const { return linearised_; }
+    Real linear_residual(Index dof) const { return linear_residual_.size() ? linear_residual_[dof] : 0; }
+    const VecX& direction() const { return direction_; }        // m
     bool searched() const { return fraction_ < 1; }             // did it go back to an earlier iterate, to search from there?
     Real fraction() const { return fraction_; }                 // of the direction, 1 without a search
     const VecX& search_origin() const { return reference_.x; }  // m, of the search
@@ -98,6 +131,10 @@ private:
     void gradient_at_iterate(VecX& g) const;
     void keep_bounds(VecX& x) const;
     void find_direction();
+    void factorise_for_direction();
+    void iterate_for_direction();
+    Real diagonal(Index dof) const;
+    bool last_before_cap() const { return options_.at_cap == AtCap::accept && iterations_ + 1 >= options_.max_iterations; }
     bool step_is_small() const;
     bool at_rounding_level() const;
     void take_guarded_step();
@@ -117,11 +154,16 @@ private:
     ImplicitForm form_;
     VecX x_, v_, residual_, reaction_, direction_, room_, trial_, scratch_;
     BoundedQuadratic model_;
+    std::vector<Index> fixed_;
+    const LinearisedSystem* linearised_ = nullptr;
+    std::optional<ConjugateGradients> gradients_;
+    VecX inertia_, linear_residual_;
+    bool linear_converged_ = true;
     Reference reference_;
     int unproved_ = 0;  // full steps since the reference
     bool converged_ = false, began_at_prediction_ = false;
     Real fraction_ = 1;
-    int iterations_ = 0;
+    int iterations_ = 0, linear_iterations_ = 0;
     Real length_ = 0, residual_norm_ = 0, last_step_ = 0;
 };
 
