@@ -174,6 +174,7 @@ void RodLesson::reset() {
     inertia_ = DiagonalMass(node_masses_, 2, held);
     clock_.setZero();
     rhythm_.reset();
+    history_.setZero(n, hangs() ? 0 : history_rows);
 
     position_.resize(2, n + 1);
     velocity_.setZero(2, n + 1);
@@ -195,6 +196,7 @@ void RodLesson::reset() {
     for (VecX* values : {&strain_, &energy_density_, &segment_energy_, &stiffness_, &tension_}) values->setZero(n);
     for (VecX* values : {&added_tension_, &move_}) values->setZero(n + 1);
     slope_stage();
+    if (history_.size() > 0) rod_strains(slope_, history_.col(0));
     follow_positions();
     start_energy_ = total_energy();
     start_position_ = runs_a_pulse() ? pulse_position() : Real{0};

@@ -33,6 +33,7 @@ public:
     ColourBy first_colours() const override { return {"strain", -1}; }
     std::vector<std::string_view> first_plots() const override;
     std::vector<std::string_view> key_numbers() const override;
+    std::vector<std::string_view> map_knobs() const override { return {"time_step", "axial_stiffness"}; }
 
 private:
     // --- parameters ---
@@ -90,6 +91,8 @@ private:
     void begin_integration();
     void integrate();
     void end_integration();
+    void note_history(Real before);
+    Real history_span() const { return 3 * length / continuum().wave_speed(); }  // s
     void equilibrium_stage();
     void follow_positions();
 
@@ -164,6 +167,7 @@ private:
     void draw_straight_rod(Scene& picture) const;
     void draw_wave(Scene& picture) const;
     void draw_pulse_place(Scene& picture) const;
+    void draw_history(Scene& picture) const;
     void write_notes(Scene& picture) const;
 
     // What a run is made of.
@@ -179,6 +183,8 @@ private:
     enum Clock : Index { elapsed, balanced, clock_count };
     VecX clock_ = VecX::Zero(clock_count);  // s, and whether the forces of a rod that hangs still balance
     Rhythm rhythm_;
+    static constexpr Index history_rows = 60;
+    MatX history_;  // strain of every segment at so many moments of a span, segments × moments; 0 where none was noted
     Points<2> slope_, gradient_force_, spring_force_, damping_force_, external_force_, total_force_;
     VecX strain_, energy_density_, segment_energy_, stiffness_, tension_, displacement_;
     VecX added_tension_, move_;  // of the latest balance, N and m

@@ -2,6 +2,7 @@
 #include "rod.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pliant::rod {
@@ -21,6 +22,7 @@ void RodLesson::declare_fields() {
              state_array("velocity", "m/s", velocity_),
              state_array("clock", "s", clock_),
              state_array("rhythm", "s, m", rhythm_.memory()),
+             state_array("history", "", history_),
              {"integrator", "", [this] {
                   if (!integrator_) return std::span<Real>();
                   integrator_->set_scheme(scheme);  // each remembers as much as it needs
@@ -208,7 +210,23 @@ void RodLesson::integrate() {
 void RodLesson::end_integration() {
     integrator_->finish(flat(position_), flat(velocity_));
     clock_[elapsed] += dt;
+    if (history_.size() > 0) note_history(clock_[elapsed] - dt);
     if (setting == Setting::wave) rhythm_.note(clock_[elapsed], mode_amplitude(), 1e-3 * amplitude);
+}
+
+// The strain now, at all moments since `before`; a new span begins with an empty picture.
+void RodLesson::note_history(Real before) {
+    const auto moment = [this](Real t) { return std::floor(t / history_span() * history_rows); };
+    const Real last = moment(clock_[elapsed]), first = std::max(moment(before) + 1, last - history_rows + 1);
+    Points<2> slope(2, count());
+    VecX strain(count());
+    rod_slopes(segment(), position_, slope);
+    rod_strains(slope, strain);
+    for (Real m = first; m <= last; ++m) {
+        const auto row = static_cast<Index>(std::fmod(m, history_rows));
+        if (row == 0) history_.setZero();
+        history_.col(row) = strain;
+    }
 }
 
 // The rod lies along a line: its springs take up at once what is unbalanced. A second round finds that nothing is.

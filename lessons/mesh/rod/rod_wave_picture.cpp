@@ -12,7 +12,7 @@ namespace pliant::rod {
 namespace {
 
 // In lengths of the rod: where the rod lies below its curve, and how tall a displacement of the amplitude is drawn.
-constexpr Real rod_low = -0.36, tall = 0.13;
+constexpr Real rod_low = -0.33, tall = 0.11, map_top = -0.46, map_low = -0.96;
 constexpr Index most_ticks = 60;
 
 }  // namespace
@@ -21,8 +21,9 @@ void RodLesson::draw_waves(Scene& picture) const {
     draw_straight_rod(picture);
     draw_wave(picture);
     if (runs_a_pulse()) draw_pulse_place(picture);
+    draw_history(picture);
     const Real L = length;
-    picture.frame(position(-0.1 * L, -0.48 * L), position(1.1 * L, 0.36 * L));
+    picture.frame(position(-0.12 * L, map_low * L), position(1.12 * L, 0.32 * L));
 }
 
 void RodLesson::draw_straight_rod(Scene& picture) const {
@@ -50,15 +51,15 @@ void RodLesson::draw_straight_rod(Scene& picture) const {
 void RodLesson::draw_wave(Scene& picture) const {
     const Real up = amplitude > 0 ? tall * length / amplitude : Real{0};
     // What has blown up would leave the picture.
-    const auto height = [&](Real u) { return std::clamp(up * u, -0.34 * length, 0.34 * length); };
+    const auto height = [&](Real u) { return std::clamp(up * u, -0.3 * length, 0.3 * length); };
     picture.line(position(0, 0), position(length, 0), Ink::rest, 1);
-    picture.line(position(0, -0.28 * length), position(0, 0.28 * length), Ink::ground, 4);
+    picture.line(position(0, -0.25 * length), position(0, 0.25 * length), Ink::ground, 4);
     const bool fixed = end() == RodEnd::fixed;
-    picture.line(position(length, -0.28 * length), position(length, 0.28 * length), fixed ? Ink::ground : Ink::rest,
+    picture.line(position(length, -0.25 * length), position(length, 0.25 * length), fixed ? Ink::ground : Ink::rest,
                  fixed ? 4.0f : 1.5f, !fixed);
     for (const Real value : {-amplitude, Real{0}, Real{amplitude}})
         picture.label(position(0, up * value), format_quantity(value, "m", 3), Ink::text, -34, 0);
-    picture.label(position(0, 0.28 * length), "u along the rod", Ink::text, 50, -10);
+    picture.label(position(0, 0.25 * length), "u along the rod", Ink::text, 50, -10);
 
     Curve exact;
     sample_exact(exact, &RodLesson::exact_displacement);
@@ -91,6 +92,38 @@ void RodLesson::draw_pulse_place(Scene& picture) const {
     picture.arrow(position(at - reach, y), position(at + reach, y), Ink::velocity, "");
     const auto speed = wave_speed();
     if (speed) picture.label(position(at, y), "c = " + format_quantity(*speed, "m/s", 4), Ink::velocity, 0, -14);
+}
+
+// Below the rod: the strain of every segment, time running down. A wave is a slanted band; the dashes are the path of the pulse
+// in the continuum.
+void RodLesson::draw_history(Scene& picture) const {
+    if (picture.colour_by.field != "strain") return;
+    const Real span = history_span(), spans = std::floor(clock_[elapsed] / span), part = clock_[elapsed] / span - spans;
+    const auto down = [](Real share) { return map_top + share * (map_low - map_top); };
+    GridMarks map{
+        .nx = static_cast<int>(count()), .ny = static_cast<int>(history_rows), .values = {}, .smooth = false, .pick = {}};
+    map.lower = position(0, map_low * length), map.upper = position(length, map_top * length);
+    for (Index row = history_rows; row-- > 0;)
+        for (Index i = 0; i < count(); ++i) map.values.push_back(static_cast<float>(history_(i, row)));
+    picture.grids.push_back(std::move(map));
+    picture.box(position(0, map_low * length), position(length, map_top * length), Ink::edge, 1);
+    picture.line(position(-0.02 * length, down(part) * length), position(1.02 * length, down(part) * length), Ink::text, 2);
+    for (const Real share : {0.0, 1.0})
+        picture.label(position(0, down(share) * length), format_quantity((spans + share) * span, "s", 3), Ink::text, -36, 0);
+    picture.label(position(length, down(0.5) * length), "strain at s, t", Ink::text, 52, 0);
+    if (!runs_a_pulse()) return;
+    // It turns at the ends: s₀ + ct, in lengths, is whole there; t in spans of 3L/c.
+    const Real start = pulse(1).start / length;
+    const auto path = [&](Real t) {
+        const Real turned = std::fmod(start + 3 * t, 2);
+        return position((turned > 1 ? 2 - turned : turned) * length, down(t - spans) * length);
+    };
+    Real from = spans;
+    while (from < spans + 1) {
+        const Real to = std::min((std::floor(start + 3 * from + 1e-9) + 1 - start) / 3, spans + 1);
+        picture.line(path(from), path(to), Ink::accent, 1.5f, true);
+        from = to;
+    }
 }
 
 }  // namespace pliant::rod
