@@ -25,11 +25,12 @@ void ClothLesson::draw(Scene& picture) const {
 void ClothLesson::set_frame(Scene& picture) const {
     const Real half = size / 2, radius = drapes() ? Real{sphere_radius} : Real{0};
     if (setting == Setting::flag)
-        picture.frame(position(-half, -0.8 * size, -half), position(half, 0.6 * size, half));
+        picture.frame(position(-0.8 * size, -0.75 * size, -0.3 * half), position(half, half, 0.3 * half));
     else if (drapes())
-        picture.frame(position(-half, -std::max(2 * radius, 0.55 * size), -half), position(half, 0.15 * size, half));
+        picture.frame(position(-0.7 * half, -std::max(2 * radius, 0.5 * size), -0.7 * half),
+                      position(0.7 * half, 0.05 * size, 0.7 * half));
     else
-        picture.frame(position(-half, -1.05 * size, -half), position(half, 0.1 * size, half));
+        picture.frame(position(-0.8 * half, -1.02 * size, -0.5 * half), position(0.8 * half, 0.02 * size, 0.5 * half));
 }
 
 void ClothLesson::draw_sheet(Scene& picture) const {
@@ -75,7 +76,7 @@ void ClothLesson::draw_nodes(Scene& picture) const {
     PointMarks all{.at = {},
                    .values = picture.values(*this, On::node),
                    .ink = Ink::body,
-                   .radius = sheet_->nodes() > 40 ? 1.5f : 2.5f,
+                   .radius = sheet_->nodes() > 40 ? 1.0f : 1.8f,
                    .pick = {.pickable = true, .on = On::node}};
     PointMarks fixed{.at = {}, .ink = Ink::fixed, .radius = 5};
     for (Index n = 0; n < position_.cols(); ++n) {
@@ -123,8 +124,9 @@ void ClothLesson::draw_arrows(Scene& picture) const {
         for (const Real height : {0.35, 0.0, -0.35}) {
             const Vec<3> at = setting == Setting::flag ? Vec<3>(-0.85 * size, height * size, 0)
                                                        : Vec<3>(0, (height - 0.5) * size, -0.75 * size);
-            picture.arrow(position<3>(at), position<3>(at + along), Ink::velocity,
-                          height == 0.35 ? "w = " + format_quantity(w.norm(), "m/s", 3) : "");
+            picture.arrow(position<3>(at), position<3>(at + along), Ink::velocity);
+            if (height == 0.35)
+                picture.label(position<3>(at), "w = " + format_quantity(w.norm(), "m/s", 3), Ink::velocity, 0, -16);
         }
     }
     if (!pulled()) return;

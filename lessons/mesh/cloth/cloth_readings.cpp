@@ -37,7 +37,7 @@ void ClothLesson::declare_probes() {
                }),
         {.name = "bending_share",
          .symbol = "U_b/U",
-         .help = "of the elastic energy: next to nothing in cloth, most of it in cardboard",
+         .help = "of the elastic energy: how much of it is in the folds",
          .value = [this, elastic]() -> std::optional<Real> {
              const Real all = elastic();
              if (!(all > 0)) return std::nullopt;

@@ -215,7 +215,7 @@ void ClothLesson::begin_implicit_step() {
     NodalTerms<3>& terms = system_->terms;
     terms.planes.clear();
     terms.drag.clear();
-    terms.force.resize(3, 0);
+    if (!in_air()) terms.force.resize(3, 0);
     if (in_air()) {
         terms.drag = drag_;
         terms.force.resize(3, position_.cols());
