@@ -72,8 +72,9 @@ ErrorCurve error_curve(const SwingingOptions& options, const Method& method, int
         Real error = 0;
         for (Index mass = 0; mass < system.size(); ++mass) {
             const Motion exact = *system.exact(mass, end);
-            error = std::max(error, std::hypot(run.position()[mass] - exact.x,
-                                               (run.velocity()[mass] - exact.v) / system.slow_rate()) / system.scale());
+            error = std::max(error,
+                             std::hypot(run.position()[mass] - exact.x, (run.velocity()[mass] - exact.v) / system.slow_rate()) /
+                                 system.scale());
         }
         curve.dt.push_back(dt);
         curve.error.push_back(error);

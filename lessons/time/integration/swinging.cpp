@@ -82,7 +82,8 @@ std::optional<Motion> Swinging::exact(Index mass, Real t) const {
     if (options_.system == System::pendulum) {
         if (damped()) return std::nullopt;
         if (options_.omega == 0) return damped_oscillator(0, 0, options_.start, t);
-        const Motion turned = pliant::integration::pendulum(options_.omega, {options_.start.x / length_, options_.start.v / length_}, t);
+        const Motion turned =
+            pliant::integration::pendulum(options_.omega, {options_.start.x / length_, options_.start.v / length_}, t);
         return Motion{length_ * turned.x, length_ * turned.v};
     }
     Motion sum;

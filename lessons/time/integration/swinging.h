@@ -63,7 +63,7 @@ private:
 
     SwingingOptions options_;
     Mat<2> K_ = Mat<2>::Zero(), C_ = Mat<2>::Zero();
-    Mat<2> modes_ = Mat<2>::Identity();           // columns
+    Mat<2> modes_ = Mat<2>::Identity();                // columns
     Eigen::Vector2d rates_ = Eigen::Vector2d::Zero();  // rad/s, of the modes
     Real length_ = 0, slow_ = 0, fast_ = 0, scale_ = 1, speed_ = 1;
     bool leaves_ = false;
