@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t longest_trail = 400, dotted = 60;  // steps
 
-// The next of 1, 2, 5, 10, 20, …
+// The next of 1, 1.5, 2, 3, 5, 7, 10, …
 Real rounded_up(Real x) {
     const Real decade = std::pow(10, std::floor(std::log10(x)));
-    for (const Real step : {1, 2, 5})
+    for (const Real step : {1., 1.5, 2., 3., 5., 7.})
         if (x <= step * decade * (1 + 1e-12)) return step * decade;
     return 10 * decade;
 }
@@ -52,7 +52,8 @@ void IntegrationLesson::draw(Scene& scene) const {
     draw_region(scene);
     draw_legend(scene);
     write_notes(scene);
-    scene.frame(position(-1.3, -2.05), position(region_x + 1.2, is(System::pendulum) ? 2.5 : 1.8));
+    scene.frame(position(-1.3, compare == Compare::all ? -2.05 : -1.7),
+                position(region_x + 1.15, is(System::pendulum) ? 2.5 : 1.85));
 }
 
 // So that the motion fills a good half of it, in round numbers; wider when a run grows.
