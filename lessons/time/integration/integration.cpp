@@ -156,41 +156,37 @@ void IntegrationLesson::declare_fields() {
 }
 
 void IntegrationLesson::declare_stages() {
-    stages = {
-        {.name = "force",
-         .formula = "spring: f = −ω² x − 2ζω v;   pendulum: f = −g sin(x/l) − 2ζω v;   pair: f = −K x − C v;   m = 1 kg",
-         .source = "lecture S: time integration, F(v(t), x(t), t)",
-         .run = [this] { force_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"force"},
-         .explain = [this](const Question& q) -> std::optional<Explanation> {
-             return why_force(q.index, "position", "velocity", Input::now, "");
-         }},
-        {.name = "predict",
-         .formula =
-             "explicit: X = x, V = v;   implicit: X = x + Δt v, or X = x where that is better: where Newton's method starts",
-         .source = "Hairer1993 §II.14; Baraff1998",
-         .run = [this] { predict(); },
-         .reads = {"position", "velocity"},
-         .writes = {"trial_position", "trial_velocity"},
-         .explain = [this](const Question& q) { return why_predicted(q); }},
-        {.name = "passes",
-         .formula = "explicit, one force a pass: X = x + c Δt v + Δt² Σ p_j a_j, V = v + Δt Σ q_j a_j;   implicit, one Newton "
-                    "iteration a pass: X ← X − r/H, V from X",
-         .source = "lecture S: time integration; Hairer1993 §II.14; Nocedal2006",
-         .run = [this] { pass(); },
-         .reads = {"position", "velocity", "force"},
-         .writes = {"trial_position", "trial_velocity", "pass_force", "residual"},
-         .again = [this] { return integrator_->again(); },
-         .explain = [this](const Question& q) { return why_pass(q); }},
-        {.name = "advance",
-         .formula = "explicit: v′ = v + Δt f/m, x′ = x + Δt v;   semi-implicit: x′ = x + Δt v′;   implicit: v′ = v + Δt "
-                    "f(x′, v′)/m, x′ = x + Δt v′",
-         .source = "lecture S: time integration",
-         .run = [this] { advance(); },
-         .reads = {"trial_position", "trial_velocity"},
-         .writes = {"position", "velocity"},
-         .explain = [this](const Question& q) -> std::optional<Explanation> { return why_advanced(q); }}};
+    stages = {{.name = "force",
+               .formula = "spring: f = −ω²x − 2ζωv;  pendulum: −g sin(x/l) − 2ζωv;  pair: −Kx − Cv",
+               .source = "lecture S: time integration, F(v(t), x(t), t)",
+               .run = [this] { force_stage(); },
+               .reads = {"position", "velocity"},
+               .writes = {"force"},
+               .explain = [this](const Question& q) -> std::optional<Explanation> {
+                   return why_force(q.index, "position", "velocity", Input::now, "");
+               }},
+              {.name = "predict",
+               .formula = "explicit: X = x, V = v;  implicit: a first guess, X = x + Δt v or X = x",
+               .source = "Hairer1993 §II.14; Baraff1998",
+               .run = [this] { predict(); },
+               .reads = {"position", "velocity"},
+               .writes = {"trial_position", "trial_velocity"},
+               .explain = [this](const Question& q) { return why_predicted(q); }},
+              {.name = "passes",
+               .formula = "explicit: f_k at X, V, then the next X, V;  implicit, Newton: X ← X − r/H",
+               .source = "lecture S: time integration; Hairer1993 §II.14; Nocedal2006",
+               .run = [this] { pass(); },
+               .reads = {"position", "velocity", "force"},
+               .writes = {"trial_position", "trial_velocity", "pass_force", "residual"},
+               .again = [this] { return integrator_->again(); },
+               .explain = [this](const Question& q) { return why_pass(q); }},
+              {.name = "advance",
+               .formula = "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  others: with v′;  implicit: f(x′, v′)",
+               .source = "lecture S: time integration",
+               .run = [this] { advance(); },
+               .reads = {"trial_position", "trial_velocity"},
+               .writes = {"position", "velocity"},
+               .explain = [this](const Question& q) -> std::optional<Explanation> { return why_advanced(q); }}};
 }
 
 void IntegrationLesson::force_stage() { motion_->force(x_, v_, force_); }

@@ -128,6 +128,7 @@ private:
     void draw_legend(Scene& scene) const;
     void write_notes(Scene& scene) const;
     Real portrait_reach() const;  // m: half the width of the portrait
+    bool turns() const;           // does a pendulum's portrait show the whole turn?
     Position in_portrait(const Motion& at) const;
 
     // State [m, m/s]; what the stages make of it [m, m/s, N]; what the measurement of growth needs.

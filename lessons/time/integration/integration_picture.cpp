@@ -23,6 +23,18 @@ Real rounded_up(Real x) {
     return 10 * decade;
 }
 
+bool inside(const Position& p) { return std::abs(p[0]) <= 1 && std::abs(p[1]) <= 1; }
+
+// Without the pieces that leave the portrait, or come back on the other side of a turn.
+void keep_inside(LineMarks& path) {
+    std::vector<Position> kept;
+    for (std::size_t k = 0; k + 1 < path.ends.size(); k += 2) {
+        const Position &a = path.ends[k], &b = path.ends[k + 1];
+        if (inside(a) && inside(b) && std::abs(a[0] - b[0]) < 1) kept.insert(kept.end(), {a, b});
+    }
+    path.ends = std::move(kept);
+}
+
 }  // namespace
 
 InkOf ink_of(Scheme scheme) {
@@ -53,19 +65,24 @@ void IntegrationLesson::draw(Scene& scene) const {
     draw_legend(scene);
     write_notes(scene);
     scene.frame(position(-1.3, compare == Compare::all ? -2.05 : -1.7),
-                position(region_x + 1.15, is(System::pendulum) ? 2.5 : 1.85));
+                position(region_x + 1.15, is(System::pendulum) ? 2.4 : 1.85));
 }
 
-// So that the motion fills a good half of it, in round numbers; wider when a run grows.
+// So that the motion fills a good half of it, in round numbers; wider when a run grows. A pendulum that comes near the top, or
+// goes over it, has the whole turn.
 Real IntegrationLesson::portrait_reach() const {
+    if (turns()) return 1.05 * std::numbers::pi * motion_->length();
     const Real size = std::max(std::abs(x_[watched()]), std::abs(v_[watched()]) / rate());
     const Real far = std::max(1.25 * motion_->scale(), 1.05 * size);
     return std::isfinite(far) ? rounded_up(far) : motion_->scale();
 }
 
+bool IntegrationLesson::turns() const { return is(System::pendulum) && omega > 0 && motion_->scale() > 1.9 * motion_->length(); }
+
 Position IntegrationLesson::in_portrait(const Motion& at) const {
-    const Real reach = portrait_reach();
-    return position(at.x / reach, at.v / (rate() * reach));
+    const Real reach = portrait_reach(), turn = 2 * std::numbers::pi * motion_->length();
+    const Real x = turns() ? std::remainder(at.x, turn) : at.x;
+    return position(x / reach, at.v / (rate() * reach));
 }
 
 // ----------------------------------------------------------------------------------------------------- the phase portrait
@@ -103,6 +120,7 @@ void IntegrationLesson::draw_exact_path(Scene& scene) const {
             if (k / 3 % 2 == 1) continue;  // dashes
             path.ends.push_back(in_portrait(*motion_->exact(watched(), from + span * end / pieces)));
         }
+    keep_inside(path);
     scene.lines.push_back(std::move(path));
 }
 
@@ -113,16 +131,16 @@ void IntegrationLesson::draw_path(Scene& scene, Scheme one) const {
     const bool mine = one == scheme;
     LineMarks trail{.ends = {}, .ink = ink, .width = mine ? 3.0f : 1.5f};
     PointMarks dots{.at = {}, .ink = ink, .radius = mine ? 3.0f : 2.0f};
-    const auto inside = [](const Position& p) { return std::abs(p[0]) <= 1 && std::abs(p[1]) <= 1; };
+
     const std::size_t first = steps > longest_trail ? steps - longest_trail : 0;
     for (std::size_t n = first; n < steps; ++n) {
         const Position here = in_portrait(path.motion[n]);
         if (!inside(here)) continue;
         if (steps - n <= dotted) dots.at.push_back(here);
         if (n + 1 >= steps || (dashed && n % 2 == 1)) continue;
-        const Position next = in_portrait(path.motion[n + 1]);
-        if (inside(next)) trail.ends.insert(trail.ends.end(), {here, next});
+        trail.ends.insert(trail.ends.end(), {here, in_portrait(path.motion[n + 1])});
     }
+    keep_inside(trail);
     scene.lines.push_back(std::move(trail));
     scene.points.push_back(std::move(dots));
 }
@@ -158,8 +176,15 @@ void IntegrationLesson::write_notes(Scene& scene) const {
                                       : dt <= limit         ? fmt::format("within the limit {}", number(limit, "s"))
                                                             : fmt::format("beyond the limit {}", number(limit, "s"))));
     const auto measured = measured_growth();
-    scene.notes.push_back(fmt::format("a step multiplies by ρ = {} by theory,  measured {}", number(growth_per_step()),
-                                      measured ? format_quantity(*measured, "", 5) : "–"));
+    const std::string found = measured ? format_quantity(*measured, "", 5) : "–";
+    if (is(System::stiff_pair))
+        scene.notes.push_back(fmt::format("a step multiplies the stiff mode by ρ = {}, the soft one by {}",
+                                          number(growth_per_step()),
+                                          format_quantity(amplification(scheme, motion_->slow_rate(), zeta, dt), "", 5)));
+    else
+        scene.notes.push_back(fmt::format("a step multiplies by ρ = {} by theory{},  measured {}",
+                                          format_quantity(growth_per_step(), "", 5),
+                                          is(System::pendulum) ? " of small swings" : "", found));
     if (const auto frequency = theoretical_frequency(); frequency && zeta < 1) {
         const Real exact = omega * std::sqrt((1 - zeta) * (1 + zeta));
         scene.notes.push_back(fmt::format("swings at ω′ = {} instead of {}:  {:+.2f} %", number(*frequency, "rad/s"),

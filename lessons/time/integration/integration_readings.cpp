@@ -156,10 +156,11 @@ void IntegrationLesson::declare_growth_probes() {
                 "by which a step multiplies the motion: the largest eigenvalue of the map that took the latest two states to the "
                 "next two; of a pendulum or a pair √(E/E₀) per step of the whole run",
             .value = [this] { return measured_growth(); },
-            .exact = [this](Real) { return measured_growth() ? theoretical_growth() : std::nullopt; }},
+            .exact = [this](Real) { return measures_map() && measured_growth() ? theoretical_growth() : std::nullopt; }},
         Probe{.name = "growth_theory",
               .symbol = "ρ",
-              .help = "the largest eigenvalue of the step's matrix: above 1 the motion grows without end",
+              .help = "the largest eigenvalue of the step's matrix, for the fastest mode or for small swings: above 1 it grows "
+                      "without end",
               .value = [this] { return theoretical_growth(); }},
         Probe{.name = "frequency_measured",
               .symbol = "ω_m",

@@ -107,7 +107,7 @@ void IntegrationLesson::draw_pendulum(Scene& scene) const {
 void IntegrationLesson::draw_region(Scene& scene) const {
     auto& region = regions_[static_cast<std::size_t>(Scheme(scheme))];
     if (!region) region = stability_region(scheme);
-    TriangleMarks inside{.corners = {}, .triangles = {}, .ink = Ink::body, .opacity = 0.35f};
+    TriangleMarks inside{.corners = {}, .triangles = {}, .ink = Ink::ground};
     for (const auto& piece : region->pieces) {
         const int first = static_cast<int>(inside.corners.size());
         for (const auto& [re, im] : piece) inside.corners.push_back(in_plane(re, im));
@@ -123,7 +123,7 @@ void IntegrationLesson::draw_region(Scene& scene) const {
     scene.line(in_plane(0, -region_high), in_plane(0, region_high), Ink::rest, 1);
     for (const int re : {-4, -2}) scene.label(in_plane(re, 0), fmt::format("{}", re), Ink::text, 0, 10);
     for (const int im : {-2, 2}) scene.label(in_plane(0, im), fmt::format("{}i", im), Ink::text, 14, 0);
-    scene.label(position(region_x, 1), fmt::format("λΔt, stable where blue:  {}", info_of(scheme).name), Ink::text, 0, -10);
+    scene.label(position(region_x, 1), fmt::format("λΔt, stable where grey:  {}", info_of(scheme).name), Ink::text, 0, -10);
     draw_roots(scene);
 }
 

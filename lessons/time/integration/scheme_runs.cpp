@@ -57,10 +57,10 @@ ErrorCurve error_curve(const SwingingOptions& options, const Method& method, int
     ErrorCurve curve;
     const Swinging system(options);
     if (options.omega == 0 || !system.exact(0, 0)) return curve;
-    // Five radians of the slow motion, but no more than forty of the fast one; no whole number of half periods, where errors of
+    // Four radians of the slow motion, but no more than twelve of the fast one: no whole number of half periods, where errors of
     // symplectic schemes happen to cancel.
     const Real rate = system.fast_rate() * std::max(Real{1}, options.zeta);
-    const Real end = std::min(5 / system.slow_rate(), 40 / rate);
+    const Real end = std::min(4 / system.slow_rate(), 12 / rate);
     const auto coarsest = static_cast<Index>(std::ceil(1.25 * end * rate));
     for (int k = 0; k < halvings; ++k) {
         const Index steps = coarsest << k;
