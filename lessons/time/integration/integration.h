@@ -26,7 +26,7 @@ public:
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::vector<std::string_view> first_plots() const override { return {"x", "energy_of_all", "error_over_step"}; }
-    std::vector<std::string_view> key_numbers() const override { return {"energy", "growth_measured", "growth_theory"}; }
+    std::vector<std::string_view> key_numbers() const override { return {"energy", "error", "growth_measured"}; }
 
 private:
     // --- parameters ---

@@ -64,8 +64,7 @@ void IntegrationLesson::draw(Scene& scene) const {
     draw_region(scene);
     draw_legend(scene);
     write_notes(scene);
-    scene.frame(position(-1.3, compare == Compare::all ? -2.05 : -1.7),
-                position(region_x + 1.15, is(System::pendulum) ? 2.4 : 1.85));
+    scene.frame(position(-1.3, compare == Compare::all ? -2.05 : -1.7), position(region_x + 1.15, turns() ? 2.5 : 1.85));
 }
 
 // So that the motion fills a good half of it, in round numbers; wider when a run grows. A pendulum that comes near the top, or

@@ -14,7 +14,6 @@ namespace {
 
 constexpr Real per_unit = 2 / (region_right - region_left);  // of z in the picture
 constexpr Real strip = 1.4, block = 0.11;                    // height of the springs; half the size of a mass
-constexpr Real pivot_y = 1.8, rod = 0.52;
 
 Position in_plane(Real re, Real im) {
     return position(region_x + per_unit * (re - (region_left + region_right) / 2), per_unit * im);
@@ -84,6 +83,8 @@ void IntegrationLesson::draw_springs(Scene& scene) const {
 }
 
 void IntegrationLesson::draw_pendulum(Scene& scene) const {
+    // Room for the bob over the pivot, where it may get there.
+    const Real pivot_y = turns() ? 1.64 : 1.75, rod = turns() ? 0.42 : 0.55;
     const Position pivot = position(0, pivot_y);
     const auto bob = [&](Real x) {
         const Real angle = omega > 0 ? x / motion_->length() : 0;
