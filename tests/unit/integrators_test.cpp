@@ -1,4 +1,4 @@
-// The three Euler schemes on one spring. Reference figures: amplification factors and stability limits of the schemes on the
+// The time integrators on one spring. Reference figures: amplification factors and stability limits of the schemes on the
 // damped oscillator, Hairer, Lubich & Wanner 2006 §I.1 and the classical root conditions.
 #include "spring_body.h"
 
@@ -21,6 +21,9 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 constexpr Scheme all_schemes[] = {Scheme::explicit_euler, Scheme::semi_implicit_euler, Scheme::implicit_euler};
+constexpr Scheme one_step_schemes[] = {Scheme::explicit_euler,  Scheme::semi_implicit_euler, Scheme::implicit_euler,
+                                       Scheme::velocity_verlet, Scheme::runge_kutta_4,       Scheme::implicit_midpoint,
+                                       Scheme::newmark};
 
 Real radius(Scheme scheme, Real omega, Real zeta, Real dt) {
     return SpringOscillator(omega, zeta).step_matrix(scheme, dt).eigenvalues().cwiseAbs().maxCoeff();
@@ -48,11 +51,43 @@ TEST_CASE("amplification per step of the undamped oscillator", "[integrators]") 
 }
 
 TEST_CASE("the predicted amplification is the one of the real step", "[integrators]") {
-    const Scheme scheme = GENERATE(from_range(all_schemes));
+    const Scheme scheme = GENERATE(from_range(one_step_schemes));
     const Real zeta = GENERATE(0.0, 0.1, 0.7, 1.0, 3.0);
     const Real dt = GENERATE(0.003, 0.05, 0.15, 0.4);
     // A double eigenvalue answers to a change of the matrix by its square root.
     CHECK_THAT(amplification(scheme, 10, zeta, dt), WithinRel(radius(scheme, 10, zeta, dt), 2e-7));
+}
+
+TEST_CASE("BDF2 shrinks an oscillation by what its roots say", "[integrators]") {
+    const Real zeta = GENERATE(0.0, 0.3);
+    const Real dt = GENERATE(0.02, 0.1);
+    // Two steps in a row make the state of a two-step scheme.
+    SpringOscillator body(10, zeta);
+    body.position() = 1;
+    const int steps = 80;
+    const auto size = [&] { return std::hypot(body.position(), body.velocity() / 10); };
+    body.run(Scheme::bdf2, dt, steps);
+    const Real early = size();
+    body.run(Scheme::bdf2, dt, steps);
+    CHECK_THAT(std::pow(size() / early, 1.0 / steps), WithinRel(amplification(Scheme::bdf2, 10, zeta, dt), 0.01));
+}
+
+TEST_CASE("the limit of every explicit scheme separates growth from decay", "[integrators]") {
+    const Scheme scheme = GENERATE(Scheme::velocity_verlet, Scheme::runge_kutta_4);
+    const Real zeta = GENERATE(0.0, 0.05, 0.5, 1.0, 4.0);
+    const Real limit = stability_limit(scheme, 10, zeta);
+    CHECK(radius(scheme, 10, zeta, 0.999 * limit) <= 1 + 1e-9);
+    CHECK(radius(scheme, 10, zeta, 1.001 * limit) > 1 + 1e-6);
+    if (zeta == 0) CHECK_THAT(limit, WithinRel(scheme == Scheme::velocity_verlet ? 0.2 : std::sqrt(8.0) / 10, 1e-14));
+}
+
+TEST_CASE("unconditionally stable schemes never grow", "[integrators]") {
+    const Scheme scheme = GENERATE(Scheme::implicit_midpoint, Scheme::newmark, Scheme::bdf2, Scheme::implicit_euler);
+    CHECK(stability_limit(scheme, 10, 0) == std::numeric_limits<Real>::infinity());
+    for (const Real omega_dt : {1e-3, 0.3, 1.0, 30.0, 1e3, 1e6})
+        for (const Real zeta : {0.0, 0.2, 1.0, 1e3}) CHECK(amplification(scheme, 1, zeta, omega_dt) <= 1 + 1e-12);
+    if (scheme == Scheme::implicit_midpoint || scheme == Scheme::newmark)
+        CHECK_THAT(radius(scheme, 10, 0, 3), WithinRel(1.0, 1e-12));
 }
 
 TEST_CASE("amplitude after 1000 steps at omega dt = 0.1", "[integrators]") {
@@ -83,6 +118,67 @@ TEST_CASE("all three schemes converge at first order in the global state", "[int
         CHECK_THAT(std::log2(previous / error), WithinAbs(1, 0.05));
         previous = error;
     }
+}
+
+TEST_CASE("every scheme has the order that it declares, damped or not", "[integrators]") {
+    const SchemeInfo& info = GENERATE(from_range(schemes()));
+    const Real zeta = GENERATE(0.0, 0.25);
+    const Real omega = 2, decay = zeta * omega, damped = omega * std::sqrt(1 - zeta * zeta);
+    const auto error = [&](int steps) {
+        SpringOscillator body(omega, zeta);
+        body.position() = 1;
+        body.run(info.scheme, 1.0 / steps, steps);
+        const Real exact = std::exp(-decay) * (std::cos(damped) + decay / damped * std::sin(damped));
+        const Real rate = -std::exp(-decay) * omega * omega / damped * std::sin(damped);
+        return std::hypot(body.position() - exact, (body.velocity() - rate) / omega);
+    };
+    const int steps = info.order == 4 ? 20 : 400;
+    CHECK_THAT(std::log2(error(steps) / error(2 * steps)), WithinAbs(info.order, 0.1));
+}
+
+TEST_CASE("directions of projected damping do not cost schemes their order", "[integrators]") {
+    const Scheme scheme =
+        GENERATE(Scheme::velocity_verlet, Scheme::runge_kutta_4, Scheme::implicit_midpoint, Scheme::newmark, Scheme::bdf2);
+    // A damped spring that swings as a pendulum does, and so turns.
+    const auto end = [&](int steps) {
+        Points<2> points(2, 2);
+        points << 0, 1, 0, 0.2;
+        SpringBody<2> body(points, {{0, 1, 0.9, 40, 2}}, VecX::Constant(2, 1), {0});
+        body.system.damping = SpringDamping::projected;
+        body.system.load.gravity = {0, -9.81};
+        body.run(scheme, 0.5 / steps, steps);
+        return Vec<2>(body.x.col(1));
+    };
+    const Vec<2> fine = end(800), coarse = end(200), middle = end(400);
+    CHECK(std::log2((coarse - middle).norm() / (middle - fine).norm()) > info_of(scheme).order - 0.25);
+}
+
+TEST_CASE("velocity Verlet evaluates one force a step where velocities do not matter", "[integrators]") {
+    SpringOscillator undamped(10, 0), damped(10, 0.1);
+    undamped.position() = damped.position() = 1;
+    undamped.run(Scheme::velocity_verlet, 0.01, 50);
+    damped.run(Scheme::velocity_verlet, 0.01, 50);
+    CHECK(undamped.integrator.force_evaluations() == 51);
+    CHECK(damped.integrator.force_evaluations() == 100);
+    // What was changed from outside is evaluated anew.
+    undamped.position() = 2;
+    undamped.integrator.forget();
+    undamped.step(Scheme::velocity_verlet, 0.01);
+    CHECK(undamped.integrator.force_evaluations() == 53);
+}
+
+TEST_CASE("BDF2 takes steps of any length at second order", "[integrators]") {
+    const auto error = [](int pairs) {
+        SpringOscillator body(2, 0);
+        body.position() = 1;
+        const Real dt = 1.0 / (3 * pairs);
+        for (int n = 0; n < pairs; ++n) {
+            body.step(Scheme::bdf2, dt);
+            body.step(Scheme::bdf2, 2 * dt);
+        }
+        return std::hypot(body.position() - std::cos(2), body.velocity() / 2 + std::sin(2));
+    };
+    CHECK_THAT(std::log2(error(100) / error(200)), WithinAbs(2, 0.1));
 }
 
 TEST_CASE("the energy error of semi-implicit Euler stays bounded and of first order", "[integrators]") {

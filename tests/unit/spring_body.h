@@ -3,6 +3,7 @@
 #include <pliant/solids/point_masses.h>
 #include <pliant/solids/springs_frequency.h>
 #include <pliant/solids/springs_system.h>
+#include <pliant/time/time_integrator.h>
 
 #include <utility>
 
@@ -19,29 +20,13 @@ public:
           mass(std::move(masses)),
           inertia(mass, Dim, fixed),
           system(springs, mass),
-          solver(system, inertia) {}
+          integrator(system, inertia) {}
     SpringBody(const SpringBody&) = delete;
     SpringBody& operator=(const SpringBody&) = delete;
 
-    void evaluate_forces() {
-        f.setZero();
-        add_spring_forces<Dim>(springs, x, f);
-        add_damping_forces<Dim>(springs, system.damping, x, v, f);
-        add_external_forces<Dim>(system.load, mass, x, f);
-    }
-
     void step(Scheme scheme, Real dt) {
-        evaluate_forces();
-        if (scheme == Scheme::explicit_euler) {
-            explicit_euler(dt, inertia, flat(f), flat(x), flat(v));
-        } else if (scheme == Scheme::semi_implicit_euler) {
-            semi_implicit_euler(dt, inertia, flat(f), flat(x), flat(v));
-        } else {
-            implicit_euler(dt, flat(x), flat(v), solver.form());
-            solver.begin(flat(x));
-            while (solver.again()) solver.iterate();
-            solver.finish(flat(x), flat(v));
-        }
+        integrator.set_scheme(scheme);
+        integrator.step(dt, flat(x), flat(v));
     }
     void run(Scheme scheme, Real dt, int steps) {
         for (int n = 0; n < steps; ++n) step(scheme, dt);
@@ -51,12 +36,18 @@ public:
         return kinetic_energy<Dim>(mass, v) + spring_energy<Dim>(springs, x) + external_energy<Dim>(system.load, mass, x);
     }
 
+    // That of implicit Euler.
+    ImplicitSolver& solver() {
+        integrator.set_scheme(Scheme::implicit_euler);
+        return integrator.solver();
+    }
+
     Points<Dim> x, v, f;
     Springs springs;
     VecX mass;
     DiagonalMass inertia;
     SpringSystem<Dim> system;
-    ImplicitSolver solver;
+    TimeIntegrator integrator;
 };
 
 // One mass on a spring of rest length 0 to a fixed node at the origin: x'' = -omega^2 x - 2 zeta omega x', exactly linear.
@@ -75,6 +66,7 @@ public:
         Mat<2> matrix;
         for (int column = 0; column < 2; ++column) {
             x.setZero(), v.setZero();
+            integrator.forget();
             position() = column == 0, velocity() = column == 1;
             step(scheme, dt);
             matrix.col(column) << position(), velocity();

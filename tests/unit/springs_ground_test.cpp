@@ -33,9 +33,9 @@ struct Jelly {
         body.system.load.gravity = {0, -9.81, 0};
     }
     void implicit_step(Real dt) {
-        set_ground_bounds<3>(ground, body.x, body.solver.form().lower_bound);
+        set_ground_bounds<3>(ground, body.x, body.integrator.lower_bound());
         body.step(Scheme::implicit_euler, dt);
-        arrested_speeds<3>(body.solver, body.inertia, dt, arrested);
+        arrested_speeds<3>(body.solver(), body.inertia, dt, arrested);
         touching = resolve_ground_contact<3>(ground, body.inertia, 0, body.x, body.v, arrested);
     }
     void explicit_step(Real dt) {
@@ -88,7 +88,7 @@ TEST_CASE("a body of very stiff springs lands on a corner in few iterations", "[
     jelly.body.v.col(0) << 1, 2, 3;
     for (int n = 0; n < 100; ++n) {
         jelly.implicit_step(0.01);
-        CHECK(jelly.body.solver.iterations() <= 20);
+        CHECK(jelly.body.solver().iterations() <= 20);
         CHECK(jelly.body.x.row(1).minCoeff() >= 0);
     }
     VecX strain(jelly.body.springs.size());
@@ -102,11 +102,11 @@ TEST_CASE("an implicit step rebounds with the restitution of what the ground too
     const Ground ground{0, 0.6, 0.5};
     body.v.col(0) << 3, -2;
     std::vector<Real> arrested;
-    set_ground_bounds<2>(ground, body.x, body.solver.form().lower_bound);
+    set_ground_bounds<2>(ground, body.x, body.integrator.lower_bound());
     body.step(Scheme::implicit_euler, 0.01);
     CHECK(body.x(1, 0) == 0);
     CHECK_THAT(body.v(1, 0), WithinRel(-0.1, 1e-12));  // what takes it to the ground
-    arrested_speeds<2>(body.solver, body.inertia, 0.01, arrested);
+    arrested_speeds<2>(body.solver(), body.inertia, 0.01, arrested);
     CHECK_THAT(arrested[0], WithinRel(1.9, 1e-12));
     resolve_ground_contact<2>(ground, body.inertia, 0, body.x, body.v, arrested);
     CHECK_THAT(body.v(1, 0), WithinRel(0.6 * 1.9, 1e-12));

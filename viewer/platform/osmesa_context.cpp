@@ -5,6 +5,7 @@
 
 #if PLIANT_HAVE_OSMESA
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <cstdint>
 
@@ -14,6 +15,40 @@
 
 namespace pliant::viewer {
 namespace {
+
+// The library is loaded when the first context is made: with all of LLVM behind it, that takes longer than many a command.
+class OsmesaLibrary {
+public:
+    // Throws MachineLacks. Stays loaded until the program ends.
+    static const OsmesaLibrary& get() {
+        static const OsmesaLibrary library;
+        return library;
+    }
+
+    decltype(&OSMesaCreateContextAttribs) create = nullptr;
+    decltype(&OSMesaDestroyContext) destroy = nullptr;
+    decltype(&OSMesaMakeCurrent) make_current = nullptr;
+    decltype(&OSMesaGetCurrentContext) current = nullptr;
+    decltype(&OSMesaGetProcAddress) proc_address = nullptr;
+
+private:
+    OsmesaLibrary() {
+        void* library = nullptr;
+        for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"})
+            if (!library) library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        if (!library) throw MachineLacks("This machine has no OSMesa; install libosmesa6, or use a machine with EGL.");
+        find(library, "OSMesaCreateContextAttribs", create);
+        find(library, "OSMesaDestroyContext", destroy);
+        find(library, "OSMesaMakeCurrent", make_current);
+        find(library, "OSMesaGetCurrentContext", current);
+        find(library, "OSMesaGetProcAddress", proc_address);
+    }
+    template <class Function>
+    static void find(void* library, const char* name, Function& function) {
+        function = reinterpret_cast<Function>(dlsym(library, name));
+        if (!function) throw MachineLacks(std::string("OSMesa has no ") + name + "; install a newer libosmesa6.");
+    }
+};
 
 class OsmesaContext final : public HeadlessContext {
 public:
@@ -25,19 +60,19 @@ public:
                               OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
                               OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
         // clang-format on
-        context_ = OSMesaCreateContextAttribs(wanted, nullptr);
+        context_ = osmesa_.create(wanted, nullptr);
         if (!context_)
             throw MachineLacks("OSMesa makes no OpenGL 3.3 context with its driver llvmpipe; install a newer libosmesa6.");
         try {
             bind();
         } catch (...) {
-            OSMesaDestroyContext(context_);
+            osmesa_.destroy(context_);
             throw;
         }
     }
     ~OsmesaContext() override {
-        if (OSMesaGetCurrentContext() == context_) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
-        OSMesaDestroyContext(context_);
+        if (osmesa_.current() == context_) osmesa_.make_current(nullptr, nullptr, 0, 0, 0);
+        osmesa_.destroy(context_);
     }
 
     void make_current() override { bind(); }
@@ -53,12 +88,13 @@ private:
     // OSMesa draws into memory of the caller, row 0 at the bottom.
     void bind() {
         buffer_.resize(std::size_t{4} * static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
-        if (!OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, size_.width, size_.height))
+        if (!osmesa_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, size_.width, size_.height))
             throw MachineLacks("OSMesa cannot draw a picture of " + std::to_string(size_.width) + "x" +
                                std::to_string(size_.height) + " px.");
-        load_gl([](const char* name) { return reinterpret_cast<GlFunction>(OSMesaGetProcAddress(name)); });
+        load_gl([](const char* name) { return reinterpret_cast<GlFunction>(OsmesaLibrary::get().proc_address(name)); });
     }
 
+    const OsmesaLibrary& osmesa_ = OsmesaLibrary::get();
     OSMesaContext context_ = nullptr;
     std::vector<std::uint8_t> buffer_;
 };
