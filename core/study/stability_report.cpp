@@ -123,10 +123,10 @@ std::string agreement_text(const StabilityMap& map) {
     if (!found) return "names no stability limit to compare with";
     if (found->compared == 0) return "has no cell that theory speaks of";
     const auto cells = [](Index n) { return fmt::format("{} {}", n, n == 1 ? "cell" : "cells"); };
-    const std::string beside =
-        fmt::format("{} differ{} within one cell of the bound", cells(found->at_bound), found->at_bound == 1 ? "s" : "");
-    if (found->contradicts == 0) return fmt::format("agrees with theory in {}; {}", cells(found->compared), beside);
-    return fmt::format("contradicts theory in {} of {}; {}", found->contradicts, cells(found->compared), beside);
+    if (found->contradicts > 0) return fmt::format("contradicts theory in {} of {}", found->contradicts, cells(found->compared));
+    const std::string agrees =
+        fmt::format("agrees with theory in {} of {}", found->compared - found->at_bound, cells(found->compared));
+    return found->at_bound == 0 ? agrees : agrees + ", and the others lie within one cell of the bound";
 }
 
 std::string map_text(const StabilityMap& map, const MapCost& cost) {

@@ -35,9 +35,9 @@ void choose_knob(LabState& lab, const char* label, std::string& key, const std::
     ImGui::EndCombo();
 }
 
-void whole_slider(LabState& lab, const char* label, Index& value, int least, int most, const char* help) {
+void whole_slider(LabState& lab, const char* label, float width, Index& value, int least, int most, const char* help) {
     int shown = static_cast<int>(value);
-    ImGui::SetNextItemWidth(0.5f * (ImGui::GetContentRegionAvail().x) - ImGui::CalcTextSize("cells").x - lab.px(10));
+    ImGui::SetNextItemWidth(width - ImGui::CalcTextSize(label).x - lab.px(10));
     if (ImGui::SliderInt(label, &shown, least, most, "%d", ImGuiSliderFlags_AlwaysClamp)) value = shown;
     lab.note_control(fmt::format("atlas {}", label));
     tooltip(help, lab.scale);
@@ -128,9 +128,11 @@ void draw_atlas(LabState& lab) {
     choose_knob(lab, "across", atlas.across, atlas.up, "The knob along the map");
     if (std::exchange(lab.focus_atlas, false)) focus_last_item();
     choose_knob(lab, "up", atlas.up, atlas.across, "The knob up the map");
-    whole_slider(lab, "cells", atlas.cells, 8, 48, "Values of each knob");
+    const float half = 0.5f * ImGui::GetContentRegionAvail().x;
+    whole_slider(lab, "cells", half, atlas.cells, 8, 48, "Values of each knob");
     ImGui::SameLine();
-    whole_slider(lab, "steps", atlas.steps, 50, 1000, "Steps of each cell; one that is in doubt makes up to 16 times as many");
+    whole_slider(lab, "steps", half, atlas.steps, 50, 1000,
+                 "Steps of each cell; one that is in doubt makes up to 16 times as many");
     make_or_cancel(lab);
     if (!atlas.trouble().empty()) flowing_words(atlas.trouble());
     if (!atlas.map()) {

@@ -15,13 +15,21 @@ namespace {
 
 constexpr float least_mark = 8;  // px at scale 1: smaller marks cannot be told apart
 
+// Of a value in a list: "semi-implicit Euler", "0.01".
+std::string name_of_value(const Parameter& p, Real value) {
+    if (p.info.kind != Kind::choice) return p.text(value);
+    const std::string_view label = p.info.options[static_cast<std::size_t>(value)].label;
+    return std::string(label.substr(0, label.find(':')));
+}
+
 MapPicture::Axis axis_of(const Lesson& lesson, const Knob& knob) {
     const Parameter& p = lesson.parameter(knob.key);
     std::string name(p.info.key);
     std::ranges::replace(name, '_', ' ');
     MapPicture::Axis axis{p.info.symbol.empty() ? name : fmt::format("{} {}", name, p.info.symbol), std::string(p.info.unit), {}};
-    if (knob.spacing == Spacing::list)
-        for (const Real v : knob.values) axis.names.push_back(p.text(v));
+    if (knob.spacing != Spacing::list) return axis;
+    if (!p.info.unit.empty()) axis.label += fmt::format(" [{}]", p.info.unit);
+    for (const Real v : knob.values) axis.names.push_back(name_of_value(p, v));
     return axis;
 }
 
@@ -143,7 +151,7 @@ private:
         Point best{};
         float nearest = -1;
         for (const auto& [a, b] : p_.bound) {
-            const Point at = places_.point(map_, a);
+            const Point at = places_.point(map_, {(a.across + b.across) / 2, (a.up + b.up) / 2});
             const float d = std::hypot(at.x - wanted.x, at.y - wanted.y);
             if (nearest < 0 || d < nearest) nearest = d, best = at;
         }
