@@ -56,10 +56,12 @@ std::string map_conditions(const StabilityMap& map) {
     const auto is_set = [&](const Parameter& p) {
         return std::ranges::any_of(map.order.settings, [&](const auto& s) { return s.first == p.info.key; });
     };
+    // What runs beside a scheme for comparison changes nothing in the cells.
+    const auto matters = [](const Parameter& p) { return p.info.kind == Kind::choice && p.info.key != "compare"; };
     std::string text;
     for (const bool chosen : {true, false})
         for (const Parameter* p : lesson->parameters)
-            if (!is_knob(*p) && p->used() && (p->info.kind == Kind::choice) == chosen && (chosen || is_set(*p)))
+            if (!is_knob(*p) && p->used() && matters(*p) == chosen && (chosen || is_set(*p)))
                 text += setting_text(*p, p->value()) + " · ";
     return text + (map.order.time ? fmt::format("{} in each cell", format_quantity(*map.order.time, "s"))
                                   : fmt::format("{} steps or more in each cell", map.order.steps));
