@@ -5,13 +5,20 @@
 
 #include "app/atlas.h"
 #include "app/lab.h"
+#include "app/map_picture.h"
 #include "app/state_report.h"
+#include "command_line/options.h"
+#include "platform/png_file.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 using namespace pliant;
@@ -112,8 +119,8 @@ TEST_CASE("another lesson, a cancel and the end of the lab stop a map at once", 
         atlas.follow(session);
         CHECK_FALSE(atlas.busy());
         CHECK_FALSE(atlas.map());
-        CHECK(atlas.across != "k_structural");
-        session = lattice();
+        CHECK(atlas.up != "k_structural");
+        session.open(find_lesson("mass_spring"), one_cell);
         atlas.follow(session);
         atlas.start(session);
     }
@@ -136,4 +143,50 @@ TEST_CASE("a lesson that is solved at once has no map, and the panel says so", "
     start_atlas(lab.state());
     CHECK_THAT(state_after(1)["message"].get<std::string>(), ContainsSubstring("solved at once"));
     CHECK(state_after(1)["atlas"]["busy"] == false);
+}
+
+// Somebody has looked at the picture. To renew it after a change that is meant to be seen, run this with PLIANT_UPDATE_GOLDEN=1
+// and look again.
+TEST_CASE("the picture of a known map is as it was", "[shots][atlas]") {
+    const auto map_of = [](const char* scheme) {
+        const LessonEntry& entry = find_lesson("time/integration");
+        const auto lesson = entry.make();
+        return make_stability_map({.lesson = &entry,
+                                   .settings = {{"scheme", scheme}, {"omega", "10"}},
+                                   .across = parse_knob(*lesson, "time_step=1e-2:1:20:log"),
+                                   .up = parse_knob(*lesson, "damping_ratio=0:1.5:16")},
+                                  1);
+    };
+    const auto picture_of = [&](const char* scheme) { return map_image(map_of(scheme), {720, 405}, Theme::projector, 1); };
+    const std::string path = PLIANT_SOURCE_DIR "/tests/shots/golden_atlas/map.png";
+    const Image image = picture_of("semi_implicit_euler");
+    if (const char* wish = std::getenv("PLIANT_UPDATE_GOLDEN"); wish && std::string(wish) == "1") write_png(image, path);
+    const Image expected = read_png(path);
+    CHECK(compare(image, expected, 24).fraction_over <= 0.002);
+    CHECK(compare(picture_of("implicit_euler"), expected, 24).fraction_over >= 0.05);
+    CHECK(compare(map_image(map_of("semi_implicit_euler"), {720, 405}, Theme::projector, 1), image).largest == 0);
+}
+
+TEST_CASE("the lab shows the map of the first knobs in a picture made without a window", "[shots][atlas]") {
+    const auto file = std::filesystem::temp_directory_path() / ("pliant_atlas_" + std::to_string(getpid()) + ".png");
+    RunOptions run;
+    run.lesson = "time/integration", run.steps = 0;
+    PictureOptions picture;
+    picture.layout = "lab", picture.size = "960x540", picture.out = file.string();
+    shot(run, picture);
+    const Image without = read_png(file.string());
+    picture.atlas = true;
+    shot(run, picture);
+    const Image with = read_png(file.string());
+    std::filesystem::remove(file);
+    const auto orange = [](const Image& image) {
+        const Rgba8 c = colour_of(Stability::diverged);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+            count += image.rgb[i] == c.r && image.rgb[i + 1] == c.g && image.rgb[i + 2] == c.b;
+        return count;
+    };
+    CHECK(orange(with) > orange(without) + 5000);
+    picture.layout = "slide";
+    CHECK_THROWS_AS(shot(run, picture), Refused);
 }

@@ -37,8 +37,6 @@ std::vector<Golden> goldens() {
     projector.theme = "projector";
     PictureOptions deck = projector;
     deck.size = "960x540", deck.layout = "deck", deck.slide = 1, deck.revealed = true;
-    PictureOptions atlas;
-    atlas.size = "960x540", atlas.layout = "lab", atlas.atlas = true;
     PictureOptions medium, large, full;
     medium.size = "720x405", large.size = "920x518", full.size = "960x540";
     PictureOptions bright = large;
@@ -91,7 +89,6 @@ std::vector<Golden> goldens() {
          {"fluids/free_surface", {"scene=wave", "resolution=32", "wave_height=0.04"}, 30, bright},
          "depth=0.2"},
         {"free_surface_paddle", {"fluids/free_surface", {"scene=paddle", "resolution=48"}, 60, medium}, "paddle_stroke=0.02"},
-        {"atlas", {"time/integration", {"damping_ratio=0.1"}, 0, atlas}, "scheme=explicit_euler"},
         {"navier_stokes_deck", {"fluids/navier_stokes", {}, {}, deck}, ""},
     };
 }
