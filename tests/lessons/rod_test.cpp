@@ -92,7 +92,7 @@ TEST_CASE("rod: the curves of the tip against N are those of rods that hang", "[
     const Runner runner = after(1, {{"segments", "10"}});
     const Line& tips = line(runner, "tip_against_segments");
     Curve derived, picked, reference, mark;
-    tips.sample(derived), tips.others[0].sample(picked), tips.reference(reference), tips.others[1].sample(mark);
+    tips.others[0].sample(derived), tips.others[1].sample(picked), tips.reference(reference), tips.sample(mark);
     REQUIRE(derived.position.front() == 1);
     REQUIRE(derived.position.back() > 150);
     for (std::size_t k = 0; k < derived.position.size(); ++k) {

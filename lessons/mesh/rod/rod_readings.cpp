@@ -282,8 +282,10 @@ std::string RodLesson::blow_up_hint() const {
     if (hangs_still())
         return "The rod is stretched beyond what numbers can hold: lower gravity or mass, or raise axial_stiffness";
     if (const std::string hint = too_large_a_step(); !hint.empty()) return hint;
-    return fmt::format("Δt = {} is below the stability limit {}: segments have turned over. Lower amplitude or time_step",
-                       format_quantity(dt, "s"), format_quantity(stable_time_step(), "s", 3));
+    const Real limit = stable_time_step();
+    return fmt::format(
+        "Δt = {}{}: segments have turned over. Lower amplitude or time_step", format_quantity(dt, "s"),
+        std::isfinite(limit) ? fmt::format(" is below the stability limit {}", format_quantity(limit, "s", 3)) : "");
 }
 
 // Twice the segments and half the step, up to the most there are; then the step alone.

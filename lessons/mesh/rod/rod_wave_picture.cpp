@@ -23,7 +23,7 @@ void RodLesson::draw_waves(Scene& picture) const {
     if (runs_a_pulse()) draw_pulse_place(picture);
     draw_history(picture);
     const Real L = length;
-    picture.frame(position(-0.12 * L, map_low * L), position(1.12 * L, 0.32 * L));
+    picture.frame(position(-0.12 * L, map_low * L), position(1.12 * L, 0.5 * L));
 }
 
 void RodLesson::draw_straight_rod(Scene& picture) const {

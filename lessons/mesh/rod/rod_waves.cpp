@@ -169,7 +169,10 @@ void RodLesson::declare_lines() {
               .position_name = "segments N",
               .help = "displacement of the tip at rest, solved for rods of every N: derived springs come ever closer to the rod, "
                       "springs picked by hand go ever further",
-              .sample = against_segments(Rule::derived),
+              .sample =
+                  [this](Curve& curve) {
+                      curve = {{static_cast<Real>(count())}, {tip_displacement()}};
+                  },
               .reference =
                   [this](Curve& curve) {
                       const Real tip = continuum().hanging_tip(weight_acceleration());
@@ -179,12 +182,7 @@ void RodLesson::declare_lines() {
               .value_name = "tip displacement",
               .log_log = true,
               .used = [this] { return hangs(); },
-              .others = {{"picked by hand", against_segments(Rule::constant)},
-                         {"this rod",
-                          [this](Curve& curve) {
-                              curve = {{static_cast<Real>(count())}, {tip_displacement()}};
-                          },
-                          true}}},
+              .others = {{"derived", against_segments(Rule::derived)}, {"picked by hand", against_segments(Rule::constant)}}},
              {.name = "displacement_profile",
               .unit = "m",
               .position_name = "s",
