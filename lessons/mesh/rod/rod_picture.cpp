@@ -35,7 +35,8 @@ void RodLesson::draw_hanging(Scene& picture) const {
     picture.line(position(0, 0), position(0, -length), Ink::rest, 3, true);
     picture.dimension_line(position(-0.1 * H, 0), position(-0.1 * H, -length), "L = " + format_quantity(length, "m", 3), -44, 0);
     picture.line(position(-0.03 * H, -length), position(right - 0.1 * H, -length), Ink::rest, 1, true);
-    if (rest > 0) picture.line(position(0.2 * H, -length - rest), position(right, -length - rest), Ink::accent, 2, true);
+    if (rest > 0 && !unsolved())
+        picture.line(position(0.2 * H, -length - rest), position(right, -length - rest), Ink::accent, 2, true);
 
     draw_continuum(picture, 0.3 * H);
     if (hangs_still()) {
@@ -50,6 +51,7 @@ void RodLesson::draw_hanging(Scene& picture) const {
 
 // How far a rod at x has come down, as a dimension beside it.
 void RodLesson::draw_descent(Scene& picture, Real x, Real tip) const {
+    if (unsolved()) return;
     const Real H = deepest(), beside = x + 0.07 * H;
     if (std::abs(tip) < 1e-3 * H) return picture.label(position(beside, -length), format_quantity(tip, "m"), Ink::text, 24, 14);
     // Clear of the dashed lines.
@@ -63,6 +65,7 @@ void RodLesson::draw_continuum(Scene& picture, Real x) const {
     const bool moves = !hangs_still() && exact_displacement(0, 0);
     const auto u = [&](int piece) {
         const Real s = length * piece / pieces;
+        if (unsolved()) return Real{0};
         return moves ? *exact_displacement(s, clock_[elapsed]) : continuum().hanging_displacement(s, weight_acceleration());
     };
     const bool strains = picture.colour_by.field == "strain";
@@ -83,7 +86,7 @@ void RodLesson::draw_hanging_rod(Scene& picture, Rule rule, Real x) const {
     VecX u = VecX::Zero(n + 1);
     if (computed)
         for (Index i = 0; i <= n; ++i) u[i] = displacement_of(i);
-    else
+    else if (!unsolved())
         u = hanging_displacements(rule);
 
     LineMarks bar{.ends = {}, .ink = computed ? Ink::edge : Ink::rest, .width = computed ? 6.0f : 4.0f};
