@@ -46,7 +46,7 @@ void RodLesson::draw_hanging(Scene& picture) const {
         draw_hanging_rod(picture, spring_rule, 0.68 * H);
     }
     picture.label(position(0, 0), "no load", Ink::text, 0, -14);
-    picture.frame(position(-0.3 * H, -1.06 * H), position(right + 0.06 * H, (hangs_still() ? 0.12 : 0.25) * H));
+    picture.frame(position(-0.3 * H, -1.06 * H), position(right + 0.06 * H, 0.22 * H));
 }
 
 // How far a rod at x has come down, as a dimension beside it.
@@ -123,14 +123,12 @@ VecX RodLesson::hanging_displacements(Rule rule) const {
 void RodLesson::write_notes(Scene& picture) const {
     const auto text = [](Real x, const char* unit) { return format_quantity(x, unit, 4); };
     const Index n = segments;
-    picture.notes.push_back(
-        fmt::format("N = {}:  Δs = L/N = {},  m = M/N = {}", n, text(segment(), "m"), text(node_mass(), "kg")));
     if (!by_hand() || hangs_still())
-        picture.notes.push_back(fmt::format("derived:  k = EA/Δs = {} / {} = {}", text(axial_stiffness, "N"),
+        picture.notes.push_back(fmt::format("N = {}, derived:  k = EA/Δs = {} / {} = {}", n, text(axial_stiffness, "N"),
                                             text(segment(), "m"), text(stiffness_of(Rule::derived, n), "N/m")));
     if (by_hand() || hangs_still())
-        picture.notes.push_back(fmt::format("by hand:  k₀ = {}, a rod of EA = k₀Δs = {}", text(picked_stiffness, "N/m"),
-                                            text(picked_stiffness * segment(), "N")));
+        picture.notes.push_back(fmt::format("N = {}, by hand:  k₀ = {}, a rod of EA = k₀Δs = {}", n,
+                                            text(picked_stiffness, "N/m"), text(picked_stiffness * segment(), "N")));
     if (hangs_still()) {
         const Real rest = continuum().hanging_tip(gravity), part = static_cast<Real>(n + 1) / static_cast<Real>(n);
         picture.notes.push_back(fmt::format("derived tip = (N + 1)/N · MgL/(2EA) = {} · {} = {}", text(part, ""), text(rest, "m"),

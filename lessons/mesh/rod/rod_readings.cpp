@@ -31,7 +31,8 @@ std::vector<std::string_view> RodLesson::first_plots() const {
 }
 
 std::vector<std::string_view> RodLesson::key_numbers() const {
-    if (hangs()) return {"tip_displacement", "tip_over_continuum", "chain_axial_stiffness"};
+    if (hangs_still()) return {"tip_displacement", "tip_over_continuum", "chain_axial_stiffness"};
+    if (hangs()) return {"tip_displacement", "tip_of_chain", "chain_axial_stiffness"};
     if (setting == Setting::wave) return {"frequency", "frequency_chain", "frequency_continuum"};
     return {"wave_speed", "pulse_position", "tip_displacement"};
 }

@@ -12,7 +12,7 @@ namespace pliant::rod {
 namespace {
 
 // In lengths of the rod: where the rod lies below its curve, and how tall a displacement of the amplitude is drawn.
-constexpr Real rod_low = -0.33, tall = 0.11, map_top = -0.46, map_low = -0.96;
+constexpr Real rod_low = -0.33, tall = 0.11, map_top = -0.5, map_low = -1.0;
 constexpr Index most_ticks = 60;
 
 }  // namespace
@@ -23,7 +23,7 @@ void RodLesson::draw_waves(Scene& picture) const {
     if (runs_a_pulse()) draw_pulse_place(picture);
     draw_history(picture);
     const Real L = length;
-    picture.frame(position(-0.12 * L, (map_low - 0.06) * L), position(1.12 * L, 0.5 * L));
+    picture.frame(position(-0.12 * L, (map_low - 0.06) * L), position(1.12 * L, 0.54 * L));
 }
 
 void RodLesson::draw_straight_rod(Scene& picture) const {
