@@ -55,10 +55,12 @@ void ImplicitSolver::begin(ConstDofs x) {
     keep_bounds(x_);
     keep_bounds(trial_);
     length_ = system_.length_scale(x_);
-    began_at_prediction_ = potential(trial_) <= potential(x_);
+    const Real at_prediction = potential(trial_), at_start = potential(x_);
+    began_at_prediction_ = at_prediction <= at_start;
     if (began_at_prediction_) x_.swap(trial_);
+    first_potential_ = began_at_prediction_ ? at_prediction : at_start;
     v_ = form_.velocity_rate * (x_ - form_.velocity_origin);
-    if (!std::isfinite(potential(x_))) fail("the step starts with an energy that is not finite");
+    if (!std::isfinite(first_potential_)) fail("the step starts with an energy that is not finite");
 }
 
 Real ImplicitSolver::potential(const VecX& x) {
@@ -169,7 +171,7 @@ void ImplicitSolver::take_guarded_step() {
         reference_.x = x_;
         reference_.direction = direction_;
         reference_.residual = residual_;
-        reference_.potential = potential(x_);
+        reference_.potential = iterations_ == 0 ? first_potential_ : potential(x_);
     }
     trial_ = x_ + direction_;
     keep_bounds(trial_);
