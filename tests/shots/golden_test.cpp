@@ -52,7 +52,7 @@ std::vector<Golden> goldens() {
         {"energy_density", {"elasticity/energy_density", {"path=shear"}, {}, medium}, "shear=0.8"},
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
-        {"integration", {"time/integration", {"time_step=0.15"}, 20, medium}, "scheme=velocity_verlet"},
+        {"integration", {"time/integration", {"time_step=0.15"}, 20, large}, "scheme=velocity_verlet"},
         {"integration_pendulum",
          {"time/integration", {"system=pendulum", "x0=6.8", "scheme=explicit_euler"}, 60, bright},
          "x0=6"},
