@@ -57,6 +57,8 @@ std::vector<Golden> goldens() {
          {"time/integration", {"system=pendulum", "x0=6.8", "scheme=explicit_euler"}, 60, bright},
          "x0=6"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
+        {"rod", {"mesh/rod", {"segments=20"}, {}, full}, "segments=8"},
+        {"rod_pulse", {"mesh/rod", {"scene=free_end", "segments=40"}, 120, bright}, "axial_stiffness=12"},
         {"advection",
          {"fluids/advection", {"scheme=mac_cormack", "resolution=32", "cfl=6", "cell_x=10", "cell_y=23"}, 1, full},
          "back_trace=euler"},
