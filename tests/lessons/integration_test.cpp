@@ -218,6 +218,16 @@ TEST_CASE("integration: every number is explained, for every scheme and motion",
         }
 }
 
+TEST_CASE("integration: a pendulum swings with the period of its amplitude", "[integration]") {
+    const char* scheme = GENERATE("runge_kutta_4", "velocity_verlet", "implicit_midpoint");
+    // From 90°: K(sin 45°)/(π/2) = 1.18034 times the period of small swings.
+    const Real length = 9.81 / 4;
+    Runner runner = start({{"system", "pendulum"}, {"x0", text(length * pi / 2)}, {"scheme", scheme}, {"time_step", "0.01"}});
+    while (runner.time() < 12) runner.step();
+    CHECK_THAT(exact(runner, "period"), WithinRel(1.1803405990 * pi, 1e-9));
+    CHECK_THAT(value(runner, "period"), WithinRel(1.1803405990 * pi, 1e-4));
+}
+
 TEST_CASE("integration: the work is counted", "[integration]") {
     const auto work = [](Scheme scheme, Real zeta) {
         return value(after(10, oscillator(key(scheme), 2, zeta, 0.1)), "force_evaluations");

@@ -8,6 +8,8 @@
 namespace pliant::integration {
 namespace {
 
+constexpr Real least_swing = 1e-6;  // of the scale: what is smaller is no swing
+
 std::vector<Option> scheme_options() {
     std::vector<Option> options;
     for (const SchemeInfo& info : schemes()) options.push_back({info.key, info.name});
@@ -119,11 +121,16 @@ void IntegrationLesson::reset() {
     before_.setZero(4 * n);
     advanced_ = false;
     counts_.setZero();
+    rhythm_.reset();
+    rhythm_.note(0, x_[watched()], least_swing * motion_->scale());
 }
 
 void IntegrationLesson::declare_fields() {
-    state = {state_array("position", "m", x_), state_array("velocity", "m/s", v_), state_array("before", "m, m/s", before_),
+    state = {state_array("position", "m", x_),
+             state_array("velocity", "m/s", v_),
+             state_array("before", "m, m/s", before_),
              state_array("counts", "", counts_),
+             state_array("rhythm", "s, m", rhythm_.memory()),
              StateArray{"memory", "m, m/s, m/s²", [this] {
                             VecX& memory = integrator_->memory();
                             return std::span<Real>(memory.data(), static_cast<std::size_t>(memory.size()));
@@ -181,7 +188,7 @@ void IntegrationLesson::declare_stages() {
                .again = [this] { return integrator_->again(); },
                .explain = [this](const Question& q) { return why_pass(q); }},
               {.name = "advance",
-               .formula = "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  others: with v′;  implicit: f(x′, v′)",
+               .formula = "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  semi-implicit: x + Δt v′;  implicit: f(x′, v′)",
                .source = "lecture S: time integration",
                .run = [this] { advance(); },
                .reads = {"trial_position", "trial_velocity"},
@@ -220,6 +227,7 @@ void IntegrationLesson::advance() {
     counts_ += Eigen::Array3d(1, 0, static_cast<Real>(evaluations));
     counts_[1] = static_cast<Real>(evaluations);
     advanced_ = true;
+    rhythm_.note(time(), x_[watched()], least_swing * motion_->scale());
 }
 
 // ------------------------------------------------------------------------------------------------------- the handles

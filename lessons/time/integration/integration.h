@@ -4,6 +4,7 @@
 #include "stability_region.h"
 
 #include <pliant/lesson/registry.h>
+#include <pliant/time/rhythm.h>
 
 #include <memory>
 #include <optional>
@@ -77,6 +78,7 @@ private:
     std::optional<Real> theoretical_frequency() const;
     std::optional<Real> artificial_damping() const;
     std::optional<Real> shadow_energy() const;
+    std::optional<Real> exact_period() const;
     std::optional<Real> order() const;
 
     // --- curves, of all schemes (integration_lines.cpp) ---
@@ -96,7 +98,7 @@ private:
     std::optional<Fix> stable_fix() const;
     std::optional<Fix> accurate_fix() const;
 
-    // --- why a number is what it is (integration_why.cpp) ---
+    // --- why a number is what it is (integration_why.cpp, integration_why_probes.cpp) ---
     using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);
     Explanation why_force(Index dof, std::string_view x_field, std::string_view v_field, Reading at, std::string_view mark) const;
     std::optional<Explanation> why_pass(const Question& q) const;
@@ -114,7 +116,13 @@ private:
     Explanation why_advanced(const Question& q) const;
     Explanation why_balanced_velocity(Index dof) const;
     Explanation why_energy() const;
+    Explanation why_kinetic_energy() const;
     Explanation why_potential_energy() const;
+    Explanation why_shadow_energy() const;
+    Explanation why_exact(bool of_velocity) const;
+    Explanation why_error() const;
+    Explanation why_growth() const;
+    Explanation why_frequency() const;
 
     // --- the picture (integration_picture.cpp, region_picture.cpp) ---
     void draw_motion(Scene& scene) const;
@@ -138,6 +146,8 @@ private:
     Eigen::Array3d counts_ = Eigen::Array3d::Zero();  // steps; force evaluations of the latest step, and in all
     Index evaluated_before_ = 0;                      // by the integrator, before this step
     bool advanced_ = false;                           // has this step come to its end?
+
+    Rhythm rhythm_;
 
     std::unique_ptr<Swinging> motion_;
     std::unique_ptr<DiagonalMass> mass_;

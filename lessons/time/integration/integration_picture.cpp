@@ -64,7 +64,7 @@ void IntegrationLesson::draw(Scene& scene) const {
     draw_region(scene);
     draw_legend(scene);
     write_notes(scene);
-    scene.frame(position(-1.3, compare == Compare::all ? -2.05 : -1.7), position(region_x + 1.15, turns() ? 2.5 : 1.85));
+    scene.frame(position(-1.3, compare == Compare::all ? -2.05 : -1.7), position(region_x + 1.15, turns() ? 2.5 : 2));
 }
 
 // So that the motion fills a good half of it, in round numbers; wider when a run grows. A pendulum that comes near the top, or
@@ -123,7 +123,9 @@ void IntegrationLesson::draw_exact_path(Scene& scene) const {
     scene.lines.push_back(std::move(path));
 }
 
+// Nothing any more in a run that is longer than paths are kept.
 void IntegrationLesson::draw_path(Scene& scene, Scheme one) const {
+    if (counts_[0] > static_cast<Real>(Paths::longest)) return;
     const Path& path = path_of(one);
     const std::size_t steps = std::min(path.motion.size(), static_cast<std::size_t>(counts_[0]) + 1);
     const auto [ink, dashed] = ink_of(one);
@@ -168,12 +170,11 @@ void IntegrationLesson::draw_legend(Scene& scene) const {
 void IntegrationLesson::write_notes(Scene& scene) const {
     const Real w = motion_->fast_rate() * dt, limit = stable_time_step();
     const auto number = [](Real x, const char* unit = "") { return format_quantity(x, unit, 3); };
-    scene.notes.push_back(fmt::format("{}:  ωΔt = {} · {} = {},  {}", info_of(scheme).name, number(motion_->fast_rate(), "rad/s"),
-                                      number(dt, "s"), number(w),
-                                      !std::isfinite(limit) ? "no limit"
-                                      : limit == 0          ? "stable at no Δt"
-                                      : dt <= limit         ? fmt::format("within the limit {}", number(limit, "s"))
-                                                            : fmt::format("beyond the limit {}", number(limit, "s"))));
+    const std::string bound = !std::isfinite(limit) ? "no limit"
+                              : limit == 0          ? "stable at no Δt"
+                              : dt <= limit         ? fmt::format("limit Δt = {}", number(limit, "s"))
+                                                    : fmt::format("beyond the limit Δt = {}", number(limit, "s"));
+    scene.notes.push_back(fmt::format("{}:  ωΔt = {},  {}", info_of(scheme).name, number(w), bound));
     const auto measured = measured_growth();
     const std::string found = measured ? format_quantity(*measured, "", 5) : "–";
     if (is(System::stiff_pair))
@@ -186,7 +187,7 @@ void IntegrationLesson::write_notes(Scene& scene) const {
                                           is(System::pendulum) ? " of small swings" : "", found));
     if (const auto frequency = theoretical_frequency(); frequency && zeta < 1) {
         const Real exact = omega * std::sqrt((1 - zeta) * (1 + zeta));
-        scene.notes.push_back(fmt::format("swings at ω′ = {} instead of {}:  {:+.2f} %", number(*frequency, "rad/s"),
+        scene.notes.push_back(fmt::format("swings at ω′ = {}, the motion at {}:  {:+.2f} %", number(*frequency, "rad/s"),
                                           number(exact, "rad/s"), 100 * (*frequency / exact - 1)));
     }
 }

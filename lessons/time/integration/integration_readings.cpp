@@ -53,18 +53,7 @@ void IntegrationLesson::declare_probes() {
                .unit = "J",
                .help = "½ m v²",
                .value = [this] { return kinetic_energy(); },
-               .explain =
-                   [this] {
-                       Explanation e{.formula = "K = ½ Σ v²  (m = 1 kg)", .inputs = {}, .evaluate = [](std::span<const Real> v) {
-                                         Real sum = 0;
-                                         for (const Real each : v) sum += each * each;
-                                         return sum / 2;
-                                     }};
-                       e.formula = x_.size() == 2 ? "K = ½ (v_1² + v_2²)  with m = 1 kg" : "K = ½ v_1²  with m = 1 kg";
-                       for (Index n = 0; n < x_.size(); ++n)
-                           e.inputs.push_back(Input::now("v_" + std::to_string(n + 1), "velocity", n));
-                       return e;
-                   }},
+               .explain = [this] { return why_kinetic_energy(); }},
               {.name = "potential_energy",
                .symbol = "U",
                .unit = "J",
@@ -75,12 +64,14 @@ void IntegrationLesson::declare_probes() {
                .symbol = "x_e",
                .unit = "m",
                .help = "the solution in closed form; a damped pendulum has none",
-               .value = [this, exact] { return exact(time(), &Motion::x); }},
+               .value = [this, exact] { return exact(time(), &Motion::x); },
+               .explain = [this] { return why_exact(false); }},
               {.name = "exact_v",
                .symbol = "v_e",
                .unit = "m/s",
                .help = "its velocity",
-               .value = [this, exact] { return exact(time(), &Motion::v); }},
+               .value = [this, exact] { return exact(time(), &Motion::v); },
+               .explain = [this] { return why_exact(true); }},
               {.name = "amplitude",
                .symbol = "A",
                .unit = "m",
@@ -103,7 +94,8 @@ void IntegrationLesson::declare_probes() {
               {.name = "error",
                .symbol = "e",
                .help = "distance from the exact motion in the plane of x and v/ω, as a part of the swing",
-               .value = [this] { return error(); }},
+               .value = [this] { return error(); },
+               .explain = [this] { return why_error(); }},
               {.name = "angle",
                .symbol = "θ",
                .unit = "°",
@@ -117,38 +109,11 @@ void IntegrationLesson::declare_probes() {
                .unit = "J",
                .help = "E − Δt/2 v·K x, which semi-implicit Euler keeps in place of the energy",
                .value = [this] { return shadow_energy(); },
-               .explain = [this]() -> Explanation {
-                   Explanation e{"Ẽ = E + ½ Δt Σ v f_0", {Input::now("E", "energy", 0), Input::of(dt)}, {}};
-                   for (Index n = 0; n < x_.size(); ++n) {
-                       Explanation pull{"f_0 = − Σ K x", {}, {}};
-                       const Index count = x_.size();
-                       pull.evaluate = [](std::span<const Real> q) {
-                           Real sum = 0;
-                           for (std::size_t k = 0; k + 1 < q.size(); k += 2) sum -= q[k] * q[k + 1];
-                           return sum;
-                       };
-                       pull.substitute = [](std::span<const Real> q) { return "−(" + products_text(q) + ")"; };
-                       for (Index m = 0; m < count; ++m) {
-                           pull.inputs.push_back(Input::constant("K", motion_->stiffness_matrix()(n, m), "N/m", "stiffness"));
-                           pull.inputs.push_back(Input::now("x", "position", m));
-                       }
-                       e.inputs.push_back(Input::now("v", "velocity", n));
-                       e.inputs.push_back(Input::part("f_0", "N", std::move(pull)));
-                   }
-                   e.evaluate = [](std::span<const Real> q) {
-                       Real sum = 0;
-                       for (std::size_t k = 2; k + 1 < q.size(); k += 2) sum += q[k] * q[k + 1];
-                       return q[0] + q[1] / 2 * sum;
-                   };
-                   e.substitute = [](std::span<const Real> q) {
-                       return as_factor(q[0]) + " + ½ · " + as_factor(q[1]) + " · (" + products_text(q.subspan(2)) + ")";
-                   };
-                   return e;
-               }}};
+               .explain = [this] { return why_shadow_energy(); }}};
 }
 
 void IntegrationLesson::declare_growth_probes() {
-    const std::array<Probe, 5> growth{
+    const std::array<Probe, 6> growth{
         Probe{
             .name = "growth_measured",
             .symbol = "ρ_m",
@@ -161,7 +126,8 @@ void IntegrationLesson::declare_growth_probes() {
               .symbol = "ρ",
               .help = "the largest eigenvalue of the step's matrix, for the fastest mode or for small swings: above 1 it grows "
                       "without end",
-              .value = [this] { return theoretical_growth(); }},
+              .value = [this] { return theoretical_growth(); },
+              .explain = [this] { return why_growth(); }},
         Probe{.name = "frequency_measured",
               .symbol = "ω_m",
               .unit = "rad/s",
@@ -172,7 +138,14 @@ void IntegrationLesson::declare_growth_probes() {
               .symbol = "ω′",
               .unit = "rad/s",
               .help = "of the scheme; undamped semi-implicit Euler has sin(ω′Δt/2) = ωΔt/2",
-              .value = [this] { return theoretical_frequency(); }},
+              .value = [this] { return theoretical_frequency(); },
+              .explain = [this] { return why_frequency(); }},
+        Probe{.name = "period",
+              .symbol = "T",
+              .unit = "s",
+              .help = "of the latest swings, from one rise through 0 to the next; of a pendulum it grows with the amplitude",
+              .value = [this] { return rhythm_.period(); },
+              .exact = [this](Real) { return rhythm_.period() ? exact_period() : std::nullopt; }},
         Probe{.name = "artificial_damping",
               .symbol = "ζ_a",
               .help = "damping ratio that the scheme adds to the true one; below 0 it feeds the motion",
@@ -271,6 +244,15 @@ std::optional<Real> IntegrationLesson::shadow_energy() const {
     if (scheme != Scheme::semi_implicit_euler || !motion_->linear()) return std::nullopt;
     const auto K = motion_->stiffness_matrix().topLeftCorner(x_.size(), x_.size());
     return energy() - 0.5 * dt * v_.dot(K * x_);
+}
+
+// Of what swings with one period: not of a pair, nor of a pendulum that goes over the top or is damped.
+std::optional<Real> IntegrationLesson::exact_period() const {
+    if (omega == 0 || is(System::stiff_pair)) return std::nullopt;
+    if (is(System::oscillator))
+        return zeta < 1 ? std::optional(2 * std::numbers::pi / (omega * std::sqrt((1 - zeta) * (1 + zeta)))) : std::nullopt;
+    const Real l = motion_->length();
+    return motion_->damped() || motion_->can_leave() ? std::nullopt : std::optional(pendulum_period(omega, {x0 / l, v0 / l}));
 }
 
 std::optional<Real> IntegrationLesson::order() const { return measured_order(errors_of(scheme)); }

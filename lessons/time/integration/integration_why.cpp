@@ -225,34 +225,4 @@ Explanation IntegrationLesson::why_balanced_velocity(Index dof) const {
             }};
 }
 
-// ------------------------------------------------------------------------------------------------------------- energy
-
-Explanation IntegrationLesson::why_energy() const {
-    return {"E = K + U",
-            {Input::now("K", "kinetic_energy", 0), Input::now("U", "potential_energy", 0)},
-            [](std::span<const Real> x) { return x[0] + x[1]; }};
-}
-
-Explanation IntegrationLesson::why_potential_energy() const {
-    if (omega == 0) return fixed_value("U = 0: without ω there is no spring", 0);
-    if (is(System::oscillator))
-        return {"U = ½ m ω² x²", {unit_mass(), Input::of(omega), Input::now("x", "position", 0)}, [](std::span<const Real> q) {
-                    return 0.5 * q[0] * q[1] * q[1] * q[2] * q[2];
-                }};
-    if (is(System::pendulum))
-        return {"U = m g l (1 − cos(x / l))",
-                {unit_mass(), Input::constant("g", Swinging::gravity, "m/s²", "gravity"),
-                 Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²"), Input::now("x", "position", 0)},
-                [](std::span<const Real> q) {
-                    const Real s = std::sin(q[3] / (2 * q[2]));
-                    return 2 * q[0] * q[1] * q[2] * s * s;
-                }};
-    return {"U = ½ ω² x_1² + ½ κ ω² (x_2 − x_1)²  with m = 1 kg",
-            {Input::of(omega), Input::now("x_1", "position", 0), Input::of(ratio), Input::now("x_2", "position", 1)},
-            [](std::span<const Real> q) {
-                const Real soft = q[0] * q[0], apart = q[3] - q[1];
-                return 0.5 * soft * q[1] * q[1] + 0.5 * q[2] * soft * apart * apart;
-            }};
-}
-
 }  // namespace pliant::integration

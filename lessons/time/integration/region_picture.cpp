@@ -124,7 +124,7 @@ void IntegrationLesson::draw_region(Scene& scene) const {
     scene.line(in_plane(0, -region_high), in_plane(0, region_high), Ink::rest, 1);
     for (const int re : {-4, -2}) scene.label(in_plane(re, 0), fmt::format("{}", re), Ink::text, 0, 10);
     for (const int im : {-2, 2}) scene.label(in_plane(0, im), fmt::format("{}i", im), Ink::text, 14, 0);
-    scene.label(position(region_x, 1), fmt::format("λΔt, stable where grey:  {}", info_of(scheme).name), Ink::text, 0, -10);
+    scene.label(position(region_x, 1), "λΔt: stable where grey", Ink::text, 0, -10);
     draw_roots(scene);
 }
 
