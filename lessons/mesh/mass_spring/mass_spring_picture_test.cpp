@@ -18,7 +18,8 @@ Real MassSpringLesson::continuum_offset() const {
 
 void MassSpringLesson::set_test_frame(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
-    const Real grown = (test == BlockTest::stretch ? 0.3 : 0.15) * edges[1] + (test == BlockTest::stretch ? 0.5 * test_amount() : 0);
+    const Real grown =
+        (test == BlockTest::stretch ? 0.3 : 0.15) * edges[1] + (test == BlockTest::stretch ? 0.5 * test_amount() : 0);
     const Real side = std::max(0.6 * edges[0], 0.2 * edges[1]), right = tests_.continuum() ? continuum_offset() : 0;
     picture.frame(position(-side, -grown, -0.5 * edges[2]), position(right + side, edges[1] + grown, 0.5 * edges[2]));
 }

@@ -40,8 +40,8 @@ public:
     // Rows: stretch, shear, bend; columns: families. Rows of tests that a chain cannot be put to, or that a mechanism spoils, are
     // 0.
     const Mat<3>& coupling() const { return coupling_; }
-    // Young's modulus of pieces with 1, 2, ... cells along each axis over that of the endless lattice; none of a chain, nor where a
-    // mechanism spoils it. Measured when first asked for.
+    // Young's modulus of pieces with 1, 2, ... cells along each axis over that of the endless lattice; none of a chain, nor where
+    // a mechanism spoils it. Measured when first asked for.
     static constexpr Index most_cells = 5;
     const std::vector<Real>& modulus_by_cells() const;
 
