@@ -38,7 +38,7 @@ Finding drift() {
                                    {LatticeKind::triangular, {1, 0, 0}, "triangles"}}};
     Real least = std::numeric_limits<Real>::infinity(), shared_off = 0;
     for (const Net& net : nets) {
-        // A sheet's springs know no size: its modulus per thickness drifts by its edges alone.
+        // The modulus of a sheet, per thickness, drifts by its edges alone.
         const Real change = std::abs(modulus(net, 4, 1) / modulus(net, 2, 1) - 1);
         least = std::min(least, change);
         const Real endless = lattice_constants(net.kind, net.stiffness, 0.25).youngs_modulus();

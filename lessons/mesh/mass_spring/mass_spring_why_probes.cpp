@@ -185,6 +185,7 @@ Explanation MassSpringLesson::why_stretch() const {
     spring_strain<3>(springs, position_, strain);
     Index most = 0;
     strain.cwiseAbs().maxCoeff(&most);
+    if (springs.rest_length()[most] == 0) return fixed_value("ε = 0: springs of rest length 0 have no strain", 0);
     const Index i = springs.i(most), j = springs.j(most);
     Explanation e{.formula = fmt::format("ε = |(|x_{0} − x_{1}| − l) / l|, the largest: of spring {2} between nodes {1} and {0}",
                                          j, i, most),
