@@ -49,7 +49,8 @@ TEST_CASE("mass-spring: a chain swings at the frequencies of the closed form, wi
     CHECK_THAT(exact(both, "frequency"), WithinRel(2 * std::sin(2 * 3.14159265358979 / 22), 1e-12));
     advance(both, Until::after_time(30));
     CHECK_THAT(value(both, "frequency"), WithinRel(exact(both, "frequency"), 1e-3));
-    CHECK_THROWS_WITH(net(joined(chain, {{"lattice", "square"}})), ContainsSubstring("lattice = chain"));
+    // Only chains swing, whatever lattice was chosen.
+    CHECK(exact(net(joined(chain, {{"lattice", "square"}})), "frequency") == exact(net(chain), "frequency"));
     CHECK_THROWS_WITH(net(joined(chain, {{"mode_number", "11"}})), ContainsSubstring("mode_number"));
 }
 
@@ -106,7 +107,9 @@ TEST_CASE("mass-spring: the static test measures the lattice, and all of it is e
     Runner single = net(joined(test, {{"lattice", "chain"}}));
     single.step();
     CHECK_THAT(value(single, "test_stiffness"), WithinRel(100, 1e-12));
-    CHECK_THROWS_WITH(net(joined(test, {{"lattice", "chain"}, {"test", "bend"}})), ContainsSubstring("test = bend"));
+    Runner bent = net(joined(test, {{"lattice", "chain"}, {"test", "bend"}}));
+    bent.step();
+    CHECK(value(bent, "test_stiffness") == value(single, "test_stiffness"));
 }
 
 TEST_CASE("mass-spring: a solid of the lattice's own Poisson ratio stretches as the net does, if its outer springs are shared") {

@@ -32,7 +32,7 @@ class MassSpringLesson final : public Lesson {
 public:
     MassSpringLesson();
 
-    int dimension() const override { return dimension_of(kind) == 3 || setting == Setting::spin ? 3 : 2; }
+    int dimension() const override { return dimension_of(lattice()) == 3 || setting == Setting::spin ? 3 : 2; }
     void check() const override;
     void reset() override;
     Real time_step() const override { return tested() ? Real{0} : Real{dt}; }
@@ -89,7 +89,10 @@ private:
     bool falls() const { return setting == Setting::drop || setting == Setting::hang; }
     bool tested() const { return setting == Setting::stretch_test; }
     bool grounded() const { return ground && falls(); }
-    bool has_diagonals() const { return kind != LatticeKind::triangular && kind != LatticeKind::chain; }
+    // Only a chain swings, and it can only be stretched.
+    LatticeKind lattice() const { return setting == Setting::swing ? LatticeKind::chain : LatticeKind{kind}; }
+    BlockTest block_test() const { return lattice() == LatticeKind::chain ? BlockTest::stretch : BlockTest{test}; }
+    bool has_diagonals() const { return lattice() != LatticeKind::triangular && lattice() != LatticeKind::chain; }
     bool damped() const { return damping_mode != SpringDamping::none; }
     std::string_view telling_probe() const;
     bool held() const { return setting == Setting::hang || setting == Setting::swing; }
@@ -98,7 +101,7 @@ private:
     bool loaded() const { return weight_acceleration() > 0 || pulled(); }
     std::vector<Index> held_nodes() const;
     FamilyStiffness stiffnesses() const { return {k_structural, has_diagonals() ? Real{k_shear} : Real{0}, k_bending}; }
-    Real edge() const { return size / Real(kind == LatticeKind::chain ? Index(cells_y) : Index(cells_x)); }  // m
+    Real edge() const { return size / Real(lattice() == LatticeKind::chain ? Index(cells_y) : Index(cells_x)); }  // m
     Points<3> start_positions() const;
     Points<3> start_velocities() const;
 

@@ -43,13 +43,14 @@ void MassSpringLesson::declare_assumptions() {
          .used = [this] { return has_diagonals(); },
          .fix = [this] { return shear_springs(); }},
         {.name = "poisson_ratio",
-         .value = [this] { return std::abs(lattice_constants(kind, stiffnesses(), edge()).poisson_ratio() - target_poisson); },
+         .value =
+             [this] { return std::abs(lattice_constants(lattice(), stiffnesses(), edge()).poisson_ratio() - target_poisson); },
          .limit = [] { return 0.01; },
          .formula = "|ν − ν*| ≤ 0.01;  central forces: C₁₂ = C₄₄",
          .broken =
              "springs along the line between two nodes obey Cauchy's relation: an isotropic lattice has ν = 1/3 in a sheet and "
              "1/4 in space, whatever their stiffness; the wished one it cannot have",
-         .used = [this] { return tested() && kind != LatticeKind::chain && (k_structural > 0 || k_bending > 0); },
+         .used = [this] { return tested() && lattice() != LatticeKind::chain && (k_structural > 0 || k_bending > 0); },
          .fix = [this] { return own_poisson(); }},
     };
 }

@@ -49,7 +49,7 @@ std::optional<Fix> MassSpringLesson::shear_springs() const {
 
 // The solid beside the net gets the ratio that the net has.
 std::optional<Fix> MassSpringLesson::own_poisson() const {
-    const Real own = lattice_constants(kind, stiffnesses(), edge()).poisson_ratio();
+    const Real own = lattice_constants(lattice(), stiffnesses(), edge()).poisson_ratio();
     if (!target_poisson.accepted().contains(own)) return std::nullopt;
     return Fix{fmt::format("ν* = {}", format_quantity(own, "", 3)), {{"target_poisson", format_exact(own)}}};
 }

@@ -12,14 +12,14 @@ namespace pliant::mass_spring {
 // From the middle of the net to that of the solid beside it, m.
 Real MassSpringLesson::continuum_offset() const {
     const Vec<3> edges = block_->lengths();
-    const Real lean = test == BlockTest::shear ? test_amount() : 0;
+    const Real lean = block_test() == BlockTest::shear ? test_amount() : 0;
     return 1.15 * edges[0] + 0.3 * edges[1] + lean;
 }
 
 void MassSpringLesson::set_test_frame(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
-    const Real grown =
-        (test == BlockTest::stretch ? 0.3 : 0.15) * edges[1] + (test == BlockTest::stretch ? 0.5 * test_amount() : 0);
+    const Real grown = (block_test() == BlockTest::stretch ? 0.3 : 0.15) * edges[1] +
+                       (block_test() == BlockTest::stretch ? 0.5 * test_amount() : 0);
     const Real side = std::max(0.6 * edges[0], 0.2 * edges[1]), right = tests_.continuum() ? continuum_offset() : 0;
     picture.frame(position(-side, -grown, -0.5 * edges[2]), position(right + side, edges[1] + grown, 0.5 * edges[2]));
 }
@@ -29,7 +29,7 @@ void MassSpringLesson::draw_test(Scene& picture) const {
     draw_continuum(picture);
     if (!test_done_ || !picture.show_arrows) return;
     const Real length = 0.25 * block_->lengths()[1];
-    const bool bends = test == BlockTest::bend;
+    const bool bends = block_test() == BlockTest::bend;
     const std::string load = fmt::format("{} = {}", bends ? "M" : "F",
                                          format_quantity(tests_.response().stiffness * test_amount(), bends ? "N m" : "N", 3));
     for (const bool last : {true, false}) {
@@ -40,7 +40,7 @@ void MassSpringLesson::draw_test(Scene& picture) const {
             if (last) picture.label(position<3>(middle), load, Ink::force, 0, -24);
             continue;
         }
-        const Vec<3> along = (last ? 1 : -1) * (test == BlockTest::stretch ? Vec<3>::UnitY() : Vec<3>::UnitX());
+        const Vec<3> along = (last ? 1 : -1) * (block_test() == BlockTest::stretch ? Vec<3>::UnitY() : Vec<3>::UnitX());
         picture.arrow(position<3>(middle), position<3>(middle + length * along), Ink::force, last ? load : "");
     }
 }
@@ -71,7 +71,7 @@ void MassSpringLesson::draw_continuum(Scene& picture) const {
     }
     picture.lines.push_back(std::move(edges));
     if (!picture.show_labels) return;
-    const Real below = -0.08 * block_->lengths()[1] - (test == BlockTest::stretch ? 0.5 * test_amount() : 0);
+    const Real below = -0.08 * block_->lengths()[1] - (block_test() == BlockTest::stretch ? 0.5 * test_amount() : 0);
     picture.label(position(0, below, half[2]), "springs", Ink::text, 0, 18);
     picture.label(position(continuum_offset(), below, half[2]),
                   fmt::format("solid, ν* = {}", format_quantity(target_poisson, "", 3)), Ink::text, 0, 18);
@@ -98,8 +98,8 @@ void MassSpringLesson::draw_mode(Scene& picture) const {
 
 void MassSpringLesson::write_static_notes(Scene& picture) const {
     if (!test_done_) return;
-    if (test == BlockTest::stretch && block_->dimension() > 1) {
-        const LatticeConstants endless = lattice_constants(kind, stiffnesses(), edge());
+    if (block_test() == BlockTest::stretch && block_->dimension() > 1) {
+        const LatticeConstants endless = lattice_constants(lattice(), stiffnesses(), edge());
         const Real measured = tests_.modulus_in_pascal(tests_.response().youngs_modulus, block_->lattice()),
                    exact = tests_.modulus_in_pascal(endless.youngs_modulus(), block_->lattice());
         picture.notes.push_back(

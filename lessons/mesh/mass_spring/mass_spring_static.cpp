@@ -10,12 +10,12 @@
 namespace pliant::mass_spring {
 
 StaticTests::Key MassSpringLesson::static_key() const {
-    return {kind, {cells_x, cells_y, cells_z}, edge(), stiffnesses(), shared_edges, target_poisson, test};
+    return {lattice(), {cells_x, cells_y, cells_z}, edge(), stiffnesses(), shared_edges, target_poisson, block_test()};
 }
 
 // By how much the plates move, m; of bending by which angle they turn, rad.
 Real MassSpringLesson::test_amount() const {
-    if (test == BlockTest::bend) return 4 * test_strain;
+    if (block_test() == BlockTest::bend) return 4 * test_strain;
     return test_strain * block_->lengths()[1];
 }
 
@@ -44,13 +44,14 @@ std::vector<Probe> MassSpringLesson::static_probes() {
     };
     const auto in_stretch = [this](auto value) {
         return [this, value]() -> std::optional<Real> {
-            if (!tested() || !test_done_ || !tests_.knows(static_key()) || test != BlockTest::stretch || block_->dimension() == 1)
+            if (!tested() || !test_done_ || !tests_.knows(static_key()) || block_test() != BlockTest::stretch ||
+                block_->dimension() == 1)
                 return std::nullopt;
             return value();
         };
     };
-    const auto constants = [this] { return lattice_constants(kind, stiffnesses(), edge()); };
-    const auto in_material = [this] { return tested() && test == BlockTest::stretch && block_->dimension() > 1; };
+    const auto constants = [this] { return lattice_constants(lattice(), stiffnesses(), edge()); };
+    const auto in_material = [this] { return tested() && block_test() == BlockTest::stretch && block_->dimension() > 1; };
     std::vector<Probe> declared{
         {.name = "youngs_modulus",
          .symbol = "E",
@@ -74,7 +75,7 @@ std::vector<Probe> MassSpringLesson::static_probes() {
          .unit = "N/m",
          .help = "force on a plate per displacement",
          .value = [this]() -> std::optional<Real> {
-             if (!tested() || !test_done_ || !tests_.knows(static_key()) || test == BlockTest::bend) return std::nullopt;
+             if (!tested() || !test_done_ || !tests_.knows(static_key()) || block_test() == BlockTest::bend) return std::nullopt;
              return tests_.response().stiffness;
          }},
         {.name = "bending_stiffness",
@@ -82,7 +83,7 @@ std::vector<Probe> MassSpringLesson::static_probes() {
          .unit = "N m/rad",
          .help = "moment on a plate per angle",
          .value = [this]() -> std::optional<Real> {
-             if (!tested() || !test_done_ || !tests_.knows(static_key()) || test != BlockTest::bend) return std::nullopt;
+             if (!tested() || !test_done_ || !tests_.knows(static_key()) || block_test() != BlockTest::bend) return std::nullopt;
              return tests_.response().stiffness;
          }},
         {.name = "stiffness_ratio",

@@ -17,14 +17,14 @@ constexpr std::array<const char*, 3> axis{"x", "y", "z"};
 Explanation MassSpringLesson::why_static(const Question& q) const {
     const Springs& springs = block_->springs();
     if (q.field == "position")
-        return {
-            .formula = "x = X + δ u",
-            .inputs = {Input::constant("X", block_->rest()(q.component, q.index), "m", "at rest"),
-                       Input::constant("δ", test_amount(), test == BlockTest::bend ? "rad" : "m", "by how much the plates move"),
-                       Input::constant("u", tests_.response().displacement(q.component, q.index),
-                                       test == BlockTest::bend ? "m/rad" : "",
-                                       "of the node for δ = 1, from K u = 0 and the plates")},
-            .evaluate = [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
+        return {.formula = "x = X + δ u",
+                .inputs = {Input::constant("X", block_->rest()(q.component, q.index), "m", "at rest"),
+                           Input::constant("δ", test_amount(), block_test() == BlockTest::bend ? "rad" : "m",
+                                           "by how much the plates move"),
+                           Input::constant("u", tests_.response().displacement(q.component, q.index),
+                                           block_test() == BlockTest::bend ? "m/rad" : "",
+                                           "of the node for δ = 1, from K u = 0 and the plates")},
+                .evaluate = [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
     if (q.field == "tension")
         return {.formula = "T = k l ε",
                 .inputs = {stiffness_of_spring(q.index),
@@ -52,11 +52,11 @@ Explanation MassSpringLesson::why_static(const Question& q) const {
 
 // From the energy of all springs, K = 2 U/δ².
 Explanation MassSpringLesson::why_test_stiffness() const {
-    Explanation e{
-        .formula = "K = (kₛ Σₛ w (l ε)² + k_d Σ_d w (l ε)² + k_b Σ_b w (l ε)²) / δ²",
-        .inputs = {Input::of(k_structural), Input::of(k_shear), Input::of(k_bending),
-                   Input::constant("δ", test_amount(), test == BlockTest::bend ? "rad" : "m", "by how much the plates move")},
-        .evaluate = {}};
+    Explanation e{.formula = "K = (kₛ Σₛ w (l ε)² + k_d Σ_d w (l ε)² + k_b Σ_b w (l ε)²) / δ²",
+                  .inputs = {Input::of(k_structural), Input::of(k_shear), Input::of(k_bending),
+                             Input::constant("δ", test_amount(), block_test() == BlockTest::bend ? "rad" : "m",
+                                             "by how much the plates move")},
+                  .evaluate = {}};
     for (Index s = 0; s < block_->springs().size(); ++s) e.inputs.push_back(Input::now(fmt::format("ε_{}", s), "strain", s));
     const auto sum = [this](std::span<const Real> x, SpringFamily family) { return elongation_squares(x.subspan(4), family); };
     e.evaluate = [sum](std::span<const Real> x) {
@@ -102,8 +102,8 @@ Explanation MassSpringLesson::why_poisson_ratio() const {
 
 Explanation MassSpringLesson::why_stiffness_ratio() const {
     return {.formula = "K/K* = K / K*",
-            .inputs = {Input::now("K", test == BlockTest::bend ? "bending_stiffness" : "test_stiffness", 0),
-                       Input::constant("K*", tests_.continuum()->stiffness, test == BlockTest::bend ? "N m/rad" : "N/m",
+            .inputs = {Input::now("K", block_test() == BlockTest::bend ? "bending_stiffness" : "test_stiffness", 0),
+                       Input::constant("K*", tests_.continuum()->stiffness, block_test() == BlockTest::bend ? "N m/rad" : "N/m",
                                        "of the solid: linear finite elements on the same cells, between the same plates")},
             .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
 }
@@ -111,12 +111,12 @@ Explanation MassSpringLesson::why_stiffness_ratio() const {
 Explanation MassSpringLesson::why_coupling(SpringFamily family) const {
     const std::array<const Number*, 3> stiffness{&k_structural, &k_shear, &k_bending};
     constexpr std::array<const char*, 3> letter{"s", "d", "b"};
-    Explanation e{
-        .formula = fmt::format("c = k Σ_{} w (l ε)² / (K δ²)", letter[family]),
-        .inputs = {Input::of(*stiffness[family], "k"),
-                   Input::now("K", test == BlockTest::bend ? "bending_stiffness" : "test_stiffness", 0),
-                   Input::constant("δ", test_amount(), test == BlockTest::bend ? "rad" : "m", "by how much the plates move")},
-        .evaluate = {}};
+    Explanation e{.formula = fmt::format("c = k Σ_{} w (l ε)² / (K δ²)", letter[family]),
+                  .inputs = {Input::of(*stiffness[family], "k"),
+                             Input::now("K", block_test() == BlockTest::bend ? "bending_stiffness" : "test_stiffness", 0),
+                             Input::constant("δ", test_amount(), block_test() == BlockTest::bend ? "rad" : "m",
+                                             "by how much the plates move")},
+                  .evaluate = {}};
     for (Index s = 0; s < block_->springs().size(); ++s) e.inputs.push_back(Input::now(fmt::format("ε_{}", s), "strain", s));
     const auto sum = [this, family](std::span<const Real> x) { return elongation_squares(x.subspan(3), family); };
     e.evaluate = [sum](std::span<const Real> x) { return x[0] * sum(x) / (x[1] * x[2] * x[2]); };
