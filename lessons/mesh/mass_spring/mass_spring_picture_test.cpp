@@ -12,15 +12,16 @@ namespace pliant::mass_spring {
 // From the middle of the net to that of the solid beside it, m.
 Real MassSpringLesson::continuum_offset() const {
     const Vec<3> edges = block_->lengths();
-    const Real lean = block_test() == BlockTest::shear ? test_amount() : 0;
-    return 1.15 * edges[0] + 0.3 * edges[1] + lean;
+    const Real lean = block_test() == BlockTest::shear ? test_amount() + 0.5 * edges[1] : 0;
+    return 1.3 * edges[0] + 0.3 * edges[1] + lean;
 }
 
 void MassSpringLesson::set_test_frame(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
     const Real grown = (block_test() == BlockTest::stretch ? 0.3 : 0.15) * edges[1] +
                        (block_test() == BlockTest::stretch ? 0.5 * test_amount() : 0);
-    const Real side = std::max(0.6 * edges[0], 0.2 * edges[1]), right = tests_.continuum() ? continuum_offset() : 0;
+    const Real side = std::max(0.6 * edges[0], 0.2 * edges[1]) + (block_test() == BlockTest::shear ? 0.25 * edges[1] : 0),
+               right = tests_.continuum() ? continuum_offset() : 0;
     picture.frame(position(-side, -grown, -0.5 * edges[2]), position(right + side, edges[1] + grown, 0.5 * edges[2]));
 }
 
@@ -29,7 +30,7 @@ void MassSpringLesson::draw_test(Scene& picture) const {
     draw_continuum(picture);
     if (!test_done_ || !picture.show_arrows) return;
     const Real length = 0.25 * block_->lengths()[1];
-    const bool bends = block_test() == BlockTest::bend;
+    const bool bends = block_test() == BlockTest::bend, test_shears = block_test() == BlockTest::shear;
     const std::string load = fmt::format("{} = {}", bends ? "M" : "F",
                                          format_quantity(tests_.response().stiffness * test_amount(), bends ? "N m" : "N", 3));
     for (const bool last : {true, false}) {
@@ -40,6 +41,8 @@ void MassSpringLesson::draw_test(Scene& picture) const {
             if (last) picture.label(position<3>(middle), load, Ink::force, 0, -24);
             continue;
         }
+        // Beside the plate that it moves sideways.
+        if (test_shears) middle[0] = last ? position_.row(0).maxCoeff() : position_.row(0).minCoeff();
         const Vec<3> along = (last ? 1 : -1) * (block_test() == BlockTest::stretch ? Vec<3>::UnitY() : Vec<3>::UnitX());
         picture.arrow(position<3>(middle), position<3>(middle + length * along), Ink::force, last ? load : "");
     }
