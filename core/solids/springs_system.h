@@ -1,7 +1,11 @@
 // A spring net under gravity, pulled at a node, as the implicit solver sees it.
 #pragma once
+#include <pliant/solids/nodal_terms.h>
 #include <pliant/solids/springs_matrix.h>
+#include <pliant/solids/springs_tangent.h>
 #include <pliant/time/implicit.h>
+
+#include <memory>
 
 namespace pliant {
 
@@ -32,7 +36,8 @@ void add_external_forces(const ExternalLoad<Dim>& load, const VecX& mass, Points
 template <int Dim>
 Real external_energy(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<Dim> x);
 
-// Spring, damping and external forces together. The directions of projected damping are those of begin_step().
+// Spring, damping and external forces together. The directions of projected damping are those of begin_step(). In 3D linearise()
+// gives the net as a SpringTangent.
 template <int Dim>
 class SpringSystem final : public SecondOrderSystem {
 public:
@@ -41,20 +46,27 @@ public:
 
     SpringDamping damping = SpringDamping::none;
     ExternalLoad<Dim> load;
+    NodalTerms<Dim> terms;
+
+    // Tells linearise() that the nodes are a sheet; see SpringTangent.
+    void set_sheet(Index nodes_x, Index nodes_y) { tangent().set_sheet(nodes_x, nodes_y); }
+    SpringTangent& tangent();
 
     void begin_step(ConstDofs x) override { start_ = x; }
-    bool damped() const override { return damping != SpringDamping::none; }
+    bool damped() const override { return damping != SpringDamping::none || !terms.drag.empty(); }
     Real potential(ConstDofs x) const override;
     Real dissipation(ConstDofs v) const override;
     void force(ConstDofs x, ConstDofs v, Dofs f) const override;
     const SparseMatrix& stiffness(ConstDofs x, Real velocity_rate, Curvature curvature) override;
+    const LinearisedSystem* linearise(ConstDofs x, Real velocity_rate, const VecX& added) override;
     Real length_scale(ConstDofs x) const override;  // the mean rest length; the extent of x when that is 0
 
 private:
     const Springs& springs_;
     const VecX& mass_;
     SpringMatrix<Dim> matrix_;
-    VecX start_;  // where begin_step() took the directions of damping, m
+    std::unique_ptr<SpringTangent> tangent_;  // made when it is asked for
+    VecX start_;                              // where begin_step() took the directions of damping, m
 };
 
 }  // namespace pliant

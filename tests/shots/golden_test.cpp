@@ -62,6 +62,8 @@ std::vector<Golden> goldens() {
         {"mass_spring_chain",
          {"mesh/mass_spring", {"scene=swing", "cells_y=10", "mode_number=3", "k_bending=0", "damping_mode=none"}, 40, bright},
          "mode_number=2"},
+        {"rod", {"mesh/rod", {"segments=20"}, {}, full}, "segments=8"},
+        {"rod_pulse", {"mesh/rod", {"scene=free_end", "segments=40"}, 120, bright}, "axial_stiffness=12"},
         {"advection",
          {"fluids/advection", {"scheme=mac_cormack", "resolution=32", "cfl=6", "cell_x=10", "cell_y=23"}, 1, full},
          "back_trace=euler"},

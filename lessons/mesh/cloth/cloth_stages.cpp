@@ -1,0 +1,267 @@
+#include "cloth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::cloth {
+namespace {
+
+// Stiffness of the planes that nodes rest on, in inertias M / dt^2 of a node: a node sinks in by this part of what it would fall
+// in a step.
+constexpr Real plane_stiffness = 100;
+
+}  // namespace
+
+void ClothLesson::declare_fields() {
+    const auto bound_by_used = [](Field field, std::function<bool()> used) {
+        field.used = std::move(used);
+        return field;
+    };
+    const auto has = [](const auto& values) { return [&values] { return values.size() > 0; }; };
+    state = {state_array("position", "m", position_), state_array("velocity", "m/s", velocity_),
+             state_array("contact_force", "N", contact_force_), state_array("gust_time", "s", gust_time_),
+             state_array("unbalanced_work", "J", unbalanced_work_)};
+    fields = {
+        vector_field("position", "x", "m", On::node, position_, "of the nodes"),
+        vector_field("velocity", "v", "m/s", On::node, velocity_, "of the nodes"),
+        vector_field("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node"),
+        bound_by_used(vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"),
+                      has(damping_force_)),
+        bound_by_used(vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight, and the pull of the hand"),
+                      has(external_force_)),
+        bound_by_used(tensor_field("wind_drag", "C", "N s/m", On::node, drag_numbers_,
+                                   "force of the air on a node for each m/s of the wind against it"),
+                      has(drag_numbers_)),
+        bound_by_used(vector_field("wind_force", "fʷ", "N", On::node, wind_force_, "of the air, at the start of the step"),
+                      has(wind_force_)),
+        bound_by_used(
+            scalar_field("contact_force", "N", "N", On::node, contact_force_, "with which the sphere presses a node outwards"),
+            has(contact_force_)),
+        scalar_field("strain", "ε", "", On::edge, strain_, "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest"),
+        scalar_field("stretch", "ε₊", "", On::node, stretch_, "largest strain of a node's structural springs"),
+        scalar_field("bending", "β", "", On::node, bending_,
+                     "largest shortening of a node's bending springs: 0 where it is flat"),
+    };
+    fields[0].bound = [this] { return 1e4 * size + 1e3 * (std::abs(wind) + 1) * std::max(Real{1}, Real{dt}); };
+    fields[1].bound = [this] { return 1000 * size / dt + 10 * (std::abs(wind) * (1 + gust) + gravity * dt); };
+    const auto strain_bound = [] { return 100.0; };
+    for (std::size_t k = 8; k < fields.size(); ++k) fields[k].bound = strain_bound;
+}
+
+void ClothLesson::declare_stages() {
+    stages = {
+        {.name = "spring_forces",
+         .formula = "fᵢ = k (|xᵢⱼ| − l) xᵢⱼ/|xᵢⱼ|,  xᵢⱼ = xⱼ − xᵢ",
+         .source = "lecture: mass–spring system; [Nealen2006 §3]",
+         .run = [this] { spring_stage(); },
+         .reads = {"position"},
+         .writes = {"spring_force", "strain", "stretch", "bending"},
+         .explain = [this](const Question& q) { return why_spring_stage(q); }},
+        {.name = "damping_forces",
+         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / xᵢⱼ·xᵢⱼ) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
+         .source = "lecture: mass–spring system; [Nealen2006 §3]",
+         .run = [this] { damping_stage(); },
+         .reads = {"position", "velocity"},
+         .writes = {"damping_force"},
+         .active = [this] { return damped(); },
+         .explain = [this](const Question& q) { return why_damping_force(q.index, q.component, Input::now); }},
+        {.name = "external_forces",
+         .formula = "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)",
+         .source = "gravity, and a spring to the pointer",
+         .run = [this] { external_stage(); },
+         .reads = {"position"},
+         .writes = {"external_force"},
+         .active = [this] { return loaded(); },
+         .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
+        {.name = "wind",
+         .formula = "fᵢ = Cᵢ (w − vᵢ),  Cᵢ = Σ ρ c A |u·n| n nᵀ / 6 over its triangles,  u = w − v",
+         .source = "pressure on a plate across the wind; [Ling1996]",
+         .run = [this] { wind_stage(); },
+         .reads = {"position", "velocity"},
+         .writes = {"wind_drag", "wind_force"},
+         .active = [this] { return in_air(); },
+         .explain = [this](const Question& q) { return why_wind_stage(q); }},
+        {.name = "integrate",
+         .formula = "explicit: x' = x + Δt v, v' = v + Δt f/m;  semi-implicit: v' = v + Δt f/m, x' = x + Δt v';  "
+                    "implicit: m (v' − v) = Δt f(x', v'), x' = x + Δt v', by Newton's method",
+         .source = "lecture: time integration; [Baraff1998], [Nocedal2006 §7.1]",
+         .run = [this] { integrate(); },
+         .reads = {"position", "velocity", "spring_force", "damping_force", "external_force", "wind_drag", "wind_force",
+                   "contact_force"},
+         .writes = {"position", "velocity"},
+         .again = [this] { return implicit() && solver_->again(); },
+         .begin = [this] { begin_integration(); },
+         .end = [this] { end_integration(); },
+         .explain = [this](const Question& q) { return why_integrated(q); }},
+        {.name = "strain_limiting",
+         .formula =
+             "|xᵢⱼ| > (1 + ε_max) l:  xᵢ += p/mᵢ, xⱼ −= p/mⱼ, v += Δx/Δt,  p = (|xᵢⱼ| − (1 + ε_max) l) xᵢⱼ/|xᵢⱼ| / (1/mᵢ + 1/mⱼ)",
+         .source = "[Provot1995], [Bridson2002 §4]",
+         .run = [this] { limiter_excess_ = limiter_->pass(sheet_->inertia(), strain_limit, dt, position_, velocity_); },
+         .reads = {"position", "velocity"},
+         .writes = {"position", "velocity"},
+         .active = [this] { return bool(strain_limiting); },
+         .again = [this] { return limiter_excess_ > 1e-3 && limiter_->passes() < limit_passes; },
+         .begin = [this] { begin_limiting(); },
+         .explain = [this](const Question& q) { return why_limited(q); }},
+        {.name = "sphere_contact",
+         .formula = "|x − c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = force of the plane that held it, or m |Δv_n| / Δt",
+         .source = "[Baraff1998 §5], [Bridson2002]",
+         .run = [this] { contact_stage(); },
+         .reads = {"position", "velocity"},
+         .writes = {"position", "velocity", "contact_force"},
+         .active = [this] { return has_sphere(); },
+         .explain = [this](const Question& q) { return why_contact(q); }},
+    };
+}
+
+// Brings springs, masses and loads up to the parameters of this step. What the scene does not use has no memory.
+void ClothLesson::follow_parameters() {
+    sheet_->set_springs({k_structural, k_shear, k_bending}, damping);
+    sheet_->set_mass(total_mass, held_nodes());
+    load_.gravity = Vec<3>(0, -gravity, 0);
+    load_.pull.stiffness = pull_stiffness;
+    if (!implicit()) {
+        solver_.reset();
+        system_.reset();
+    }
+    const Index count = sheet_->rest().cols();
+    const auto keep = [count](Points<3>& force, bool used) {
+        if (force.cols() != (used ? count : 0)) force.setZero(3, used ? count : 0);
+    };
+    keep(damping_force_, damped());
+    keep(external_force_, loaded());
+    keep(wind_force_, in_air());
+    drag_numbers_.resize(in_air() ? 9 * static_cast<std::size_t>(count) : 0, Real{0});
+}
+
+void ClothLesson::pull(const std::optional<Pull>& hand) {
+    load_.pull.node = -1;
+    if (!hand || hand->index < 0) return;
+    if (hand->index >= position_.cols())
+        throw Refused(fmt::format("pull: node {} does not exist, there are {} nodes", hand->index, position_.cols()));
+    if (!hand->to.allFinite()) throw Refused("pull: give a finite place in m");
+    load_.pull.node = hand->index;
+    load_.pull.target = hand->to;
+}
+
+void ClothLesson::spring_stage() {
+    follow_parameters();
+    const Springs& springs = sheet_->springs();
+    spring_force_.setZero();
+    add_spring_forces<3>(springs, position_, spring_force_);
+    spring_strain<3>(springs, position_, strain_);
+    stretch_.setConstant(position_.cols(), -1);
+    bending_.setZero();
+    const auto raise = [](Real& value, Real to) { value = std::max(value, to); };
+    for (Index s = 0; s < strain_.size(); ++s) {
+        if (std::abs(strain_[s]) < strain_rounding) strain_[s] = 0;
+        const Family family = sheet_->family_of(s);
+        for (const Index n : {springs.i(s), springs.j(s)}) {
+            if (family == structural) raise(stretch_[n], strain_[s]);
+            if (family == bending) raise(bending_[n], -strain_[s]);
+        }
+    }
+}
+
+void ClothLesson::damping_stage() {
+    damping_force_.setZero();
+    add_damping_forces<3>(sheet_->springs(), damping_mode, position_, velocity_, damping_force_);
+}
+
+void ClothLesson::external_stage() {
+    external_force_.setZero();
+    add_external_forces<3>(load_, sheet_->mass(), position_, external_force_);
+}
+
+void ClothLesson::wind_stage() {
+    gust_at_ = gust_time_[0];
+    const Air air{.velocity = wind_at(gust_at_), .drag = air_drag};
+    wind_drag(sheet_->triangles(), air, position_, velocity_, drag_);
+    for (std::size_t n = 0; n < drag_.size(); ++n) {
+        const auto node = static_cast<Index>(n);
+        wind_force_.col(node) = drag_[n] * (air.velocity - velocity_.col(node));
+        Eigen::Map<Mat<3>>(drag_numbers_.data() + 9 * n) = drag_[n];
+    }
+}
+
+NewtonOptions ClothLesson::newton_options() const {
+    return {.relative_step = newton_tolerance,
+            .max_iterations = static_cast<int>(Index(newton_cap)),
+            .at_cap = accept_at_cap ? AtCap::accept : AtCap::fail,
+            .linear_solve = linear_solver,
+            .linear_tolerance = linear_tolerance,
+            .linear_iterations = static_cast<int>(Index(linear_iterations))};
+}
+
+void ClothLesson::begin_integration() {
+    if (implicit()) return begin_implicit_step();
+    total_force_ = spring_force_;
+    if (damped()) total_force_ += damping_force_;
+    if (loaded()) total_force_ += external_force_;
+    if (in_air()) total_force_ += wind_force_;
+}
+
+void ClothLesson::begin_implicit_step() {
+    if (!solver_) {
+        system_ = std::make_unique<SpringSystem<3>>(sheet_->springs(), sheet_->mass());
+        system_->set_sheet(nodes, nodes);
+        solver_ = std::make_unique<ImplicitSolver>(*system_, sheet_->inertia(), newton_options());
+    }
+    system_->damping = damping_mode;
+    system_->load = load_;
+    NodalTerms<3>& terms = system_->terms;
+    terms.planes.clear();
+    terms.drag.clear();
+    if (!in_air()) terms.force.resize(3, 0);
+    if (in_air()) {
+        terms.drag = drag_;
+        terms.force.resize(3, position_.cols());
+        const Vec<3> wind_now = wind_at(gust_at_);
+        for (std::size_t n = 0; n < drag_.size(); ++n) terms.force.col(static_cast<Index>(n)) = drag_[n] * wind_now;
+    }
+    if (has_sphere()) {
+        const Real stiffness = plane_stiffness * (sheet_->mass()[0] / (dt * dt));
+        rest_on_sphere(sphere(), sheet_->inertia(), dt, position_, velocity_, contact_force_, stiffness, terms);
+    }
+    solver_->set_options(newton_options());
+    implicit_euler(dt, flat(position_), flat(velocity_), solver_->form());
+    solver_->begin(flat(position_));
+}
+
+void ClothLesson::integrate() {
+    const DiagonalMass& inertia = sheet_->inertia();
+    if (scheme == Scheme::explicit_euler) explicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
+    if (scheme == Scheme::semi_implicit_euler)
+        semi_implicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
+    if (!implicit()) return;
+    // One Newton iteration; its iterate can be looked at.
+    solver_->iterate();
+    flat(position_) = solver_->position();
+    flat(velocity_) = solver_->velocity();
+}
+
+void ClothLesson::end_integration() {
+    gust_time_[0] += dt;
+    held_.setZero();
+    if (!implicit()) return;
+    solver_->finish(flat(position_), flat(velocity_));
+    solver_->imbalance(imbalance_);
+    unbalanced_work_[0] += dt * std::abs(imbalance_.dot(flat(velocity_)));
+    plane_forces(system_->terms.planes, position_, held_);
+}
+
+void ClothLesson::begin_limiting() {
+    const Index limited = sheet_->last(shear);
+    if (!limiter_) limiter_ = std::make_unique<StrainLimiter>(sheet_->springs(), limited);
+    limiter_->begin();
+    stretch_before_limiting_ = largest_stretch(sheet_->springs(), limited, position_);
+}
+
+void ClothLesson::contact_stage() {
+    touching_ = resolve_sphere_contact(sphere(), sheet_->inertia(), dt, held_, position_, velocity_, contact_force_, touches_);
+}
+
+}  // namespace pliant::cloth
