@@ -280,7 +280,11 @@ bool Session::set(const Values& values) {
     const int dimension = lesson().dimension();
     if (!guarded([&] { runner_->assign(assignments); })) return false;
     dismiss();
-    if (!rebuilds) return moved(), true;
+    if (!rebuilds) {
+        moved();
+        settle(all_was_done);
+        return true;
+    }
     // The domain may have another size, or the scene another dimension.
     if (lesson().dimension() == 2 || lesson().dimension() != dimension) camera.reset();
     begin_run();
