@@ -120,13 +120,14 @@ std::string map_json(const StabilityMap& map, const MapCost& cost) {
 
 std::string agreement_text(const StabilityMap& map) {
     const auto found = agreement(map);
-    if (!found) return "names no stability limit to compare with";
-    if (found->compared == 0) return "has no cell that theory speaks of";
-    const auto cells = [](Index n) { return fmt::format("{} {}", n, n == 1 ? "cell" : "cells"); };
-    if (found->contradicts > 0) return fmt::format("contradicts theory in {} of {}", found->contradicts, cells(found->compared));
-    const std::string agrees =
-        fmt::format("agrees with theory in {} of {}", found->compared - found->at_bound, cells(found->compared));
-    return found->at_bound == 0 ? agrees : agrees + ", and the others lie within one cell of the bound";
+    if (!found) return "The lesson names no stability limit to compare with.";
+    if (found->compared == 0) return "The map has no cell that theory speaks of.";
+    const auto of_all = [&](Index n) {
+        return fmt::format("{} of {} {}", n, found->compared, found->compared == 1 ? "cell" : "cells");
+    };
+    if (found->contradicts > 0) return fmt::format("The map contradicts theory in {}.", of_all(found->contradicts));
+    return fmt::format("The map agrees with theory in {}{}.", of_all(found->compared - found->at_bound),
+                       found->at_bound == 0 ? "" : ", and the others lie within one cell of the bound");
 }
 
 std::string map_text(const StabilityMap& map, const MapCost& cost) {

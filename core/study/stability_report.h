@@ -26,7 +26,7 @@ std::string map_text(const StabilityMap& map, const MapCost& cost);
 
 // What a cell is, in words: "stable", "not converged".
 std::string words_of(Stability kind);
-// The agreement, as what a map does: "agrees with theory in 1600 cells; ...".
+// The agreement in a sentence: "The map agrees with theory in 1600 of 1600 cells."
 std::string agreement_text(const StabilityMap& map);
 
 }  // namespace pliant

@@ -83,3 +83,14 @@ TEST_CASE("a flow has the same bits in any number of threads", "[parallel][fluid
     for (std::size_t c = 5000; c < 6000; ++c) info.types[c + c / 40 % 60] = CellType::solid;
     same_in_any_number_of_threads<2>(info, {});
 }
+
+TEST_CASE("a thread that works beside others keeps its loops to itself", "[parallel]") {
+    const Threads three(3);
+    {
+        const SerialHere serial;
+        CHECK(threads() == 1);
+        { const SerialHere again; }
+        CHECK(threads() == 1);
+    }
+    CHECK(threads() == 3);
+}

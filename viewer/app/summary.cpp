@@ -64,7 +64,7 @@ std::string atlas_sentences(const LabState& lab) {
     for (int k = 0; k < stability_kinds; ++k)
         if (const Index n = map->count(static_cast<Stability>(k)))
             text += fmt::format("{} {} {}", std::exchange(comma, ","), n, words_of(static_cast<Stability>(k)));
-    return text + fmt::format(". It {}.\n", agreement_text(*map));
+    return text + fmt::format(". {}\n", agreement_text(*map));
 }
 
 }  // namespace

@@ -102,7 +102,6 @@ private:
         area.max.x -= std::max(legend, em_);
         for (float* v : {&area.min.x, &area.min.y, &area.max.x, &area.max.y}) *v = std::round(*v);
         if (area.width() > em_) axes_.fit_across(area.width());
-        places_.bottom = area.max.y + 2.9f * em_ + below;
     }
 
     void draw_cells() {

@@ -31,7 +31,6 @@ struct MapPicture {
 // Where things came to lie.
 struct MapPlaces {
     Box area;  // of the cells
-    float bottom = 0;
 
     std::optional<std::pair<Index, Index>> cell(const StabilityMap& map, Point at) const;
     Box box(const StabilityMap& map, Index i, Index j) const;
