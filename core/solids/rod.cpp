@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pliant {
 
 void rod_slopes(Real segment, PointsIn<2> x, PointsOut<2> slope) {
@@ -50,15 +53,17 @@ void balance_chain(const Eigen::Ref<const VecX>& stiffness, const Eigen::Ref<con
 VecX chain_frequencies(const Eigen::Ref<const VecX>& stiffness, const Eigen::Ref<const VecX>& mass, bool last_is_fixed) {
     const Index springs = stiffness.size(), free = last_is_fixed ? springs - 1 : springs;
     if (free <= 0) return {};
+    // In units of the stiffest spring and the lightest mass, so that extremes do not overflow.
+    const Real k = stiffness.maxCoeff(), m = mass.minCoeff();
     VecX diagonal(free), beside(std::max<Index>(free - 1, 0));
     for (Index i = 0; i < free; ++i) {
-        const Real beyond = i + 1 < springs ? stiffness[i + 1] : 0;
-        diagonal[i] = (stiffness[i] + beyond) / mass[i + 1];
-        if (i + 1 < free) beside[i] = -beyond / std::sqrt(mass[i + 1] * mass[i + 2]);
+        const Real beyond = i + 1 < springs ? stiffness[i + 1] / k : 0;
+        diagonal[i] = (stiffness[i] / k + beyond) * (m / mass[i + 1]);
+        if (i + 1 < free) beside[i] = -beyond * std::sqrt(m / mass[i + 1]) * std::sqrt(m / mass[i + 2]);
     }
     Eigen::SelfAdjointEigenSolver<MatX> solver;
     solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+    return std::sqrt(k) / std::sqrt(m) * solver.eigenvalues().cwiseMax(0).cwiseSqrt();
 }
 
 }  // namespace pliant

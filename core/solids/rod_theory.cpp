@@ -35,7 +35,8 @@ Real UniformRod::wave_number(Index j, RodEnd end) const {
 Real RunningPulse::image(Real xi, bool slope) const {
     const Real nearest = std::round((xi - start) / (2 * length));
     Real sum = 0;
-    for (Real m = nearest - 1; m <= nearest + 1; ++m) {
+    for (const Real beside : {-1, 0, 1}) {
+        const Real m = nearest + beside;
         const Real off = (xi - start - 2 * length * m) / width;
         const Real value = amplitude * std::exp(-off * off) * (slope ? -2 * off / width : 1);
         sum += end == RodEnd::free && std::fmod(std::abs(m), 2) == 1 ? -value : value;

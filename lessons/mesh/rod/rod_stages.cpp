@@ -217,16 +217,16 @@ void RodLesson::end_integration() {
 // The strain now, at all moments since `before`; a new span begins with an empty picture.
 void RodLesson::note_history(Real before) {
     const auto moment = [this](Real t) { return std::floor(t / history_span() * history_rows); };
-    const Real last = moment(clock_[elapsed]), first = std::max(moment(before) + 1, last - history_rows + 1);
+    const auto span = [](Real m) { return std::floor(m / history_rows); };
+    const Real now = moment(clock_[elapsed]), last = moment(before);
+    if (!std::isfinite(now)) return;
+    if (span(now) != span(last)) history_.setZero();
     Points<2> slope(2, count());
     VecX strain(count());
     rod_slopes(segment(), position_, slope);
     rod_strains(slope, strain);
-    for (Real m = first; m <= last; ++m) {
-        const auto row = static_cast<Index>(std::fmod(m, history_rows));
-        if (row == 0) history_.setZero();
-        history_.col(row) = strain;
-    }
+    const auto newest = static_cast<Index>(std::fmod(now, history_rows));
+    for (Index k = 0; k <= newest && static_cast<Real>(k) < now - last; ++k) history_.col(newest - k) = strain;
 }
 
 // The rod lies along a line: its springs take up at once what is unbalanced. A second round finds that nothing is.

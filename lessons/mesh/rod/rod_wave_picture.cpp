@@ -111,7 +111,8 @@ void RodLesson::draw_history(Scene& picture) const {
     for (const Real share : {0.0, 1.0})
         picture.label(position(0, down(share) * length), format_quantity((spans + share) * span, "s", 3), Ink::text, -36, 0);
     picture.label(position(0.5 * length, map_low * length), "strain along the rod, time running down", Ink::text, 0, 12);
-    if (!runs_a_pulse()) return;
+    constexpr Real most_spans = 1e6;  // beyond, the path is rounding
+    if (!runs_a_pulse() || !(spans < most_spans)) return;
     // It turns at the ends: s₀ + ct, in lengths, is whole there; t in spans of 3L/c.
     const Real start = pulse(1).start / length;
     const auto path = [&](Real t) {

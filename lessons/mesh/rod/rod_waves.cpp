@@ -11,6 +11,10 @@ namespace pliant::rod {
 
 using std::numbers::pi;
 
+namespace {
+constexpr Real most_turns = 1e6;  // beyond, the place of a pulse is rounding
+}
+
 // ----------------------------------------------------------------------------------------------------------- closed forms
 
 // Of the continuum, along the rod.
@@ -71,6 +75,7 @@ Real RodLesson::pulse_position() const {
 std::optional<Real> RodLesson::way(Real speed, Real t) const {
     const Real gone = start_position_ + speed * t, clear = 1.8 * pulse_width;
     const Real turns = std::floor(gone / length), inside = gone - turns * length;
+    if (!(turns < most_turns)) return std::nullopt;
     if (inside > length - clear || (turns > 0 && inside < clear)) return std::nullopt;
     return gone;
 }

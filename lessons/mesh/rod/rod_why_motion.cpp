@@ -42,7 +42,7 @@ Input RodLesson::why_acceleration(Index pass, Index node, int component) const {
     };
     if (damped()) add("fᵈ", "damping_force");
     if (loaded()) add("fᵉ", "external_force");
-    e.formula = fmt::format("{} = ({}) / m", symbol, forces);
+    e.formula = e.inputs.size() == 2 ? fmt::format("{} = f / m", symbol) : fmt::format("{} = ({}) / m", symbol, forces);
     return Input::part(symbol, "m/s²", std::move(e));
 }
 
