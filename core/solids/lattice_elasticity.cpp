@@ -63,12 +63,14 @@ Plates plates_of(const SpringLattice& lattice, const Points<3>& rest, BlockTest 
 }
 
 [[noreturn]] void report_mechanisms(const SparseMatrix& matrix, const Diverged& cause) {
-    std::string count = "";
-    if (matrix.cols() <= most_counted)
-        count = fmt::format("{} ", null_dimension(matrix.cols(), [&](const VecX& x, VecX& y) { y = matrix * x; }));
+    std::string mechanisms = "mechanisms";
+    if (matrix.cols() <= most_counted) {
+        const Index count = null_dimension(matrix.cols(), [&](const VecX& x, VecX& y) { y = matrix * x; });
+        mechanisms = fmt::format("{} mechanism{}", count, count == 1 ? "" : "s");
+    }
     Failure failure = cause.failure;
     failure.index = -1;
-    failure.what = fmt::format("singular: {}mechanisms unconstrained, motions that no spring resists", count);
+    failure.what = fmt::format("singular: {} unconstrained, motions that no spring resists", mechanisms);
     failure.limit = "Give shear springs a stiffness: edges alone fold";
     throw Diverged(failure);
 }

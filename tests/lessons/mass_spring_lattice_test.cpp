@@ -79,10 +79,12 @@ TEST_CASE("mass-spring: every pass of every integrator is explained, through an 
                              {"cells_x", "1"},
                              {"cells_y", "1"},
                              {"time_step", "0.005"},
-                             {"drop_height", "0.005"},
-                             {"restitution", "0.5"}});
-        for (int n = 0; n < 6; ++n) runner.step();
-        for (int n = 0; n < 3; ++n) check_every_stage(runner, std::string(scheme.key));
+                             {"drop_height", "0.005"}});
+        // Up to the impact, and through what follows.
+        while (value(runner, "touching_nodes") == 0 && runner.place().step < 20) runner.step();
+        CHECK(value(runner, "touching_nodes") > 0);
+        REQUIRE(runner.step_back());
+        check_every_stage(runner, std::string(scheme.key), 2);
     }
 }
 

@@ -103,7 +103,7 @@ TEST_CASE("mass-spring: what should be conserved is, in every preset") {
         INFO(name);
         Run run;
         run.load(preset(find_lesson("mesh/mass_spring"), name).parameters);
-        const int steps = name == "stiff_implicit" ? 50 : 800;
+        const int steps = run.is_static() ? 1 : name == "stiff_implicit" ? 50 : 800;
         for (int n = 0; n < steps; ++n) {
             run.step();
             for (std::size_t c = 0; c < run.lesson().conserved.size(); ++c) {

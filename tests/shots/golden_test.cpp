@@ -61,7 +61,7 @@ std::vector<Golden> goldens() {
          {"mesh/mass_spring",
           {"scene=stretch_test", "lattice=triangular", "test=bend", "target_poisson=0.3333", "cells_x=3", "cells_y=6"},
           {},
-          large},
+          medium},
          "k_bending=0"},
         {"mass_spring_chain",
          {"mesh/mass_spring", {"scene=swing", "cells_y=10", "mode_number=3", "k_bending=0", "damping_mode=none"}, 40, bright},

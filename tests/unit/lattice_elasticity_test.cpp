@@ -85,7 +85,7 @@ TEST_CASE("edges alone: the static test reports mechanisms and how many", "[spri
     }
     // Two plates and one row of 2 nodes each: the square leans over, with both plates free to slide.
     CHECK_THROWS_WITH(test_block(piece(LatticeKind::square, 1), {1, 0, 0}, BlockTest::stretch),
-                      ContainsSubstring("singular: 1 mechanisms unconstrained"));
+                      ContainsSubstring("singular: 1 mechanism unconstrained"));
     CHECK_THROWS_AS(test_block(SpringLattice(LatticeKind::chain, {0, 4, 0}, 1), {1, 0, 0}, BlockTest::shear), Refused);
 }
 

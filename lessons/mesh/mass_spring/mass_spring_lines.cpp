@@ -46,7 +46,7 @@ void MassSpringLesson::declare_lines() {
          .reference_name = "projected dampers",
          .value_name = "naive dampers",
          .used = spins,
-         .others = {{.name = "now",
+         .others = {{.name = "this run",
                      .sample =
                          [this](Curve& c) {
                              c.position.push_back(clock_[0]);

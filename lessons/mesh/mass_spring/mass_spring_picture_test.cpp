@@ -22,7 +22,9 @@ void MassSpringLesson::set_test_frame(Scene& picture) const {
                        (block_test() == BlockTest::stretch ? 0.5 * test_amount() : 0);
     const Real side = std::max(0.6 * edges[0], 0.2 * edges[1]) + (block_test() == BlockTest::shear ? 0.25 * edges[1] : 0),
                right = tests_.continuum() ? continuum_offset() : 0;
-    picture.frame(position(-side, -grown, -0.5 * edges[2]), position(right + side, edges[1] + grown, 0.5 * edges[2]));
+    // Below, there is room for the names and the matrix.
+    picture.frame(position(-side, -grown - 0.25 * edges[1], -0.5 * edges[2]),
+                  position(right + side, edges[1] + grown, 0.5 * edges[2]));
 }
 
 void MassSpringLesson::draw_test(Scene& picture) const {
