@@ -26,7 +26,10 @@ public:
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
-    std::vector<std::string_view> first_plots() const override { return {"x", "energy_of_all", "error_over_step"}; }
+    std::vector<std::string_view> first_plots() const override {
+        if (compare == Compare::all) return {"error_over_step", "error_over_cost", "energy_of_all"};
+        return {"x", "energy_of_all", "error_over_step"};
+    }
     std::vector<std::string_view> key_numbers() const override { return {"energy", "error", "growth_measured"}; }
 
 private:
