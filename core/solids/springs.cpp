@@ -116,10 +116,11 @@ template <int Dim>
 void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f) {
     const Real *rest_length = springs.rest_length().data(), *stiffness = springs.stiffness().data(), *at = x.data();
     Real* force = f.data();
+    const auto* nodes = springs.nodes();
     const Index count = springs.size();
     Index s = 0;
     for (; s + 1 < count; s += 2) {
-        const Index i = springs.i(s), j = springs.j(s), k = springs.i(s + 1), l = springs.j(s + 1);
+        const Index i = nodes[s][0], j = nodes[s][1], k = nodes[s + 1][0], l = nodes[s + 1][1];
         const Arrow a = difference<Dim>(at, i, j), b = difference<Dim>(at, k, l);
         const Eigen::Array2d aa = a.xy * a.xy, bb = b.xy * b.xy, z(a.z, b.z);
         const Eigen::Array2d squared = Eigen::Array2d(aa[0], bb[0]) + Eigen::Array2d(aa[1], bb[1]) + z * z;

@@ -10,6 +10,7 @@
 #include <limits>
 #include <mutex>
 #include <numbers>
+#include <system_error>
 #include <thread>
 
 namespace pliant {
@@ -79,7 +80,9 @@ private:
     void observe() {
         if (probe_) watch_.add(runner_.value(*probe_), runner_.exact(*probe_));
         const auto& state = runner_.lesson().state;
-        for (std::size_t a = 0; a < state.size(); ++a) turn_.add(a, state[a].view());
+        // What has no unit counts something.
+        for (std::size_t a = 0; a < state.size(); ++a)
+            if (!state[a].unit.empty()) turn_.add(a, state[a].view());
     }
 
     StabilityVerdict step() {
@@ -196,7 +199,11 @@ StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgre
     {
         std::vector<std::jthread> others;
         const auto most = static_cast<int>(std::min<std::size_t>(map.cells.size(), 256));
-        for (int k = 1; k < std::min(jobs, most); ++k) others.emplace_back([&work] { work.take_part(); });
+        try {
+            for (int k = 1; k < std::min(jobs, most); ++k) others.emplace_back([&work] { work.take_part(); });
+        } catch (const std::system_error&) {
+            // The threads that the system has to give do all of it.
+        }
         work.take_part();
     }
     map.complete = work.finish();

@@ -72,12 +72,6 @@ Index all_passes(const StabilityMap& map) {
 
 std::string words_of(Stability kind) { return kind == Stability::not_converged ? "not converged" : std::string(name_of(kind)); }
 
-std::string setting_text(const Parameter& p, Real value) {
-    const bool named = p.info.kind == Kind::choice || p.info.kind == Kind::toggle;
-    return fmt::format("{} = {}", p.info.symbol.empty() ? p.info.key : p.info.symbol,
-                       named ? p.text(value) : format_quantity(value, p.info.unit));
-}
-
 std::string map_csv(const StabilityMap& map) {
     const auto lesson = map.order.lesson->make();
     const Parameter &x = lesson->parameter(map.order.across.key), &y = lesson->parameter(map.order.up.key);
@@ -126,13 +120,13 @@ std::string map_json(const StabilityMap& map, const MapCost& cost) {
 
 std::string agreement_text(const StabilityMap& map) {
     const auto found = agreement(map);
-    if (!found) return "the lesson names no stability limit to compare with";
-    if (found->compared == 0) return "no cell ran that theory speaks of";
+    if (!found) return "names no stability limit to compare with";
+    if (found->compared == 0) return "has no cell that theory speaks of";
     const auto cells = [](Index n) { return fmt::format("{} {}", n, n == 1 ? "cell" : "cells"); };
-    const std::string beside =
-        fmt::format("{} differ{} within one cell of the bound", cells(found->at_bound), found->at_bound == 1 ? "s" : "");
-    if (found->contradicts == 0) return fmt::format("agrees with theory in {}; {}", cells(found->compared), beside);
-    return fmt::format("contradicts theory in {} of {}; {}", found->contradicts, cells(found->compared), beside);
+    if (found->contradicts > 0) return fmt::format("contradicts theory in {} of {}", found->contradicts, cells(found->compared));
+    const std::string agrees =
+        fmt::format("agrees with theory in {} of {}", found->compared - found->at_bound, cells(found->compared));
+    return found->at_bound == 0 ? agrees : agrees + ", and the others lie within one cell of the bound";
 }
 
 std::string map_text(const StabilityMap& map, const MapCost& cost) {

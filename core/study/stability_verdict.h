@@ -38,8 +38,9 @@ struct StabilityVerdict {
 //                part by part; a growth by a tiny factor per step does. A rise counts once the motion has come round, when it
 //                exceeds 3 S, or when the run is as long as it may get. Until then one that rises from part to part is not
 //                settled: the run has to go on.
-//   dissipative  bounded, and below 95 % of the exact solution's largest value in one of the later parts (of the energy at the
-//                start, where there is no exact one).
+//   dissipative  bounded, and on average below 95 % of X, or of the energy at the start where there is no X; in steps in which X
+//                has less than 1 % of S left it tells nothing. Where X lasts to the end, E has to stay below 95 % of it
+//                throughout the last quarter as well: one that swings far below X and comes back to it loses nothing.
 //   stable       bounded otherwise.
 //
 // The growth is ((M₄ − F) / (M₁ − F))^(1 / 2 n) with n the steps between the two values and F the lowest energy, or 0 when
@@ -62,6 +63,10 @@ public:
 private:
     struct Parts;
     Parts parts() const;
+    // The leading samples in which the exact solution still moves.
+    std::size_t live_samples(const Parts& p) const;
+    Real reference(std::size_t n) const { return exact_.size() == samples() ? exact_[n] : energy_.front(); }
+    Real average_kept(const Parts& p) const;
     bool loses(const Parts& p) const;
     std::string kept(const Parts& p) const;
 

@@ -57,10 +57,12 @@ void ImplicitSolver::begin(ConstDofs x) {
     keep_bounds(x_);
     keep_bounds(trial_);
     length_ = system_.length_scale(x_);
-    began_at_prediction_ = merit(trial_) <= merit(x_);
+    const Real at_prediction = merit(trial_), at_start = merit(x_);
+    began_at_prediction_ = at_prediction <= at_start;
     if (began_at_prediction_) x_.swap(trial_);
+    first_merit_ = began_at_prediction_ ? at_prediction : at_start;
     v_ = form_.velocity_rate * (x_ - form_.velocity_origin);
-    if (!std::isfinite(merit(x_))) fail("the step starts with an energy that is not finite");
+    if (!std::isfinite(first_merit_)) fail("the step starts with an energy that is not finite");
 }
 
 // What the steps lower: the incremental potential, J, or else 1/2 |residual|^2, N^2.
@@ -187,7 +189,7 @@ void ImplicitSolver::take_guarded_step() {
         reference_.x = x_;
         reference_.direction = direction_;
         reference_.residual = residual_;
-        reference_.potential = merit(x_);
+        reference_.potential = iterations_ == 0 ? first_merit_ : merit(x_);
     }
     trial_ = x_ + direction_;
     keep_bounds(trial_);

@@ -176,6 +176,7 @@ private:
     bool converged_ = false, began_at_prediction_ = false;
     Real fraction_ = 1;
     int iterations_ = 0, linear_iterations_ = 0;
+    Real first_merit_ = 0;  // where the step began
     Real length_ = 0, residual_norm_ = 0, last_step_ = 0;
 };
 

@@ -92,7 +92,7 @@ TEST_CASE("rod: the curves of the tip against N are those of rods that hang", "[
     const Runner runner = after(1, {{"segments", "10"}});
     const Line& tips = line(runner, "tip_against_segments");
     Curve derived, picked, reference, mark;
-    tips.sample(derived), tips.others[0].sample(picked), tips.reference(reference), tips.others[1].sample(mark);
+    tips.others[0].sample(derived), tips.others[1].sample(picked), tips.reference(reference), tips.sample(mark);
     REQUIRE(derived.position.front() == 1);
     REQUIRE(derived.position.back() > 150);
     for (std::size_t k = 0; k < derived.position.size(); ++k) {
@@ -179,6 +179,11 @@ TEST_CASE("rod: a pulse runs with c, and comes back from a free end as it went, 
     const Real back = runner.lesson().field("displacement").view()[35];
     CHECK_THAT(back, WithinAbs(free ? 0.03 : -0.03, 2e-3));
     CHECK(error(runner, "tip_displacement") < 2e-3);
+    // Its speed is measured on the way back too, and not while it is at an end.
+    CHECK_THAT(value(runner, "wave_speed"), WithinRel(std::sqrt(20), 0.02));
+    CHECK(error(runner, "pulse_position") < 0.02);
+    while (runner.time() < 1.65 / std::sqrt(20)) runner.step();
+    CHECK_FALSE(runner.lesson().probe("wave_speed").value());
     check_laws(runner);
 }
 

@@ -10,6 +10,8 @@ namespace {
 
 // Height of a sheet above the sphere at the start, in sides of the sheet.
 constexpr Real gap = 0.02;
+// Amplitude of the wave in a flag at the start, in sides of the sheet.
+constexpr Real start_wave = 0.01;
 
 ParameterInfo stiffness_of(std::string_view key, std::string_view symbol, std::string_view help, Real initial) {
     return {.key = key,
@@ -174,8 +176,8 @@ ClothLesson::ClothLesson()
                            .used = [this] { return bool(strain_limiting); }}),
       limit_passes(*this, {.key = "limit_passes",
                            .help = "most passes over all springs in a step; each pass undoes a part of its neighbours'",
-                           .initial = 30,
-                           .useful = {1, 100},
+                           .initial = 50,
+                           .useful = {1, 200},
                            .accepted = Interval{1, 10000},
                            .used = [this] { return bool(strain_limiting); }}),
       pull_stiffness(*this, {.key = "pull_stiffness",
@@ -220,10 +222,15 @@ std::vector<Index> ClothLesson::held_nodes() const {
     return held;
 }
 
-// A flag stands upright at a pole; all other sheets start level, and those that hang swing down about the line that is held.
+// A flag stands upright at a pole, with a small wave in it so that it can fall out of its plane; all other sheets start level,
+// and those that hang swing down about the line that is held.
 Points<3> ClothLesson::start_positions() const {
     Points<3> x = sheet_->rest();
-    if (setting == Setting::flag) return x;
+    if (setting == Setting::flag) {
+        for (Index n = 0; n < x.cols(); ++n)
+            x(2, n) = start_wave * size * std::sin(2 * std::numbers::pi * (x(0, n) / size + 0.5));
+        return x;
+    }
     x.row(2) = -x.row(1);
     x.row(1).setZero();
     return x;

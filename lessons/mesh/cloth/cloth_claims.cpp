@@ -42,7 +42,7 @@ std::string sentence(const char* name, Real k_structural, Real k_bending, const 
 }
 
 Finding strong_and_weak() {
-    const Drape cloth = drape_of(1000, 1), softer = drape_of(1000, 10), cardboard = drape_of(1000, 1000), rubber = drape_of(5, 5);
+    const Drape cloth = drape_of(1000, 1), softer = drape_of(1000, 10), cardboard = drape_of(1000, 1000), rubber = drape_of(10, 10);
     const bool drapes = cloth.coefficient >= limp && softer.coefficient <= stiff && cloth.stretch <= cloth_stretch &&
                         softer.stretch <= cloth_stretch && cloth.coefficient <= softer.coefficient;
     const bool others_do_not =
@@ -51,7 +51,7 @@ Finding strong_and_weak() {
             .verdict = drapes && others_do_not ? Verdict::reproduced : Verdict::refuted,
             .text = sentence("Strong threads, weak bending", 1000, 1, cloth) + "; " +
                     sentence("ten times the bending", 1000, 10, softer) + ". Equally strong springs make " +
-                    sentence("cardboard", 1000, 1000, cardboard) + "; equally weak ones " + sentence("rubber", 5, 5, rubber) +
+                    sentence("cardboard", 1000, 1000, cardboard) + "; equally weak ones " + sentence("rubber", 10, 10, rubber) +
                     "."};
 }
 

@@ -14,9 +14,7 @@ std::vector<Option> scheme_options() {
 const Registration<RodLesson> registration{
     {.id = "mesh/rod",
      .title = "Elastic rod",
-     .summary =
-         "From positions to strain to energy to springs: why springs that follow from an energy agree at every resolution, "
-         "and springs picked by hand do not.",
+     .summary = "A rod's energy turns into springs that agree at every N; springs picked by hand do not.",
      .demo_steps = 150}};
 
 }  // namespace

@@ -61,6 +61,7 @@ private:
     bool hangs() const { return setting == Setting::hanging || setting == Setting::released; }
     bool hangs_still() const { return setting == Setting::hanging; }
     bool runs_a_pulse() const { return setting == Setting::free_end || setting == Setting::fixed_end; }
+    bool unsolved() const { return hangs_still() && !at_rest(); }  // nothing has been let down yet
     bool damped() const { return !hangs_still() && damping > 0; }
     bool loaded() const { return hangs() && gravity > 0; }
     bool by_hand() const { return spring_rule == Rule::constant; }
@@ -114,7 +115,8 @@ private:
     VecX mode_shape() const;
     Real mode_amplitude() const;
     Real pulse_position() const;
-    std::optional<Real> travelled(Real t) const;  // m, while the pulse is away from both ends
+    std::optional<Real> way(Real speed, Real t) const;  // m
+    std::optional<Index> turns() const;
     std::optional<Real> wave_speed() const;
     const VecX& frequencies() const;
     Real largest_strain() const;

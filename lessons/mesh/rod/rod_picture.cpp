@@ -35,7 +35,8 @@ void RodLesson::draw_hanging(Scene& picture) const {
     picture.line(position(0, 0), position(0, -length), Ink::rest, 3, true);
     picture.dimension_line(position(-0.1 * H, 0), position(-0.1 * H, -length), "L = " + format_quantity(length, "m", 3), -44, 0);
     picture.line(position(-0.03 * H, -length), position(right - 0.1 * H, -length), Ink::rest, 1, true);
-    if (rest > 0) picture.line(position(0.2 * H, -length - rest), position(right, -length - rest), Ink::accent, 2, true);
+    if (rest > 0 && !unsolved())
+        picture.line(position(0.2 * H, -length - rest), position(right, -length - rest), Ink::accent, 2, true);
 
     draw_continuum(picture, 0.3 * H);
     if (hangs_still()) {
@@ -45,11 +46,12 @@ void RodLesson::draw_hanging(Scene& picture) const {
         draw_hanging_rod(picture, spring_rule, 0.68 * H);
     }
     picture.label(position(0, 0), "no load", Ink::text, 0, -14);
-    picture.frame(position(-0.3 * H, -1.06 * H), position(right + 0.06 * H, (hangs_still() ? 0.12 : 0.25) * H));
+    picture.frame(position(-0.3 * H, -1.06 * H), position(right + 0.06 * H, 0.22 * H));
 }
 
 // How far a rod at x has come down, as a dimension beside it.
 void RodLesson::draw_descent(Scene& picture, Real x, Real tip) const {
+    if (unsolved()) return;
     const Real H = deepest(), beside = x + 0.07 * H;
     if (std::abs(tip) < 1e-3 * H) return picture.label(position(beside, -length), format_quantity(tip, "m"), Ink::text, 24, 14);
     // Clear of the dashed lines.
@@ -63,6 +65,7 @@ void RodLesson::draw_continuum(Scene& picture, Real x) const {
     const bool moves = !hangs_still() && exact_displacement(0, 0);
     const auto u = [&](int piece) {
         const Real s = length * piece / pieces;
+        if (unsolved()) return Real{0};
         return moves ? *exact_displacement(s, clock_[elapsed]) : continuum().hanging_displacement(s, weight_acceleration());
     };
     const bool strains = picture.colour_by.field == "strain";
@@ -83,7 +86,7 @@ void RodLesson::draw_hanging_rod(Scene& picture, Rule rule, Real x) const {
     VecX u = VecX::Zero(n + 1);
     if (computed)
         for (Index i = 0; i <= n; ++i) u[i] = displacement_of(i);
-    else
+    else if (!unsolved())
         u = hanging_displacements(rule);
 
     LineMarks bar{.ends = {}, .ink = computed ? Ink::edge : Ink::rest, .width = computed ? 6.0f : 4.0f};
@@ -120,14 +123,12 @@ VecX RodLesson::hanging_displacements(Rule rule) const {
 void RodLesson::write_notes(Scene& picture) const {
     const auto text = [](Real x, const char* unit) { return format_quantity(x, unit, 4); };
     const Index n = segments;
-    picture.notes.push_back(
-        fmt::format("N = {}:  Δs = L/N = {},  m = M/N = {}", n, text(segment(), "m"), text(node_mass(), "kg")));
     if (!by_hand() || hangs_still())
-        picture.notes.push_back(fmt::format("derived:  k = EA/Δs = {} / {} = {}", text(axial_stiffness, "N"),
+        picture.notes.push_back(fmt::format("N = {}, derived:  k = EA/Δs = {} / {} = {}", n, text(axial_stiffness, "N"),
                                             text(segment(), "m"), text(stiffness_of(Rule::derived, n), "N/m")));
     if (by_hand() || hangs_still())
-        picture.notes.push_back(fmt::format("by hand:  k₀ = {}, a rod of EA = k₀Δs = {}", text(picked_stiffness, "N/m"),
-                                            text(picked_stiffness * segment(), "N")));
+        picture.notes.push_back(fmt::format("N = {}, by hand:  k₀ = {}, a rod of EA = k₀Δs = {}", n,
+                                            text(picked_stiffness, "N/m"), text(picked_stiffness * segment(), "N")));
     if (hangs_still()) {
         const Real rest = continuum().hanging_tip(gravity), part = static_cast<Real>(n + 1) / static_cast<Real>(n);
         picture.notes.push_back(fmt::format("derived tip = (N + 1)/N · MgL/(2EA) = {} · {} = {}", text(part, ""), text(rest, "m"),

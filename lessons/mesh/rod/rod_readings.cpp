@@ -31,7 +31,8 @@ std::vector<std::string_view> RodLesson::first_plots() const {
 }
 
 std::vector<std::string_view> RodLesson::key_numbers() const {
-    if (hangs()) return {"tip_displacement", "tip_over_continuum", "chain_axial_stiffness"};
+    if (hangs_still()) return {"tip_displacement", "tip_over_continuum", "chain_axial_stiffness"};
+    if (hangs()) return {"tip_displacement", "tip_of_chain", "chain_axial_stiffness"};
     if (setting == Setting::wave) return {"frequency", "frequency_chain", "frequency_continuum"};
     return {"wave_speed", "pulse_position", "tip_displacement"};
 }
@@ -282,8 +283,10 @@ std::string RodLesson::blow_up_hint() const {
     if (hangs_still())
         return "The rod is stretched beyond what numbers can hold: lower gravity or mass, or raise axial_stiffness";
     if (const std::string hint = too_large_a_step(); !hint.empty()) return hint;
-    return fmt::format("Δt = {} is below the stability limit {}: segments have turned over. Lower amplitude or time_step",
-                       format_quantity(dt, "s"), format_quantity(stable_time_step(), "s", 3));
+    const Real limit = stable_time_step();
+    return fmt::format(
+        "Δt = {}{}: segments have turned over. Lower amplitude or time_step", format_quantity(dt, "s"),
+        std::isfinite(limit) ? fmt::format(" is below the stability limit {}", format_quantity(limit, "s", 3)) : "");
 }
 
 // Twice the segments and half the step, up to the most there are; then the step alone.

@@ -61,7 +61,7 @@ void RodLesson::declare_bounds() {
     const auto density = [this, strain] { return 0.5 * chain_axial_stiffness() * strain() * strain(); };
     const std::vector<std::pair<std::string_view, std::function<Real()>>> bounds = {
         {"position", reach},
-        {"velocity", [this, reach] { return reach() / dt; }},
+        {"velocity", [this, reach] { return reach() * (1 / dt + 2 * fastest()); }},
         {"displacement", reach},
         {"slope", [strain] { return 1 + strain(); }},
         {"strain", strain},

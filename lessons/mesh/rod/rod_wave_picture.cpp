@@ -12,7 +12,7 @@ namespace pliant::rod {
 namespace {
 
 // In lengths of the rod: where the rod lies below its curve, and how tall a displacement of the amplitude is drawn.
-constexpr Real rod_low = -0.33, tall = 0.11, map_top = -0.46, map_low = -0.96;
+constexpr Real rod_low = -0.33, tall = 0.11, map_top = -0.5, map_low = -1.0;
 constexpr Index most_ticks = 60;
 
 }  // namespace
@@ -23,7 +23,7 @@ void RodLesson::draw_waves(Scene& picture) const {
     if (runs_a_pulse()) draw_pulse_place(picture);
     draw_history(picture);
     const Real L = length;
-    picture.frame(position(-0.12 * L, map_low * L), position(1.12 * L, 0.32 * L));
+    picture.frame(position(-0.12 * L, (map_low - 0.06) * L), position(1.12 * L, 0.54 * L));
 }
 
 void RodLesson::draw_straight_rod(Scene& picture) const {
@@ -110,7 +110,7 @@ void RodLesson::draw_history(Scene& picture) const {
     picture.line(position(-0.02 * length, down(part) * length), position(1.02 * length, down(part) * length), Ink::text, 2);
     for (const Real share : {0.0, 1.0})
         picture.label(position(0, down(share) * length), format_quantity((spans + share) * span, "s", 3), Ink::text, -36, 0);
-    picture.label(position(length, down(0.5) * length), "strain at s, t", Ink::text, 52, 0);
+    picture.label(position(0.5 * length, map_low * length), "strain along the rod, time running down", Ink::text, 0, 12);
     if (!runs_a_pulse()) return;
     // It turns at the ends: s₀ + ct, in lengths, is whole there; t in spans of 3L/c.
     const Real start = pulse(1).start / length;

@@ -21,6 +21,7 @@ std::optional<Real> RodLesson::exact_displacement(Real s, Real t) const {
         const Real omega = rod.frequency(watched_mode(), end());
         return amplitude * std::sin(rod.wave_number(watched_mode(), end()) * s) * damped_swing(omega, damping_ratio(omega), t);
     }
+    if (end() == RodEnd::fixed && s == length) return 0;
     if (damped()) return std::nullopt;
     if (setting == Setting::released) return rod.released_displacement(s, t, gravity);
     return pulse(rod.wave_speed()).displacement(s, t);
@@ -66,20 +67,26 @@ Real RodLesson::pulse_position() const {
     return energy > 0 ? moment / energy : Real{0};
 }
 
-// How far a pulse has come that runs as in the continuum, until it meets an end.
-std::optional<Real> RodLesson::travelled(Real t) const {
-    const RunningPulse running = pulse(continuum().wave_speed());
-    const Real gone = running.speed * t;
-    if (running.start + gone > length - 1.8 * pulse_width) return std::nullopt;
+// The way of a pulse of this speed from s = 0 on, as if it were never turned back; nothing while it is at an end.
+std::optional<Real> RodLesson::way(Real speed, Real t) const {
+    const Real gone = start_position_ + speed * t, clear = 1.8 * pulse_width;
+    const Real turns = std::floor(gone / length), inside = gone - turns * length;
+    if (inside > length - clear || (turns > 0 && inside < clear)) return std::nullopt;
     return gone;
+}
+
+// How often the pulse has been turned back.
+std::optional<Index> RodLesson::turns() const {
+    const auto gone = way(chain_speed(), clock_[elapsed]);
+    return gone ? std::optional(static_cast<Index>(std::floor(*gone / length))) : std::nullopt;
 }
 
 std::optional<Real> RodLesson::wave_speed() const {
     const Real t = clock_[elapsed];
-    if (!runs_a_pulse() || t == 0 || damped() || amplitude == 0) return std::nullopt;
-    // Until the pulse meets an end, as fast as it is.
-    if (start_position_ + chain_speed() * t > length - 1.8 * pulse_width) return std::nullopt;
-    return (pulse_position() - start_position_) / t;
+    if (!runs_a_pulse() || t == 0 || damped() || amplitude == 0 || !turns()) return std::nullopt;
+    const Real n = static_cast<Real>(*turns());
+    const Real gone = *turns() % 2 == 0 ? n * length + pulse_position() : (n + 1) * length - pulse_position();
+    return (gone - start_position_) / t;
 }
 
 void RodLesson::declare_wave_probes() {
@@ -138,13 +145,15 @@ void RodLesson::declare_wave_probes() {
               return pulse_position();
           },
           .exact = [this](Real t) -> std::optional<Real> {
-              if (!runs_a_pulse() || damped() || !travelled(t)) return std::nullopt;
-              return start_position_ + *travelled(t);
+              const auto gone = runs_a_pulse() && !damped() ? way(continuum().wave_speed(), t) : std::nullopt;
+              if (!gone) return std::nullopt;
+              const Real there_and_back = std::fmod(*gone, 2 * length);
+              return std::min(there_and_back, 2 * length - there_and_back);
           }},
          {.name = "wave_speed",
           .symbol = "c",
           .unit = "m/s",
-          .help = "of the energy of the pulse since the start, until it meets the end; exact: √(EA L/M)",
+          .help = "of the energy of the pulse since the start, but for when an end turns it back; exact: √(EA L/M)",
           .value = [this] { return wave_speed(); },
           .exact = [this](Real) -> std::optional<Real> {
               if (!runs_a_pulse()) return std::nullopt;
@@ -169,7 +178,10 @@ void RodLesson::declare_lines() {
               .position_name = "segments N",
               .help = "displacement of the tip at rest, solved for rods of every N: derived springs come ever closer to the rod, "
                       "springs picked by hand go ever further",
-              .sample = against_segments(Rule::derived),
+              .sample =
+                  [this](Curve& curve) {
+                      curve = {{static_cast<Real>(count())}, {tip_displacement()}};
+                  },
               .reference =
                   [this](Curve& curve) {
                       const Real tip = continuum().hanging_tip(weight_acceleration());
@@ -179,12 +191,7 @@ void RodLesson::declare_lines() {
               .value_name = "tip displacement",
               .log_log = true,
               .used = [this] { return hangs(); },
-              .others = {{"picked by hand", against_segments(Rule::constant)},
-                         {"this rod",
-                          [this](Curve& curve) {
-                              curve = {{static_cast<Real>(count())}, {tip_displacement()}};
-                          },
-                          true}}},
+              .others = {{"derived", against_segments(Rule::derived)}, {"picked by hand", against_segments(Rule::constant)}}},
              {.name = "displacement_profile",
               .unit = "m",
               .position_name = "s",
@@ -221,6 +228,7 @@ void RodLesson::declare_lines() {
 void RodLesson::sample_exact(Curve& curve, std::optional<Real> (RodLesson::*exact)(Real, Real) const) const {
     constexpr int points = 161;
     curve = {};
+    if (unsolved()) return;
     for (int k = 0; k < points; ++k) {
         const Real s = length * k / (points - 1);
         const auto value = (this->*exact)(s, clock_[elapsed]);

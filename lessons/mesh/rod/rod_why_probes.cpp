@@ -71,11 +71,14 @@ void RodLesson::explain_probes() {
     });
     give("pulse_position", [this] { return why_pulse_position(); });
     give("wave_speed", [this]() -> Explanation {
+        const Index turned = turns().value_or(0), even = turned + turned % 2;
         return {
-            "c = (s_p − s_start) / t",
-            {Input::now("s_p", "pulse_position", 0), Input::constant("s_start", start_position_, "m", "the same at the start"),
+            "c = (d + q s_p − s_start) / t",
+            {Input::constant("d", static_cast<Real>(even) * length, "m", "whole lengths of the rod that it has run"),
+             Input::constant("q", turned % 2 == 0 ? 1 : -1, "", "1 on its way out, −1 on its way back"),
+             Input::now("s_p", "pulse_position", 0), Input::constant("s_start", start_position_, "m", "the same at the start"),
              Input::constant("t", clock_[elapsed], "s", "time since")},
-            [](Values x) { return (x[0] - x[1]) / x[2]; }};
+            [](Values x) { return (x[0] + x[1] * x[2] - x[3]) / x[4]; }};
     });
 }
 
