@@ -228,6 +228,28 @@ TEST_CASE("integration: a pendulum swings with the period of its amplitude", "[i
     CHECK_THAT(value(runner, "period"), WithinRel(1.1803405990 * pi, 1e-4));
 }
 
+TEST_CASE("integration: what is measured stays as it is inside a step, and its passes are drawn", "[integration]") {
+    Runner runner = after(4, oscillator("runge_kutta_4", 2, 0.1, 0.3));
+    const Real growth = value(runner, "growth_measured");
+    const auto labels = [&] {
+        Scene scene;
+        runner.lesson().draw(scene);
+        return std::ranges::count(scene.labels, "X, V", &LabelMark::text);
+    };
+    CHECK(labels() == 0);
+    runner.run_to_stage("predict");
+    for (int pass = 0; pass < 4; ++pass) {
+        runner.step_pass();
+        CHECK(value(runner, "growth_measured") == growth);
+        CHECK(labels() == 1);
+    }
+    runner.step();
+    CHECK(labels() == 0);
+    runner.run_to_stage("passes");
+    REQUIRE(runner.go_to({5, 0}));
+    CHECK(labels() == 0);
+}
+
 TEST_CASE("integration: the work is counted", "[integration]") {
     const auto work = [](Scheme scheme, Real zeta) {
         return value(after(10, oscillator(key(scheme), 2, zeta, 0.1)), "force_evaluations");

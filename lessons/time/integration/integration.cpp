@@ -119,7 +119,6 @@ void IntegrationLesson::reset() {
     trial_x_ = x_, trial_v_ = v_;
     for (VecX* values : {&force_, &pass_force_, &residual_}) values->setZero(n);
     before_.setZero(4 * n);
-    advanced_ = false;
     counts_.setZero();
     rhythm_.reset();
     rhythm_.note(0, x_[watched()], least_swing * motion_->scale());
@@ -196,16 +195,15 @@ void IntegrationLesson::declare_stages() {
                .explain = [this](const Question& q) -> std::optional<Explanation> { return why_advanced(q); }}};
 }
 
-void IntegrationLesson::force_stage() { motion_->force(x_, v_, force_); }
+void IntegrationLesson::force_stage() {
+    motion_->force(x_, v_, force_);
+    counts_[3] = force_known;
+}
 
 void IntegrationLesson::predict() {
-    const Index n = x_.size();
-    before_.tail(2 * n) = before_.head(2 * n);
-    before_.head(n) = x_;
-    before_.segment(n, n) = v_;
-    advanced_ = false;
     evaluated_before_ = integrator_->force_evaluations();
     integrator_->begin(dt, x_, v_);
+    counts_[3] = predicted;
     trial_x_ = implicit() ? integrator_->position() : x_;
     trial_v_ = implicit() ? integrator_->velocity() : v_;
 }
@@ -221,12 +219,16 @@ void IntegrationLesson::pass() {
 }
 
 void IntegrationLesson::advance() {
+    const Index n = x_.size();
+    before_.tail(2 * n) = before_.head(2 * n);
+    before_.head(n) = x_;
+    before_.segment(n, n) = v_;
     integrator_->finish(x_, v_);
     const Index iterations = implicit() ? integrator_->passes() : 0;
     const Index evaluations = integrator_->force_evaluations() - evaluated_before_ + iterations;
-    counts_ += Eigen::Array3d(1, 0, static_cast<Real>(evaluations));
+    counts_ += Eigen::Array4d(1, 0, static_cast<Real>(evaluations), 0);
     counts_[1] = static_cast<Real>(evaluations);
-    advanced_ = true;
+    counts_[3] = between_steps;
     rhythm_.note(time(), x_[watched()], least_swing * motion_->scale());
 }
 

@@ -26,10 +26,16 @@ public:
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
-    std::vector<std::string_view> first_plots() const override { return {"x", "energy_of_all", "error_over_step"}; }
+    std::vector<std::string_view> first_plots() const override {
+        if (compare == Compare::all) return {"error_over_step", "error_over_cost", "energy_of_all"};
+        return {"x", "energy_of_all", "error_over_step"};
+    }
     std::vector<std::string_view> key_numbers() const override { return {"energy", "error", "growth_measured"}; }
 
 private:
+    // How far a step has come.
+    static constexpr Real between_steps = 0, force_known = 1, predicted = 2;
+
     // --- parameters ---
     Choice<System> system;
     Choice<Scheme> scheme;
@@ -65,6 +71,7 @@ private:
     Index watched() const { return x_.size() - 1; }  // the mass that is plotted: of the pair the outer one
     Real rate() const { return motion_->slow_rate() > 0 ? motion_->slow_rate() : 1; }  // of the axis v/ω, 1/s
     Real time() const { return counts_[0] * dt; }
+    bool inside(Real at_least) const { return counts_[3] >= at_least; }
 
     // --- what is measured (integration_readings.cpp) ---
     Real energy() const { return motion_->energy(x_, v_); }
@@ -131,6 +138,7 @@ private:
     void draw_portrait(Scene& scene) const;
     void draw_exact_path(Scene& scene) const;
     void draw_path(Scene& scene, Scheme one) const;
+    void draw_trial(Scene& scene) const;
     void draw_region(Scene& scene) const;
     void draw_roots(Scene& scene) const;
     void draw_legend(Scene& scene) const;
@@ -142,10 +150,10 @@ private:
     // State [m, m/s]; what the stages make of it [m, m/s, N]; what the measurement of growth needs.
     VecX x_, v_;
     VecX force_, trial_x_, trial_v_, pass_force_, residual_;
-    VecX before_;  // x and v at the start of this step (between steps: of the latest), and of the one before it
-    Eigen::Array3d counts_ = Eigen::Array3d::Zero();  // steps; force evaluations of the latest step, and in all
-    Index evaluated_before_ = 0;                      // by the integrator, before this step
-    bool advanced_ = false;                           // has this step come to its end?
+    VecX before_;  // x and v at the start of the latest whole step, and of the one before it
+    // Steps; force evaluations of the latest step, and in all; what of the present step is done.
+    Eigen::Array4d counts_ = Eigen::Array4d::Zero();
+    Index evaluated_before_ = 0;  // by the integrator, before this step
 
     Rhythm rhythm_;
 

@@ -23,14 +23,14 @@ Real rounded_up(Real x) {
     return 10 * decade;
 }
 
-bool inside(const Position& p) { return std::abs(p[0]) <= 1 && std::abs(p[1]) <= 1; }
+bool in_frame(const Position& p) { return std::abs(p[0]) <= 1 && std::abs(p[1]) <= 1; }
 
 // Without the pieces that leave the portrait, or come back on the other side of a turn.
 void keep_inside(LineMarks& path) {
     std::vector<Position> kept;
     for (std::size_t k = 0; k + 1 < path.ends.size(); k += 2) {
         const Position &a = path.ends[k], &b = path.ends[k + 1];
-        if (inside(a) && inside(b) && std::abs(a[0] - b[0]) < 1) kept.insert(kept.end(), {a, b});
+        if (in_frame(a) && in_frame(b) && std::abs(a[0] - b[0]) < 1) kept.insert(kept.end(), {a, b});
     }
     path.ends = std::move(kept);
 }
@@ -102,6 +102,7 @@ void IntegrationLesson::draw_portrait(Scene& scene) const {
     if (const auto exact = motion_->exact(watched(), time()))
         scene.points.push_back({.at = {in_portrait(*exact)}, .ink = Ink::rest, .radius = 5});
     scene.points.push_back({.at = {now}, .ink = Ink::accent, .radius = 6});
+    draw_trial(scene);
     scene.points.push_back({.at = {in_portrait({x0, v0})},
                             .ink = Ink::text,
                             .radius = 4,
@@ -123,6 +124,19 @@ void IntegrationLesson::draw_exact_path(Scene& scene) const {
     scene.lines.push_back(std::move(path));
 }
 
+// Inside a step: where its pass has come to, the next force's place or Newton's iterate.
+void IntegrationLesson::draw_trial(Scene& scene) const {
+    if (!inside(predicted)) return;
+    const Position from = in_portrait({x_[watched()], v_[watched()]}),
+                   to = in_portrait({trial_x_[watched()], trial_v_[watched()]});
+    if (!in_frame(to)) return;
+    scene.line(from, to, Ink::text, 2);
+    scene.points.push_back({.at = {to}, .ink = Ink::text, .radius = 5});
+    LabelMark name{.at = to, .text = "X, V"};
+    name.away_from = position(0, 0);
+    scene.labels.push_back(std::move(name));
+}
+
 // Nothing any more in a run that is longer than paths are kept.
 void IntegrationLesson::draw_path(Scene& scene, Scheme one) const {
     if (counts_[0] > static_cast<Real>(Paths::longest)) return;
@@ -136,7 +150,7 @@ void IntegrationLesson::draw_path(Scene& scene, Scheme one) const {
     const std::size_t first = steps > longest_trail ? steps - longest_trail : 0;
     for (std::size_t n = first; n < steps; ++n) {
         const Position here = in_portrait(path.motion[n]);
-        if (!inside(here)) continue;
+        if (!in_frame(here)) continue;
         if (steps - n <= dotted) dots.at.push_back(here);
         if (n + 1 >= steps || (dashed && n % 2 == 1)) continue;
         trail.ends.insert(trail.ends.end(), {here, in_portrait(path.motion[n + 1])});

@@ -65,12 +65,12 @@ Explanation IntegrationLesson::start_value(std::string formula, std::string symb
 }
 
 Input IntegrationLesson::before_start(bool of_velocity, Index dof) const {
-    const Index n = x_.size(), first = of_velocity ? 3 * n : 2 * n;
+    const Index n = x_.size(), first = (inside(force_known) ? 0 : 2 * n) + (of_velocity ? n : 0);
     return Input::constant(of_velocity ? "v_b" : "x_b", before_[first + dof], of_velocity ? "m/s" : "m",
                            of_velocity ? "velocity one step before the start" : "place one step before the start");
 }
 
-bool IntegrationLesson::steps_back() const { return scheme == Scheme::bdf2 && counts_[0] > (advanced_ ? 1 : 0); }
+bool IntegrationLesson::steps_back() const { return scheme == Scheme::bdf2 && counts_[0] > (inside(force_known) ? 0 : 1); }
 
 // x̂: where the mass would be at the time that is solved for if no force acted from now on.
 Explanation IntegrationLesson::why_prediction(Index dof) const {

@@ -112,11 +112,11 @@ Explanation IntegrationLesson::why_exact(bool of_velocity) const {
 
 Explanation IntegrationLesson::why_error() const {
     if (is(System::stiff_pair)) return fixed_value("e: the larger one of the two masses, as a part of the swing", *error());
-    return {"e = √((x − x_e)² + ((v − v_e) / w)²) / s",
-            {Input::now("x", "x", 0), Input::now("x_e", "exact_x", 0), Input::now("v", "v", 0),
-             Input::now("v_e", "exact_v", 0), Input::constant("w", rate(), "rad/s", "ω"),
-             Input::constant("s", motion_->scale(), "m", "how far the start can swing")},
-            [](std::span<const Real> q) { return std::hypot(q[0] - q[1], (q[2] - q[3]) / q[4]) / q[5]; }};
+    return {
+        "e = √((x − x_e)² + ((v − v_e) / w)²) / s",
+        {Input::now("x", "x", 0), Input::now("x_e", "exact_x", 0), Input::now("v", "v", 0), Input::now("v_e", "exact_v", 0),
+         Input::constant("w", rate(), "rad/s", "ω"), Input::constant("s", motion_->scale(), "m", "how far the start can swing")},
+        [](std::span<const Real> q) { return std::hypot(q[0] - q[1], (q[2] - q[3]) / q[4]) / q[5]; }};
 }
 
 // --------------------------------------------------------------------------------------------- growth and frequency

@@ -74,6 +74,14 @@ void IntegrationLesson::draw_springs(Scene& scene) const {
         square(scene, at, Ink::velocity, false);
         from = at[0] + block;
     }
+    // The force at the start, inside the step that it moves: as long as the stretch of the soft spring that it belongs to.
+    if (inside(force_known) && scene.show_arrows)
+        for (Index mass = 0; mass < n; ++mass) {
+            const Real push = std::clamp(force_[mass] / (rate() * rate() * reach), Real{-1}, Real{1});
+            if (std::abs(push) < 0.02) continue;
+            const Position start = place(mass, x_[mass]);
+            scene.arrow(start, position(start[0] + push, start[1]), Ink::force, "f");
+        }
     const Position at = place(n - 1, x_[n - 1]);
     scene.line(at, in_portrait({x_[n - 1], v_[n - 1]}), Ink::accent, 1, true);
     PointMarks masses{
