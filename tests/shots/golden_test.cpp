@@ -52,6 +52,8 @@ std::vector<Golden> goldens() {
         {"energy_density", {"elasticity/energy_density", {"path=shear"}, {}, medium}, "shear=0.8"},
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
+        {"cloth", {"mesh/cloth", {"scene=drape", "nodes=13"}, 60, small}, "k_bending=200"},
+        {"cloth_flag", {"mesh/cloth", {"scene=flag", "nodes=13", "wind=8"}, 40, small}, "wind=2"},
         {"mass_spring", {"mesh/mass_spring", {"cells_x=2", "cells_y=2", "cells_z=2"}, 370, small}, "time_step=0.0012"},
         {"advection",
          {"fluids/advection", {"scheme=mac_cormack", "resolution=32", "cfl=6", "cell_x=10", "cell_y=23"}, 1, full},

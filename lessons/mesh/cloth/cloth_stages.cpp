@@ -183,17 +183,17 @@ void ClothLesson::wind_stage() {
     for (std::size_t n = 0; n < drag_.size(); ++n) {
         const auto node = static_cast<Index>(n);
         wind_force_.col(node) = drag_[n] * (air.velocity - velocity_.col(node));
-        Eigen::Map<Mat<3>>(drag_numbers_.data() + 9 * n) = drag_[n];
+        Eigen::Map<Mat<3>>(drag_numbers_.data() + 9 * n) = drag_[n].transpose();  // row by row
     }
 }
 
 NewtonOptions ClothLesson::newton_options() const {
     return {.relative_step = newton_tolerance,
-            .max_iterations = static_cast<int>(Index(newton_cap)),
-            .at_cap = accept_at_cap ? AtCap::accept : AtCap::fail,
+            .max_iterations = capped() ? static_cast<int>(Index(newton_cap)) : full_iterations,
+            .at_cap = capped() ? AtCap::accept : AtCap::fail,
             .linear_solve = linear_solver,
             .linear_tolerance = linear_tolerance,
-            .linear_iterations = static_cast<int>(Index(linear_iterations))};
+            .linear_iterations = capped() ? static_cast<int>(Index(linear_iterations)) : full_linear_iterations};
 }
 
 void ClothLesson::begin_integration() {
