@@ -180,7 +180,7 @@ private:
 
     Points<3> spring_force_, damping_force_, external_force_, wind_force_, total_force_;
     VecX strain_;             // of the springs
-    VecX stretch_, bending_;  // of the nodes: largest strain of a structural spring, largest shortening of a bending one
+    VecX stretch_, bending_;  // of the nodes: strain of a structural spring farthest from 0, largest shortening of a bending one
     std::vector<Mat<3>> drag_;
     std::vector<Real> drag_numbers_;  // the same, as a field shows them
     Real gust_at_ = 0;                // time that this step's wind belongs to, s
