@@ -17,6 +17,7 @@ void check(Real viscosity, Real dt) {
 
 [[noreturn]] void give_up(Index iterations, Real residual, Real target) {
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.stage = "viscosity";
     failure.what = fmt::format("implicit diffusion left a residual of {:.3g} after {} iterations", residual, iterations);
     failure.limit = fmt::format("{:.3g} was asked for", target);

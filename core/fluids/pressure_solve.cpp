@@ -93,6 +93,7 @@ void PressureSolve::iterate(const PressureEquation& equation) {
 
 void PressureSolve::give_up(const char* why) const {
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.stage = "projection";
     failure.field = "pressure";
     failure.what = fmt::format(

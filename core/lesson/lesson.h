@@ -171,6 +171,9 @@ public:
     // The probes and lines that a lecturer would show first, at most three.
     virtual std::vector<std::string_view> first_plots() const { return {}; }
 
+    // Keys of the two parameters that the stability atlas opens with, across and up; without them it chooses.
+    virtual std::vector<std::string_view> map_knobs() const { return {}; }
+
     // The probes that a lecturer would read out, at most three, to show in large type.
     virtual std::vector<std::string_view> key_numbers() const { return {}; }
 

@@ -28,6 +28,7 @@ void require_positive_diagonal(const SparseMatrix& matrix) {
         const Real diagonal = matrix.coeff(i, i);
         if (diagonal > 0 && std::isfinite(diagonal)) continue;
         Failure failure;
+        failure.kind = FailureKind::not_converged;
         failure.index = i;
         failure.what = fmt::format("the matrix is not positive definite: diagonal entry {} is {}", i, diagonal);
         throw Diverged(failure);
@@ -172,6 +173,7 @@ Real ConjugateGradients::condition_seen() const {
 
 void ConjugateGradients::break_down(Real quotient) const {
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.what = fmt::format(
         "conjugate gradients broke down in iteration {}: the matrix is singular or not positive definite (Rayleigh quotient "
         "{:.3g} after "
@@ -183,6 +185,7 @@ void ConjugateGradients::break_down(Real quotient) const {
 void ConjugateGradients::require_convergence() const {
     if (converged()) return;
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.what =
         fmt::format("conjugate gradients reached a relative residual of {:.3g} in {} iterations", residual(), iterations());
     if (status() == Status::stagnated)

@@ -37,6 +37,9 @@ struct MachineLacks : Error {
     explicit MachineLacks(const std::string& message) : Error(ExitCode::machine_lacks, message) {}
 };
 
+// blew_up: numbers grew beyond what the method can bear. not_converged: an iteration or a factorisation gave up.
+enum class FailureKind { blew_up, not_converged };
+
 // A method that could not go on: an iteration that does not converge, an energy that is infinite. A solver fills in what
 // it knows; the runner adds the stage and the step.
 struct Failure {
@@ -48,6 +51,7 @@ struct Failure {
     std::string limit;  // the limit that was exceeded and by how much; empty when none is known
     // The number itself and what it may be at most, in the unit of the field; empty where there is none or it is not finite.
     std::optional<Real> value{}, bound{};
+    FailureKind kind = FailureKind::blew_up;  // solvers that give up say so
 };
 
 struct Diverged : Error {

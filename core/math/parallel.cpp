@@ -6,14 +6,18 @@
 namespace pliant {
 namespace {
 std::atomic<int> allowed{1};
-}
+thread_local int serial = 0;
+}  // namespace
 
 void set_threads(int count) {
     if (count < 1) throw Refused("threads", count, "", "at least 1");
     allowed = count;
 }
 
-int threads() { return allowed; }
+int threads() { return serial ? 1 : allowed.load(); }
+
+SerialHere::SerialHere() { ++serial; }
+SerialHere::~SerialHere() { --serial; }
 
 namespace detail {
 

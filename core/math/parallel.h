@@ -9,7 +9,16 @@ namespace pliant {
 
 // How many threads long loops may use; 1 at first. Throws Refused for less than 1. Without OpenMP there is only one.
 void set_threads(int count);
-int threads();
+int threads();  // 1 where SerialHere says so
+
+// While one lives, loops of this thread run in it alone: it is one of several that each do work of their own.
+class SerialHere {
+public:
+    SerialHere();
+    ~SerialHere();
+    SerialHere(const SerialHere&) = delete;
+    SerialHere& operator=(const SerialHere&) = delete;
+};
 
 namespace detail {
 // task(data, k) for every k below count, each in a thread of its own.

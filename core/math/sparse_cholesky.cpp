@@ -38,6 +38,7 @@ void SparseCholesky::factorize(const SparseMatrix& matrix) {
         const Real diagonal = matrix.coeff(i, i);
         if (diagonal > 0 && pivots[k] > smallest * diagonal) continue;
         Failure failure;
+        failure.kind = FailureKind::not_converged;
         failure.index = i;
         failure.what = fmt::format(
             "the matrix is singular or not positive definite: pivot {:.3g} for unknown {}, whose diagonal entry is {:.3g}",
@@ -54,6 +55,7 @@ void SparseCholesky::solve(const VecX& right_side, VecX& x) const {
     x = factor_->ldlt.solve(right_side);
     if (x.allFinite()) return;
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.what = "the solution of the linear system is not finite";
     throw Diverged(failure);
 }

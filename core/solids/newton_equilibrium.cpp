@@ -179,6 +179,7 @@ template <int Dim>
 void NewtonEquilibrium<Dim>::require_convergence() const {
     if (converged()) return;
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.field = "displacement";
     failure.what =
         fmt::format("Newton's method {} after {} iterations with a residual force of {:.3g} of the largest force",

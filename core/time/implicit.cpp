@@ -42,6 +42,8 @@ void ImplicitSolver::set_options(const NewtonOptions& options) {
 void ImplicitSolver::begin(ConstDofs x) {
     if (options_.linear_solve == LinearSolve::conjugate_gradients && form_.lower_bound.size() > 0)
         throw Refused("conjugate gradients: lower bounds are kept by the direct solve alone");
+    if (!system_.has_potential() && form_.lower_bound.size() > 0)
+        throw Refused("lower bounds: only a system whose forces have a potential keeps them");
     system_.begin_step(form_.frozen_at);
     iterations_ = unproved_ = linear_iterations_ = 0;
     converged_ = false;
@@ -55,15 +57,21 @@ void ImplicitSolver::begin(ConstDofs x) {
     keep_bounds(x_);
     keep_bounds(trial_);
     length_ = system_.length_scale(x_);
-    const Real at_prediction = potential(trial_), at_start = potential(x_);
+    const Real at_prediction = merit(trial_), at_start = merit(x_);
     began_at_prediction_ = at_prediction <= at_start;
     if (began_at_prediction_) x_.swap(trial_);
-    first_potential_ = began_at_prediction_ ? at_prediction : at_start;
+    first_merit_ = began_at_prediction_ ? at_prediction : at_start;
     v_ = form_.velocity_rate * (x_ - form_.velocity_origin);
-    if (!std::isfinite(first_potential_)) fail("the step starts with an energy that is not finite");
+    if (!std::isfinite(first_merit_)) fail("the step starts with an energy that is not finite");
 }
 
-Real ImplicitSolver::potential(const VecX& x) {
+// What the steps lower: the incremental potential, J, or else 1/2 |residual|^2, N^2.
+Real ImplicitSolver::merit(const VecX& x) {
+    if (!system_.has_potential()) {
+        v_ = form_.velocity_rate * (x - form_.velocity_origin);
+        residual_at(x, v_, scratch_);
+        return 0.5 * scratch_.squaredNorm();
+    }
     scratch_ = x - form_.acceleration_origin;
     const Real inertia = 0.5 * form_.acceleration_rate * scratch_.cwiseAbs2().dot(mass_.mass());
     scratch_ = form_.velocity_rate * (x - form_.velocity_origin);
@@ -76,21 +84,21 @@ void ImplicitSolver::keep_bounds(VecX& x) const {
         if (!mass_.fixed(d) && x[d] < form_.lower_bound[d]) x[d] = form_.lower_bound[d];
 }
 
-void ImplicitSolver::gradient_at_iterate(VecX& g) const {
-    g.resize(x_.size());
-    system_.force(x_, v_, g);
-    g = form_.acceleration_rate * mass_.mass().cwiseProduct(x_ - form_.acceleration_origin) - g;
+void ImplicitSolver::residual_at(const VecX& x, const VecX& v, VecX& g) const {
+    g.resize(x.size());
+    system_.force(x, v, g);
+    g = form_.acceleration_rate * mass_.mass().cwiseProduct(x - form_.acceleration_origin) - g;
     for (Index d = 0; d < g.size(); ++d)
         if (mass_.fixed(d)) g[d] = 0;
 }
 
 void ImplicitSolver::imbalance(VecX& r) const {
-    gradient_at_iterate(r);
+    residual_at(x_, v_, r);
     r -= reaction_;
 }
 
 void ImplicitSolver::evaluate_residual() {
-    gradient_at_iterate(residual_);
+    residual_at(x_, v_, residual_);
     residual_norm_ = 0;
     for (Index d = 0; d < residual_.size(); ++d) {
         const bool pressed = form_.lower_bound.size() > 0 && x_[d] <= form_.lower_bound[d] && residual_[d] > 0;
@@ -100,6 +108,7 @@ void ImplicitSolver::evaluate_residual() {
 }
 
 void ImplicitSolver::find_direction() {
+    if (!system_.has_potential()) return solve_for_direction();
     options_.linear_solve == LinearSolve::direct ? factorise_for_direction() : iterate_for_direction();
 }
 
@@ -117,6 +126,12 @@ void ImplicitSolver::factorise_for_direction() {
         }
     }
     fail("the matrix of the Newton iteration could not be factorised");
+}
+
+void ImplicitSolver::solve_for_direction() {
+    const SparseMatrix& stiffness = system_.stiffness(x_, form_.velocity_rate, SecondOrderSystem::Curvature::exact);
+    if (!lu_.solve(stiffness, form_.acceleration_rate, mass_, residual_, direction_))
+        fail("the matrix of the Newton iteration is singular");
 }
 
 void ImplicitSolver::iterate_for_direction() {
@@ -150,7 +165,10 @@ void ImplicitSolver::iterate_for_direction() {
     reaction_.setZero();
 }
 
-Real ImplicitSolver::diagonal(Index dof) const { return linearised_ ? linearised_->diagonal(dof) : model_.diagonal(dof); }
+Real ImplicitSolver::diagonal(Index dof) const {
+    if (!system_.has_potential()) return std::abs(lu_.matrix().coeff(dof, dof));
+    return linearised_ ? linearised_->diagonal(dof) : model_.diagonal(dof);
+}
 
 bool ImplicitSolver::at_rounding_level() const {
     // Positions are known to their rounding, and so is a force only to its stiffness times that.
@@ -171,11 +189,11 @@ void ImplicitSolver::take_guarded_step() {
         reference_.x = x_;
         reference_.direction = direction_;
         reference_.residual = residual_;
-        reference_.potential = iterations_ == 0 ? first_potential_ : potential(x_);
+        reference_.potential = iterations_ == 0 ? first_merit_ : merit(x_);
     }
     trial_ = x_ + direction_;
     keep_bounds(trial_);
-    const Real reached = potential(trial_);
+    const Real reached = merit(trial_);
     if (lower_than_reference(trial_, reached)) {
         unproved_ = 0;
     } else if (std::isfinite(reached) && unproved_ < unproved_steps && !last_before_cap()) {
@@ -188,8 +206,10 @@ void ImplicitSolver::take_guarded_step() {
     x_.swap(trial_);
 }
 
-// Armijo's condition, along the path that the bounds cut off.
+// Armijo's condition, along the path that the bounds cut off. The slope of 1/2 |residual|^2 along Newton's direction is minus
+// twice its value.
 bool ImplicitSolver::lower_than_reference(const VecX& x, Real reached) {
+    if (!system_.has_potential()) return reached <= reference_.potential * (1 - 2 * sufficient_decrease * fraction_);
     scratch_ = x - reference_.x;
     return reached <= reference_.potential + sufficient_decrease * reference_.residual.dot(scratch_);
 }
@@ -198,9 +218,10 @@ void ImplicitSolver::search_from_reference() {
     for (fraction_ = 0.5; fraction_ > epsilon; fraction_ /= 2) {
         trial_ = reference_.x + fraction_ * reference_.direction;
         keep_bounds(trial_);
-        if (lower_than_reference(trial_, potential(trial_))) return;
+        if (lower_than_reference(trial_, merit(trial_))) return;
     }
-    fail("no step along the Newton direction lowers the potential");
+    fail(system_.has_potential() ? "no step along the Newton direction lowers the potential"
+                                 : "no step along the Newton direction lowers the residual");
 }
 
 void ImplicitSolver::iterate() {
@@ -234,6 +255,7 @@ void ImplicitSolver::finish(Dofs x, Dofs v) const {
 
 void ImplicitSolver::fail(const std::string& what) const {
     Failure failure;
+    failure.kind = FailureKind::not_converged;
     failure.what = fmt::format("{} after {} iterations: residual {:.6g} N, last step {:.6g} m", what, iterations_, residual_norm_,
                                last_step_);
     failure.limit = fmt::format("accepted: at most {} iterations, and a last step of at most {:.6g} m", options_.max_iterations,

@@ -1,19 +1,23 @@
-// Newton's method for implicit time steps of systems whose elastic forces have a potential.
+// Newton's method for implicit time steps.
 #pragma once
 #include <pliant/math/conjugate_gradients.h>
 #include <pliant/time/bounded_quadratic.h>
 #include <pliant/time/integrators.h>
 #include <pliant/time/linearised_system.h>
+#include <pliant/time/lu_direction.h>
 
 #include <optional>
 #include <string>
 
 namespace pliant {
 
-// What an implicit step needs to know of a system: forces f(x, v) = -grad U(x) - C v with a symmetric, positive semidefinite
-// damping matrix C. Where C depends on the positions, an implicit step takes its value at one place for the whole of the step:
-// the damping is then linear in v and the step has a potential. Implicit Euler takes the start of the step, at an error of the
-// order of dt; schemes of second order take a prediction (ImplicitForm::frozen_at), at an error of the order of dt^2.
+// What a time step needs to know of a system M a = f(x, v). Most have forces f(x, v) = -grad U(x) - C v with a symmetric,
+// positive semidefinite damping matrix C, and with them a potential. Where C depends on the positions, an implicit step takes
+// its value at one place for the whole of the step: the damping is then linear in v and the step has a potential. Implicit
+// Euler takes the start of the step, at an error of the order of dt; schemes of second order take a prediction
+// (ImplicitForm::frozen_at), at an error of the order of dt^2.
+//
+// Any other f(x, v), say a force across the velocity or one that drives the motion, does without: see has_potential().
 class SecondOrderSystem {
 public:
     virtual ~SecondOrderSystem() = default;
@@ -22,6 +26,9 @@ public:
     virtual void begin_step(ConstDofs x) = 0;
     // Does the force depend on the velocity?
     virtual bool damped() const { return true; }
+    // Where not, potential() and dissipation() are not asked for, stiffness() is -df/dx - velocity_rate df/dv, which need not be
+    // symmetric, and Newton's method lowers the square of what is unbalanced.
+    virtual bool has_potential() const { return true; }
     virtual Real potential(ConstDofs x) const = 0;                   // U, J
     virtual Real dissipation(ConstDofs v) const = 0;                 // 1/2 v . C v, W
     virtual void force(ConstDofs x, ConstDofs v, Dofs f) const = 0;  // N
@@ -74,6 +81,8 @@ struct NewtonOptions {
 // detour over its stretching (the Maratos effect). If it is not, the solver goes back and searches along the line for a step
 // that lowers it [Nocedal2006 §15.6, watchdog; §3.1, backtracking].
 //
+// Without a potential, 1/2 |residual|^2 takes its place, and each pass solves with an LU factorisation.
+//
 // A form with lower bounds is minimised over the positions that keep them: so is the quadratic model of every iteration.
 class ImplicitSolver {
 public:
@@ -86,7 +95,8 @@ public:
     ImplicitForm& form() { return form_; }
 
     // Starts at the form's prediction or at x, the positions of the start of the step: where the potential is lower. Throws
-    // Refused for conjugate gradients with lower bounds, or of a system that offers no products.
+    // Refused for lower bounds with conjugate gradients or without a potential, and for conjugate gradients of a system
+    // that offers no products.
     void begin(ConstDofs x);
     // One Newton iteration. Throws Diverged when no step along its direction lowers the potential.
     void iterate();
@@ -126,12 +136,13 @@ public:
     void imbalance(VecX& r) const;
 
 private:
-    Real potential(const VecX& x);
+    Real merit(const VecX& x);
     void evaluate_residual();
-    void gradient_at_iterate(VecX& g) const;
+    void residual_at(const VecX& x, const VecX& v, VecX& r) const;
     void keep_bounds(VecX& x) const;
     void find_direction();
     void factorise_for_direction();
+    void solve_for_direction();
     void iterate_for_direction();
     Real diagonal(Index dof) const;
     bool last_before_cap() const { return options_.at_cap == AtCap::accept && iterations_ + 1 >= options_.max_iterations; }
@@ -154,6 +165,7 @@ private:
     ImplicitForm form_;
     VecX x_, v_, residual_, reaction_, direction_, room_, trial_, scratch_;
     BoundedQuadratic model_;
+    LuDirection lu_;
     std::vector<Index> fixed_;
     const LinearisedSystem* linearised_ = nullptr;
     std::optional<ConjugateGradients> gradients_;
@@ -164,7 +176,7 @@ private:
     bool converged_ = false, began_at_prediction_ = false;
     Real fraction_ = 1;
     int iterations_ = 0, linear_iterations_ = 0;
-    Real first_potential_ = 0;  // where the step began
+    Real first_merit_ = 0;  // where the step began
     Real length_ = 0, residual_norm_ = 0, last_step_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 
 namespace pliant {
 namespace {
@@ -32,36 +33,43 @@ Real spectral_radius(Real trace, Real determinant) {
     return std::abs(trace) / 2 + std::sqrt(discriminant);
 }
 
-// (I - Z/2)^-1 (I + Z/2) of the midpoint rule, and for linear forces of Newmark's average acceleration.
-Real trapezoidal_radius(Real stiffness, Real damping) {
-    const Real pivot = 1 + damping / 2 + stiffness / 4;
-    return spectral_radius((2 - stiffness / 2) / pivot, (1 - damping / 2 + stiffness / 4) / pivot);
-}
+// Trace and determinant of the matrix of one step on (x, dt v), with s = (omega dt)^2 and d = 2 zeta omega dt.
+struct Invariants {
+    Real trace, determinant;
+};
 
-// The matrix on (x, dt v), whose second force takes the predicted velocity.
-Real verlet_radius(Real stiffness, Real damping) {
-    const Real xx = 1 - stiffness / 2, xv = 1 - damping / 2;
-    const Real vx = -stiffness + stiffness * stiffness / 4 + damping * stiffness / 2;
-    const Real vv = 1 - damping - stiffness / 2 + stiffness * damping / 4 + damping * damping / 2;
-    return spectral_radius(xx + vv, xx * vv - xv * vx);
-}
-
-Real runge_kutta_radius(Real w, Real zeta) {
-    Real largest = 0;
-    for (const Complex z : roots(w, zeta))
-        largest = std::max(largest, std::abs(1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)))));
-    return largest;
-}
-
-// Roots r of (3/2 - z) r^2 - 2 r + 1/2 = 0.
-Real bdf2_radius(Real w, Real zeta) {
-    Real largest = 0;
-    for (const Complex z : roots(w, zeta)) {
-        const Complex root = std::sqrt(1. + 2. * z), pivot = 3. - 2. * z;
-        largest = std::max({largest, std::abs((2. + root) / pivot), std::abs((2. - root) / pivot)});
+Invariants invariants(Scheme scheme, Real s, Real d) {
+    switch (scheme) {
+        case Scheme::explicit_euler:
+            return {2 - d, 1 - d + s};
+        case Scheme::semi_implicit_euler:
+            return {2 - d - s, 1 - d};
+        case Scheme::implicit_euler:
+            return {(2 + d) / (1 + d + s), 1 / (1 + d + s)};
+        case Scheme::velocity_verlet: {
+            // The second force takes the predicted velocity.
+            const Real xx = 1 - s / 2, xv = 1 - d / 2, vx = -s + s * s / 4 + d * s / 2;
+            const Real vv = 1 - d - s / 2 + s * d / 4 + d * d / 2;
+            return {xx + vv, xx * vv - xv * vx};
+        }
+        default: {
+            // (I - Z/2)^-1 (I + Z/2) of the midpoint rule, and for linear forces of Newmark's average acceleration.
+            const Real pivot = 1 + d / 2 + s / 4;
+            return {(2 - s / 2) / pivot, (1 - d / 2 + s / 4) / pivot};
+        }
     }
-    return largest;
 }
+
+// The factor of one root z of the oscillator, of a scheme that treats each root for itself. BDF2 has two: the roots r of
+// (3/2 - z) r^2 - 2 r + 1/2 = 0, of which the larger counts.
+Complex factor_of(Scheme scheme, Complex z) {
+    if (scheme == Scheme::runge_kutta_4) return 1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)));
+    const Complex root = std::sqrt(1. + 2. * z), pivot = 3. - 2. * z;
+    const Complex one = (2. + root) / pivot, other = (2. - root) / pivot;
+    return std::abs(one) >= std::abs(other) ? one : other;
+}
+
+bool root_by_root(Scheme scheme) { return scheme == Scheme::runge_kutta_4 || scheme == Scheme::bdf2; }
 
 // The first dt at which amplitudes grow: found on a scan, then by halving. No explicit scheme here is stable beyond a fastest
 // rate times dt of 6.
@@ -98,25 +106,22 @@ Real stability_limit(Scheme scheme, Real omega, Real zeta) {
 }
 
 Real amplification(Scheme scheme, Real omega, Real zeta, Real dt) {
-    const Real w = omega * dt, stiffness = w * w, damping = 2 * zeta * w;
-    switch (scheme) {
-        case Scheme::explicit_euler:
-            return spectral_radius(2 - damping, 1 - damping + stiffness);
-        case Scheme::semi_implicit_euler:
-            return spectral_radius(2 - damping - stiffness, 1 - damping);
-        case Scheme::implicit_euler: {
-            const Real pivot = 1 + damping + stiffness;
-            return spectral_radius((2 + damping) / pivot, 1 / pivot);
-        }
-        case Scheme::velocity_verlet:
-            return verlet_radius(stiffness, damping);
-        case Scheme::runge_kutta_4:
-            return runge_kutta_radius(w, zeta);
-        case Scheme::bdf2:
-            return bdf2_radius(w, zeta);
-        default:
-            return trapezoidal_radius(stiffness, damping);
+    const Real w = omega * dt;
+    if (root_by_root(scheme)) {
+        const auto [one, other] = roots(w, zeta);
+        return std::max(std::abs(factor_of(scheme, one)), std::abs(factor_of(scheme, other)));
     }
+    const auto [trace, determinant] = invariants(scheme, w * w, 2 * zeta * w);
+    return spectral_radius(trace, determinant);
+}
+
+Real phase_per_step(Scheme scheme, Real omega, Real zeta, Real dt) {
+    const Real w = omega * dt;
+    if (root_by_root(scheme)) return std::abs(std::arg(factor_of(scheme, roots(w, zeta)[0])));
+    const auto [trace, determinant] = invariants(scheme, w * w, 2 * zeta * w);
+    const Real discriminant = trace * trace / 4 - determinant;
+    if (discriminant < 0) return std::atan2(std::sqrt(-discriminant), trace / 2);
+    return trace < 0 ? std::numbers::pi : 0;
 }
 
 }  // namespace pliant

@@ -17,4 +17,8 @@ Real stability_limit(Scheme scheme, Real omega, Real zeta);
 // the roots -zeta w +- i w sqrt(1 - zeta^2) reach every point of the complex plane.
 Real amplification(Scheme scheme, Real omega, Real zeta, Real dt);
 
+// By how much one step turns the oscillation in the plane of x and v, rad, from 0 to pi: omega dt for the motion itself without
+// damping. pi where the steps alternate in sign.
+Real phase_per_step(Scheme scheme, Real omega, Real zeta, Real dt);
+
 }  // namespace pliant

@@ -2,8 +2,8 @@
 #include "spring_body.h"
 
 #include <pliant/mesh/lattice.h>
+#include <pliant/solids/springs_modes.h>
 
-#include <Eigen/Eigenvalues>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -35,70 +35,11 @@ struct Chain {
     SpringBody<2> body;
 };
 
-// Frequencies along the chain, rad/s, ascending, from the stiffness matrix at rest.
+// Frequencies along the chain, rad/s, ascending: its nodes can also move across it, which no spring resists at rest.
 VecX frequencies(const Chain& chain, Index free) {
-    SpringMatrix<2> matrix(chain.body.springs);
-    matrix.add_stiffness(chain.body.springs, chain.body.x, SpringCurvature::exact);
-    MatX K(free, free);
-    for (Index r = 0; r < free; ++r)
-        for (Index c = 0; c < free; ++c) K(r, c) = matrix.matrix().coeff(2 * (r + 1), 2 * (c + 1));
-    return (Eigen::SelfAdjointEigenSolver<MatX>(K).eigenvalues() / chain.body.mass[1]).cwiseSqrt();
-}
-
-// Sum of the springs at an interior node, each shared with its other end: the energy of one cell of a lattice that is mapped
-// by F, J.
-template <int Dim>
-Real cell_energy(const Points<Dim>& star, const VecX& stiffness, const Mat<Dim>& F) {
-    std::vector<Spring> list;
-    Points<Dim> points(Dim, star.cols() + 1);
-    points << Vec<Dim>::Zero(), star;
-    for (Index s = 0; s < star.cols(); ++s) list.push_back({0, s + 1, star.col(s).norm(), stiffness[s] / 2});
-    return spring_energy<Dim>(Springs(points.cols(), list), F * points);
-}
-
-// Elastic constants C11, C12, C44 of a lattice, N/m^(Dim-1), from second differences of a cell's energy.
-template <int Dim>
-Vec<3> elastic_constants(const Points<Dim>& star, const VecX& stiffness, Real cell_volume) {
-    const Real e = 1e-4;
-    const auto density = [&](const Mat<Dim>& strain) {
-        const Mat<Dim> I = Mat<Dim>::Identity();
-        return (cell_energy<Dim>(star, stiffness, I + strain) + cell_energy<Dim>(star, stiffness, I - strain)) /
-               (2 * cell_volume);
-    };
-    Mat<Dim> along = Mat<Dim>::Zero(), both = along, shear = along;
-    along(0, 0) = both(0, 0) = both(1, 1) = e;
-    shear(0, 1) = shear(1, 0) = e / 2;
-    const Real c11 = 2 * density(along) / (e * e), c11_c12 = density(both) / (e * e);
-    return {c11, c11_c12 - c11, 2 * density(shear) / (e * e)};
-}
-
-struct CubicStar {
-    Points<3> directions{3, 0};
-    VecX stiffness;
-    void add(const std::vector<NodePair>& pairs, const NodeLattice<3>& lattice, Real k) {
-        const Index centre = lattice.node({2, 2, 2});
-        const Points<3> x = lattice.points();
-        for (const auto& [i, j] : pairs) {
-            if (i != centre && j != centre) continue;
-            directions.conservativeResize(3, directions.cols() + 1);
-            directions.col(directions.cols() - 1) = x.col(i == centre ? j : i) - x.col(centre);
-            stiffness.conservativeResize(stiffness.size() + 1);
-            stiffness[stiffness.size() - 1] = k;
-        }
-    }
-};
-
-Vec<3> cubic_constants(Real edges, Real faces, Real bodies) {
-    const NodeLattice<3> lattice({4, 4, 4}, Vec<3>::Ones());
-    CubicStar star;
-    star.add(lattice.structural(), lattice, edges);
-    star.add(lattice.face_diagonals(), lattice, faces);
-    star.add(lattice.body_diagonals(), lattice, bodies);
-    return elastic_constants<3>(star.directions, star.stiffness, 1);
-}
-
-void check_constants(const Vec<3>& measured, const Vec<3>& expected) {
-    CHECK((measured - expected).cwiseAbs().maxCoeff() < 1e-5 * expected.maxCoeff());
+    const SpringModes modes = spring_modes<2>(chain.body.springs, chain.body.inertia, chain.body.x);
+    CHECK(modes.without_stiffness() == free);
+    return modes.omega_squared.tail(free).cwiseSqrt();
 }
 
 }  // namespace
@@ -225,22 +166,27 @@ TEST_CASE("a rod of hand-picked springs stretches the more the finer it is cut",
     }
 }
 
-TEST_CASE("lattices have the elastic constants of their springs", "[springs]") {
-    // In units of k/a for unit spacing; Cauchy's relation C12 = C44 of central forces holds in every row.
-    check_constants(cubic_constants(1, 1, 0), {3, 1, 1});
-    check_constants(cubic_constants(8.0 / 3, 0, 1), {4, 4.0 / 3, 4.0 / 3});
-    check_constants(cubic_constants(1, 0, 1), {7.0 / 3, 4.0 / 3, 4.0 / 3});
-    // Without diagonals, shear is a mechanism: only the square of the strain resists.
-    check_constants(cubic_constants(1, 0, 0), {1, 0, 0});
-
-    Points<2> triangular(2, 6);
-    for (Index s = 0; s < 6; ++s) triangular.col(s) << std::cos(Real(s) * pi / 3), std::sin(Real(s) * pi / 3);
-    const Real root3 = std::sqrt(3.0);
-    check_constants(elastic_constants<2>(triangular, VecX::Ones(6), root3 / 2), {3 * root3 / 4, root3 / 4, root3 / 4});
-
-    Points<2> square(2, 8);
-    square << 1, -1, 0, 0, 1, -1, 1, -1, 0, 0, 1, -1, 1, -1, -1, 1;
-    VecX stiffness(8);
-    stiffness << 1, 1, 1, 1, 0.5, 0.5, 0.5, 0.5;
-    check_constants(elastic_constants<2>(square, stiffness, 1), {1.5, 0.5, 0.5});
+TEST_CASE("modes are orthonormal, keep fixed nodes, and know rigid motions", "[springs]") {
+    const NodeLattice<3> lattice({1, 2, 1}, Vec<3>::Constant(0.2));
+    std::vector<Spring> list;
+    append_springs<3>(lattice.points(), lattice.structural(), 200, 0, list);
+    append_springs<3>(lattice.points(), lattice.face_diagonals(), 100, 0, list);
+    const Springs springs(lattice.node_count(), list);
+    const VecX mass = VecX::LinSpaced(lattice.node_count(), 0.1, 1);
+    const SpringModes loose = spring_modes<3>(springs, DiagonalMass(mass, 3), lattice.points());
+    CHECK(loose.without_stiffness() == 6);
+    const DiagonalMass held(mass, 3, {0, 1, 2});
+    const SpringModes modes = spring_modes<3>(springs, held, lattice.points());
+    CHECK(modes.size() == held.size() - 9);
+    CHECK(modes.without_stiffness() == 0);
+    CHECK(modes.shape.topRows(9).isZero(0));
+    const MatX product = modes.shape.transpose() * held.mass().asDiagonal() * modes.shape;
+    CHECK(product.isApprox(MatX::Identity(modes.size(), modes.size()), 1e-12));
+    CHECK_THAT(modes.omega(modes.size() - 1),
+               WithinRel(spring_rate_estimates<3>(springs, held, SpringDamping::none, lattice.points(), 2000).omega, 1e-6));
+    std::vector<Index> all;
+    for (Index n = 0; n < lattice.node_count(); ++n) all.push_back(n);
+    CHECK(spring_modes<3>(springs, DiagonalMass(mass, 3, all), lattice.points()).size() == 0);
+    // A compressed spring pushes its nodes sideways: buckling.
+    CHECK(spring_modes<3>(springs, held, 0.9 * lattice.points()).omega_squared[0] < 0);
 }

@@ -116,6 +116,34 @@ TEST_CASE("forces are the energy's negative gradient and -K their derivative, in
     check_gradient_and_jacobian<3>();
 }
 
+TEST_CASE("the Jacobian of stretched, compressed and crossed springs and of rest length 0 is exact", "[springs]") {
+    // Three springs after another: odd counts have one that is left over.
+    const Springs springs(4, {{0, 1, 0.5, 30}, {1, 2, 0, 20}, {2, 3, 3, 40}});
+    Points<2> x(2, 4);
+    x << 0, 1, 1.5, 2, 0, 0.2, -0.3, 0.1;
+    SpringMatrix<2> matrix(springs);
+    matrix.add_stiffness(springs, x, SpringCurvature::exact);
+    const MatX K(matrix.matrix());
+    const auto force = [&](const Points<2>& at) {
+        Points<2> f = Points<2>::Zero(2, 4);
+        add_spring_forces<2>(springs, at, f);
+        return f;
+    };
+    const Real h = 1e-6;
+    for (Index d = 0; d < x.size(); ++d) {
+        Points<2> ahead = x, behind = x;
+        ahead.data()[d] += h, behind.data()[d] -= h;
+        CHECK((flat((force(behind) - force(ahead)).eval()) / (2 * h) - K.col(d)).norm() < 1e-8 * K.norm());
+    }
+    // Of a spring of length 0 only the one of rest length 0 has a stiffness, k I.
+    x.col(2) = x.col(1), x.col(3) = x.col(2), x.col(0) = x.col(1);
+    CHECK(force(x).isZero(0));
+    matrix.set_zero();
+    matrix.add_stiffness(springs, x, SpringCurvature::exact);
+    CHECK(MatX(matrix.matrix()).block(2, 2, 2, 2).isApprox(20 * Mat<2>::Identity(), 0));
+    CHECK(MatX(matrix.matrix()).block(0, 0, 2, 2).isZero(0));
+}
+
 TEST_CASE("the positive curvature is positive semidefinite where the exact one is not", "[springs]") {
     ShakenBlock<3> block;
     const Springs springs(block.x.cols(), block.list);

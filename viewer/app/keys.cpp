@@ -20,6 +20,7 @@ constexpr std::array bindings{
     KeyBinding{Action::compare, ImGuiKey_V, false, false, "V", "stage: now, before, difference, side by side, swipe"},
     KeyBinding{Action::inspect, ImGuiKey_I, false, false, "I", "inspect a node, cell, ...: its numbers and why"},
     KeyBinding{Action::claims, ImGuiKey_K, false, false, "K", "what the lectures claim: predict, then measure"},
+    KeyBinding{Action::atlas, ImGuiKey_W, false, false, "W", "where it is stable: a map of two parameters"},
     KeyBinding{Action::why_back, ImGuiKey_Backspace, false, false, "Backspace", "back to the question before",
                Where::outside_deck},
     KeyBinding{Action::reset, ImGuiKey_R, false, false, "R", "reset"},

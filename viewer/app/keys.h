@@ -17,6 +17,7 @@ enum class Action {
     compare,
     inspect,
     claims,
+    atlas,
     why_back,
     reset,
     previous_lesson,

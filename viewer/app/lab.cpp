@@ -144,6 +144,8 @@ bool Lab::perform_on_view(Action action) {
             return set_layout(Layout::lab), state_.choose_inspector = state_.focus_thing = true;
         case Action::claims:
             return set_layout(Layout::lab), state_.choose_claims = state_.reveal_claim = state_.focus_claim = true;
+        case Action::atlas:
+            return set_layout(Layout::lab), state_.choose_atlas = state_.focus_atlas = true;
         case Action::help:
             state_.help_shown = !state_.help_shown;
             return true;
@@ -216,6 +218,7 @@ void Lab::frame(Real dt) {
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
     release_keys(in_deck());
     state_.claims.update();
+    state_.atlas.follow(state_.session);
     animation_ && !animation_->complete() ? animation_->advance(state_.session) : state_.session.update(dt);
     const Session& s = state_.session;
     if (!state_.files.asking() && !state_.animation.asking)

@@ -280,7 +280,11 @@ bool Session::set(const Values& values) {
     const int dimension = lesson().dimension();
     if (!guarded([&] { runner_->assign(assignments); })) return false;
     dismiss();
-    if (!rebuilds) return moved(), true;
+    if (!rebuilds) {
+        moved();
+        settle(all_was_done);
+        return true;
+    }
     // The domain may have another size, or the scene another dimension.
     if (lesson().dimension() == 2 || lesson().dimension() != dimension) camera.reset();
     begin_run();
@@ -314,6 +318,25 @@ void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
     const bool joins = same_drag && !undo_.empty() && undo_.back().values.size() == 1 && undo_.back().values[0].first == key &&
                        undo_.back().beside == beside;
     if (!joins) undo_.push_back({{{key, before}}, beside});
+}
+
+bool Session::assign_together(const Values& values) {
+    Values before, wanted;
+    for (const auto& [key, value] : values) {
+        const Parameter& p = lesson().parameter(key);
+        if (runner_->wanted(p) == value) continue;
+        if (locked(p)) {
+            say(Message::Kind::refused,
+                fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", key));
+            return false;
+        }
+        before.emplace_back(key, runner_->wanted(p));
+        wanted.emplace_back(key, value);
+    }
+    if (!wanted.empty() && !set(wanted)) return false;
+    if (!before.empty()) undo_.push_back({std::move(before), false});
+    reset();
+    return true;
 }
 
 void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }

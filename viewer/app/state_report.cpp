@@ -45,6 +45,22 @@ nlohmann::ordered_json claims_json(const LabState& lab) {
     return j;
 }
 
+nlohmann::ordered_json atlas_json(const LabState& lab) {
+    const Atlas& a = lab.atlas;
+    nlohmann::ordered_json j{{"shown", lab.show_atlas},  {"across", a.across},     {"up", a.up},
+                             {"cells", a.cells},         {"steps", a.steps},       {"busy", a.busy()},
+                             {"progress", a.progress()}, {"trouble", a.trouble()}, {"mapped", a.map() != nullptr}};
+    if (lab.atlas_cell) j["cell"] = {lab.atlas_cell->first, lab.atlas_cell->second};
+    if (!a.map()) return j;
+    j["columns"] = a.map()->columns(), j["rows"] = a.map()->rows();
+    for (int k = 0; k < stability_kinds; ++k)
+        j["counts"][std::string(name_of(static_cast<Stability>(k)))] = a.map()->count(static_cast<Stability>(k));
+    const auto present = a.present(lab.session);
+    j["present"] = present ? nlohmann::ordered_json{present->across, present->up} : nlohmann::ordered_json(nullptr);
+    j["outdated"] = a.outdated(lab.session);
+    return j;
+}
+
 nlohmann::ordered_json companion_json(const Session& s) {
     if (!s.companion()) return nullptr;
     const Runner& b = s.companion()->runner();
@@ -104,6 +120,7 @@ std::string state_json(const LabState& lab) {
     j["notes"] = lab.notes_shown;
     j["inspector"] = inspector_json(lab);
     j["claims"] = claims_json(lab);
+    j["atlas"] = atlas_json(lab);
     j["theme"] = lab.theme == Theme::dark ? "dark" : "projector";
     j["dialog"] = lab.files.asking() ? lab.files.title() : "";
     j["complaint"] = lab.files.complaint();

@@ -2,8 +2,11 @@
 
 #include <pliant/lesson/format.h>
 #include <pliant/lesson/summary.h>
+#include <pliant/study/stability_report.h>
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -52,6 +55,18 @@ std::string claim_sentences(const LabState& lab) {
     return text + fmt::format("The right answer is {}.\n", c->right_answer + 1);
 }
 
+// The map, while the atlas is in front.
+std::string atlas_sentences(const LabState& lab) {
+    const StabilityMap* map = lab.show_atlas ? lab.atlas.map() : nullptr;
+    if (!map) return "";
+    std::string text = fmt::format("The atlas of {} and {}:", words(map->order.across.key), words(map->order.up.key));
+    const char* comma = "";
+    for (int k = 0; k < stability_kinds; ++k)
+        if (const Index n = map->count(static_cast<Stability>(k)))
+            text += fmt::format("{} {} {}", std::exchange(comma, ","), n, words_of(static_cast<Stability>(k)));
+    return text + fmt::format(". It {}.\n", agreement_text(*map));
+}
+
 }  // namespace
 
 std::string summary_of(const LabState& lab) {
@@ -62,6 +77,7 @@ std::string summary_of(const LabState& lab) {
     text += colours_sentence(s);
     text += thing_sentences(s);
     text += claim_sentences(lab);
+    text += atlas_sentences(lab);
     if (s.walkthrough)
         text += fmt::format("Walkthrough, slide {} of {}: {}.\n", s.walkthrough->slide_number() + 1,
                             s.walkthrough->walkthrough().slides.size(), without_marks(s.walkthrough->slide().title));

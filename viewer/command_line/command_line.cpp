@@ -59,6 +59,7 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
         ->allow_extra_args(false);
     command.add_flag("--difference", o.difference, "with --beside: the difference of the two runs in one picture");
     command.add_option("--claim", o.claim, "with --layout lab: the card of this claim, such as E3, measured");
+    command.add_flag("--atlas", o.atlas, "with --layout lab: the stability map of the lesson's first knobs");
     command.add_option("--backend", o.backend, "any, osmesa or egl")->capture_default_str();
 }
 
@@ -79,6 +80,27 @@ void add_claims_command(CLI::App& app, ClaimsOptions& o, std::function<int()>& a
     CLI::Option* json = command->add_flag("--json", o.json, "print one JSON object");
     command->add_flag("--markdown", o.markdown, "as the page of the documentation")->excludes(json);
     command->callback([&] { action = [&] { return claims(o); }; });
+}
+
+void add_study_command(CLI::App& app, RunOptions& run, StudyOptions& o, std::function<int()>& action) {
+    CLI::App* command = app.add_subcommand("study", "where a lesson is stable: a map of two parameters, beside theory");
+    command->add_option("lesson", run.lesson, "such as mesh/mass_spring; `pliant list` shows them")->required();
+    command
+        ->add_option("--map", o.knobs,
+                     "two knobs, across and up: KEY=FROM:TO:COUNT, KEY=FROM:TO:COUNT:log or KEY=VALUE,VALUE,...")
+        ->required();
+    command->add_option("--set", run.settings, "a parameter that all cells have, KEY=VALUE; may be given often")
+        ->allow_extra_args(false);
+    command->add_option("--preset", run.preset, "a scene that comes with the lesson");
+    command->add_option("--steps", o.steps, "steps of each cell, 200 when not given; a cell that is in doubt makes more");
+    command->add_option("--time", o.time, "in place of --steps: simulated seconds of each cell");
+    command->add_option("--probe", o.probe, "what is watched, \"energy\" when not given");
+    command->add_option("--jobs", o.jobs, "threads, as many as the machine has when not given; the map does not depend on it");
+    command->add_option("--out", o.out, "the folder for map.png, map.json and map.csv; made where it is missing")->required();
+    command->add_option("--size", o.size, "of the picture, WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--ui-scale", o.ui_scale, "of its type and lines, 1 to 3")->capture_default_str();
+    command->add_option("--theme", o.theme, "dark or projector")->capture_default_str();
+    command->callback([&] { action = [&] { return study(run, o); }; });
 }
 
 // CLI11 would take a mistyped command for a stray argument.
@@ -102,6 +124,7 @@ int dispatch(int argc, const char* const* argv) {
     WindowOptions window_options;
     WhyOptions why_options;
     ClaimsOptions claims_options;
+    StudyOptions study_options;
     std::string lesson, folder = "out/tour";
     bool json = false, markdown = false, check = false;
 
@@ -137,6 +160,7 @@ int dispatch(int argc, const char* const* argv) {
     why_command->add_flag("--json", run_options.json, "print one JSON object");
     why_command->callback([&] { action = [&] { return why(run_options, why_options); }; });
     add_claims_command(app, claims_options, action);
+    add_study_command(app, run_options, study_options, action);
     CLI::App* share_command = app.add_subcommand("share", "print a scene as one line of text, for a chat");
     add_scene_options(*share_command, run_options);
     share_command->callback([&] { action = [&] { return share(run_options); }; });

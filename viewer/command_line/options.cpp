@@ -62,6 +62,14 @@ Size size_from(const std::string& text) {
     return size;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder))
+        throw Refused(
+            fmt::format("{} cannot be made: {}", folder.string(), error ? error.message() : "something else has that name"));
+}
+
 Theme theme_from(const std::string& text) {
     if (text == "dark") return Theme::dark;
     if (text == "projector") return Theme::projector;

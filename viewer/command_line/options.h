@@ -6,6 +6,7 @@
 #include "panels/lab_state.h"
 #include "platform/context.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct PictureOptions {
     std::vector<std::string> beside;  // "key=value" of a second run
     std::string claim;                // whose card the lab shows, measured; "" for none
     bool difference = false;
+    bool atlas = false;  // the lab shows the stability map of the first knobs
 };
 
 struct WindowOptions {
@@ -55,6 +57,8 @@ Runner::Assignments assignments_from(const std::vector<std::string>& settings, s
 
 // "1280x720". Throws Refused.
 Size size_from(const std::string& text);
+// Makes the folder where it is missing. Throws Refused.
+void make_folder(const std::filesystem::path& folder);
 Theme theme_from(const std::string& text);
 Layout layout_from(const std::string& text);
 float ui_scale_from(float scale);
@@ -74,6 +78,16 @@ struct ClaimsOptions {
 };
 // Throws CheckFailed when a claim is refuted, or has another verdict than it expects.
 int claims(const ClaimsOptions& options);
+// A stability map: two knobs, and where to write it.
+struct StudyOptions {
+    std::vector<std::string> knobs;  // "time_step=1e-4:0.1:40:log"
+    std::optional<Index> steps;
+    std::optional<Real> time;
+    std::optional<int> jobs;
+    std::string probe, size = "1280x720", theme = "dark", out;
+    float ui_scale = 1;
+};
+int study(const RunOptions& run, const StudyOptions& options);
 int share(const RunOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
 int tour(const std::string& folder);

@@ -98,6 +98,13 @@ void show_claim(LabState& lab, const std::string& id) {
     lab.choose_claims = lab.reveal_claim = true;
 }
 
+// The map of the lesson's first knobs.
+void show_atlas(LabState& lab) {
+    lab.atlas.follow(lab.session);
+    lab.atlas.make_now(lab.session);
+    lab.choose_atlas = true;
+}
+
 bool is_gif(const std::string& path) { return path.ends_with(".gif"); }
 
 void check_writable_picture(const PictureOptions& o) {
@@ -108,14 +115,6 @@ void check_writable_picture(const PictureOptions& o) {
     const auto folder = std::filesystem::path(path).parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder))
         throw Refused(fmt::format("{} cannot be written: there is no folder {}", path, folder.string()));
-}
-
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder))
-        throw Refused(
-            fmt::format("{} cannot be made: {}", folder.string(), error ? error.message() : "something else has that name"));
 }
 
 struct TourStop {
@@ -173,6 +172,8 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     if (layout != Layout::deck && (picture.slide || picture.revealed))
         throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck as well");
     check_claim(picture, layout);
+    if (picture.atlas && layout != Layout::lab) throw Refused("--atlas shows a panel of the lab: give --layout lab as well");
+    if (picture.atlas && !picture.claim.empty()) throw Refused("give --claim or --atlas: the lab shows one of them");
     const float scale = ui_scale_from(picture.ui_scale);
     if (layout == Layout::deck && !picture.beside.empty())
         throw Refused("--beside shows two runs, and a slide of the walkthrough has one: leave out --layout deck");
@@ -192,6 +193,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     if (!picture.beside.empty()) s.open_companion(assignments_from(picture.beside, "--beside"));
     s.patterns = picture.patterns;
     if (!picture.claim.empty()) show_claim(lab.state(), picture.claim);
+    if (picture.atlas) show_atlas(lab.state());
     const bool from_start = animation && !options.steps && !options.time && !options.rest;
     std::optional<Diverged> divergence;
     try {

@@ -1,5 +1,6 @@
 // What the panels of the lab share from frame to frame.
 #pragma once
+#include "app/atlas.h"
 #include "app/claim_book.h"
 #include "app/keys.h"
 #include "app/live_error.h"
@@ -18,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pliant::viewer {
@@ -75,6 +77,11 @@ struct LabState {
     ClaimBook claims{};
     bool show_claims = false, choose_claims = false;
     bool reveal_claim = false, focus_claim = false;  // the unfolded card is scrolled to; the keys go to it
+
+    // the atlas
+    Atlas atlas{};
+    bool show_atlas = false, choose_atlas = false, focus_atlas = false;
+    std::optional<std::pair<Index, Index>> atlas_cell{};  // under the pointer
 
     // For those who do not see the picture: the summary, while it is shown, and who else takes it (standard output).
     std::string summary{};
@@ -139,10 +146,13 @@ void draw_transport(LabState& lab);
 void draw_stage_bar(LabState& lab);
 void draw_scene(LabState& lab, SceneRenderer& renderer);
 void draw_timeline(LabState& lab);
-// Plots, inspector and claims, one behind the other.
+// Plots, inspector, claims and atlas, one behind the other.
 void draw_side(LabState& lab);
 void draw_inspector(LabState& lab);
 void draw_claims(LabState& lab);
+void draw_atlas(LabState& lab);
+// Begins a map of the chosen knobs; a refusal becomes a message.
+void start_atlas(LabState& lab);
 void draw_plots(LabState& lab);
 void draw_status_line(LabState& lab);
 void draw_walkthrough(LabState& lab);

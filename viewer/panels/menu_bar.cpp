@@ -94,6 +94,7 @@ void view_menu(LabState& lab) {
     item(lab, Action::patterns, "Patterns", true, lab.session.patterns);
     item(lab, Action::summary, "Summary", true, !lab.summary.empty());
     item(lab, Action::claims, "Claims", true, lab.show_claims);
+    item(lab, Action::atlas, "Stability atlas", true, lab.show_atlas);
     item(lab, Action::frame, "Whole scene");
     item(lab, Action::hide_panels, "Hide the panels");
     item(lab, Action::extreme, "Extreme ranges", true, lab.session.extreme);

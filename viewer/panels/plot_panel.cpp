@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::string_view along = "along", heat_map = "map";
 
-PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dark : PlotTheme::projector; }
-
 void choose_first(LabState& lab) {
     PlotPanelState& p = lab.plots;
     if (p.lesson == lab.session.entry().info.id) return;
@@ -244,6 +242,8 @@ void table_below(LabState& lab) {
 }
 
 }  // namespace
+
+PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dark : PlotTheme::projector; }
 
 void draw_plots(LabState& lab) {
     choose_first(lab);

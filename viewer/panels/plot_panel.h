@@ -1,6 +1,7 @@
 // What is plotted, and how.
 #pragma once
 #include "plot/plot.h"
+#include "render/palette.h"
 
 #include <array>
 #include <functional>
@@ -8,6 +9,8 @@
 #include <vector>
 
 namespace pliant::viewer {
+
+PlotTheme plot_theme(Theme theme);
 
 struct PlotPanelState {
     PlotState memory;

@@ -1,4 +1,4 @@
-// The tabs at the right: plots, inspector, claims.
+// The tabs at the right: plots, inspector, claims, atlas.
 #include "panels/lab_state.h"
 
 #include <array>
@@ -21,12 +21,14 @@ struct Tab {
 void draw_side(LabState& lab) {
     if (!ImGui::BeginTabBar("side")) return;
     bool plots_shown = false;
-    const std::array<Tab, 3> tabs{
+    const std::array<Tab, 4> tabs{
         {{"Plots", "tab plots", "The numbers of the run over time, and its profiles", nullptr, &plots_shown, draw_plots},
          {"Inspect", "tab inspect", "All numbers of the picked thing, and why they are what they are (I)", &lab.choose_inspector,
           &lab.show_inspector, draw_inspector},
          {"Claims", "tab claims", "What the lectures say of this lesson: predict, then measure (K)", &lab.choose_claims,
-          &lab.show_claims, draw_claims}}};
+          &lab.show_claims, draw_claims},
+         {"Atlas", "tab atlas", "Where this lesson is stable, over two of its parameters (W)", &lab.choose_atlas, &lab.show_atlas,
+          draw_atlas}}};
     for (const Tab& t : tabs) {
         const bool choose = t.choose && std::exchange(*t.choose, false);
         *t.shown = ImGui::BeginTabItem(t.title, nullptr, choose ? ImGuiTabItemFlags_SetSelected : 0);

@@ -10,184 +10,69 @@
 #include <numbers>
 
 namespace pliant::mass_spring {
-namespace {
 
-ParameterInfo cells_along(std::string_view key, std::string_view symbol, Real initial) {
-    return {.key = key,
-            .symbol = symbol,
-            .help = "cells of the lattice along this axis",
-            .initial = initial,
-            .useful = {1, 10},
-            .accepted = Interval{1, 40},
-            .effect = Effect::rebuild};
+std::vector<std::string_view> MassSpringLesson::first_plots() const {
+    if (tested() && lattice() == LatticeKind::chain) return {"test_stiffness"};
+    if (tested()) return {"modulus_by_cells", "coupling", "stiffness_ratio"};
+    if (setting == Setting::swing) return {"mode", "frequency", "energy"};
+    if (setting == Setting::spin) return {"rotation", telling_probe(), "energy"};
+    return {"energy", telling_probe(), "stretch"};
 }
 
-ParameterInfo stiffness_of(std::string_view key, std::string_view symbol, std::string_view help, Real initial) {
-    return {.key = key,
-            .symbol = symbol,
-            .unit = "N/m",
-            .help = help,
-            .initial = initial,
-            .useful = {1, 1e5},
-            .accepted = Interval{0, 1e15},
-            .scale = Scale::log};
+std::vector<std::string_view> MassSpringLesson::key_numbers() const {
+    if (tested() && lattice() == LatticeKind::chain) return {"test_stiffness"};
+    if (tested() && block_test() == BlockTest::stretch) return {"youngs_modulus", "poisson_ratio", "stiffness_ratio"};
+    if (tested()) return {"stiffness_ratio", "coupling_structural", "coupling_shear"};
+    return {"energy", telling_probe(), "stretch"};
 }
 
-}  // namespace
-
-MassSpringLesson::MassSpringLesson()
-    : setting(*this, {.key = "scene", .help = "what happens to the block", .effect = Effect::rebuild},
-              {{"drop", "dropped on the ground"}, {"hang", "held at one face"}, {"spin", "spinning freely, no gravity"}}),
-      support(*this,
-              {.key = "support", .help = "the face that is held", .effect = Effect::rebuild, .used = [this] { return held(); }},
-              {{"top", "top: it hangs"}, {"side", "side: it is a beam"}}),
-      cells_x(*this, cells_along("cells_x", "nₓ", 4)),
-      cells_y(*this, cells_along("cells_y", "n_y", 4)),
-      cells_z(*this, cells_along("cells_z", "n_z", 4)),
-      size(*this, {.key = "size",
-                   .symbol = "L",
-                   .unit = "m",
-                   .help = "length of the block along x; its cells are cubes of edge L / nₓ",
-                   .initial = 0.5,
-                   .useful = {0.05, 5},
-                   .accepted = Interval{1e-6, 1e6},
-                   .scale = Scale::log,
-                   .effect = Effect::rebuild}),
-      total_mass(*this, {.key = "mass",
-                         .symbol = "M",
-                         .unit = "kg",
-                         .help = "of the whole block, shared equally by its nodes",
-                         .initial = 1,
-                         .useful = {0.01, 100},
-                         .accepted = Interval{1e-9, 1e9},
-                         .scale = Scale::log}),
-      k_structural(*this,
-                   stiffness_of("k_structural", "kₛ", "of the springs along the edges of the cells; 0 leaves them out", 200)),
-      k_shear(*this, stiffness_of("k_shear", "k_d", "of the springs along the diagonals of the faces; 0 leaves them out", 100)),
-      k_bending(*this, stiffness_of("k_bending", "k_b", "of the springs to the next node but one; 0 leaves them out", 20)),
-      damping_mode(*this, {.key = "damping_mode", .help = "which relative velocity of a spring's ends is damped", .initial = 2},
-                   {{"none", "none"}, {"naive", "naive: k_d (vⱼ − vᵢ)"}, {"projected", "projected: along the spring"}}),
-      damping(*this, {.key = "damping",
-                      .symbol = "kᵈ",
-                      .unit = "N s/m",
-                      .help = "of every spring",
-                      .initial = 0.05,
-                      .useful = {1e-3, 10},
-                      .accepted = Interval{0, 1e12},
-                      .scale = Scale::log,
-                      .used = [this] { return damped(); }}),
-      gravity(*this, {.key = "gravity",
-                      .symbol = "g",
-                      .unit = "m/s²",
-                      .help = "acceleration of gravity, downwards",
-                      .initial = 9.81,
-                      .useful = {0, 20},
-                      .accepted = Interval{0, 1e6},
-                      .used = [this] { return setting != Setting::spin; }}),
-      integrator(*this, {.key = "integrator", .help = "how forces become motion", .initial = 1},
-                 {{"explicit_euler", "explicit Euler"},
-                  {"semi_implicit_euler", "semi-implicit Euler"},
-                  {"implicit_euler", "implicit Euler"}}),
-      dt(*this, {.key = "time_step",
-                 .symbol = "Δt",
-                 .unit = "s",
-                 .help = "fixed",
-                 .initial = 1e-3,
-                 .useful = {1e-5, 0.1},
-                 .accepted = Interval{0, 10, true},
-                 .scale = Scale::log}),
-      drop_height(*this, {.key = "drop_height",
-                          .symbol = "h₀",
-                          .unit = "m",
-                          .help = "of the block's lowest point above the ground at the start",
-                          .initial = 0.5,
-                          .useful = {0, 2},
-                          .accepted = Interval{0, 1e6},
-                          .effect = Effect::rebuild,
-                          .used = [this] { return setting != Setting::spin; }}),
-      tilt(*this, {.key = "tilt",
-                   .symbol = "φ",
-                   .unit = "°",
-                   .help = "of the block about the z axis at the start",
-                   .initial = 25,
-                   .useful = {-45, 45},
-                   .accepted = Interval{-360, 360},
-                   .effect = Effect::rebuild,
-                   .used = [this] { return setting == Setting::drop; }}),
-      spin_rate(*this, {.key = "spin",
-                        .symbol = "Ω",
-                        .unit = "rad/s",
-                        .help = "angular velocity at the start, about the vertical axis",
-                        .initial = 10,
-                        .useful = {0, 30},
-                        .accepted = Interval{-1e6, 1e6},
-                        .effect = Effect::rebuild,
-                        .used = [this] { return setting == Setting::spin; }}),
-      ground(*this, {.key = "ground",
-                     .help = "is there a floor at y = 0?",
-                     .initial = 1,
-                     .used = [this] { return setting != Setting::spin; }}),
-      restitution(*this, {.key = "restitution",
-                          .symbol = "e",
-                          .help = "rebound speed of a node over its impact speed",
-                          .initial = 0,
-                          .useful = {0, 1},
-                          .used = [this] { return grounded(); }}),
-      friction(*this, {.key = "friction",
-                       .symbol = "μ",
-                       .help = "Coulomb's coefficient of the ground",
-                       .initial = 0.5,
-                       .useful = {0, 1.5},
-                       .accepted = Interval{0, 1e6},
-                       .used = [this] { return grounded(); }}),
-      pull_stiffness(*this, {.key = "pull_stiffness",
-                             .symbol = "kₕ",
-                             .unit = "N/m",
-                             .help = "of the spring of length 0 from a node to the pointer that pulls it",
-                             .initial = 50,
-                             .useful = {1, 1e4},
-                             .accepted = Interval{0, 1e12},
-                             .scale = Scale::log}),
-      newton_tolerance(*this, {.key = "newton_tolerance",
-                               .symbol = "τ",
-                               .help = "Newton's method stops when its step is shorter than this fraction of a spring",
-                               .initial = 1e-9,
-                               .useful = {1e-12, 1e-2},
-                               .accepted = Interval{1e-14, 1, false, true},
-                               .scale = Scale::log,
-                               .used = [this] { return implicit(); }}),
-      newton_cap(*this, {.key = "newton_iterations",
-                         .help = "most iterations of a time step; a step that needs more is reported, not accepted",
-                         .initial = 100,
-                         .useful = {1, 100},
-                         .accepted = Interval{1, 10000},
-                         .used = [this] { return implicit(); }}) {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    explain_probes();
-    declare_checks();
+std::string_view MassSpringLesson::telling_probe() const {
+    switch (setting) {
+        case Setting::spin:
+            return "angular_momentum";
+        case Setting::hang:
+            return "sag";
+        case Setting::swing:
+            return "frequency";
+        case Setting::stretch_test:
+            return "youngs_modulus";
+        default:
+            return "height";
+    }
 }
 
 void MassSpringLesson::check() const {
-    const Index nodes = (cells_x + 1) * (cells_y + 1) * (cells_z + 1);
-    if (implicit() && nodes > most_implicit_nodes)
+    const int dimension = dimension_of(lattice());
+    const Index nodes = (dimension > 1 ? cells_x + 1 : 1) * (cells_y + 1) * (dimension > 2 ? cells_z + 1 : 1);
+    if ((implicit() || tested()) && nodes > most_implicit_nodes)
         throw Refused(
-            fmt::format("integrator = implicit_euler with {} nodes (cells_x = {}, cells_y = {}, cells_z = {}) is not "
-                        "accepted: its matrix is factorised in every step; give cells that make at most {} nodes",
-                        nodes, Index(cells_x), Index(cells_y), Index(cells_z), most_implicit_nodes));
+            fmt::format("{} with {} nodes (cells_x = {}, cells_y = {}, cells_z = {}) is not accepted: its matrix is "
+                        "factorised in every step; give cells that make at most {} nodes",
+                        tested() ? "scene = stretch_test" : fmt::format("integrator = {}", integrator.option_key()), nodes,
+                        Index(cells_x), Index(cells_y), Index(cells_z), most_implicit_nodes));
+    if (setting == Setting::swing) {
+        if (mode_number > free_masses())
+            throw Refused("mode_number", Real(Index(mode_number)), "",
+                          fmt::format("1 to {}, one for each mass that is free (cells_y = {})", free_masses(), Index(cells_y)));
+    }
 }
 
 // ------------------------------------------------------------------------------------------------------ the start
 
 std::vector<Index> MassSpringLesson::held_nodes() const {
     if (!held()) return {};
-    return support == Support::top ? block_->layer(1, true) : block_->layer(0, false);
+    if (support == Support::side && setting != Setting::swing) return block_->layer(0, false);
+    std::vector<Index> nodes = block_->layer(1, true);
+    if (support == Support::both)
+        for (const Index n : block_->layer(1, false)) nodes.push_back(n);
+    return nodes;
 }
 
 Points<3> MassSpringLesson::start_positions() const {
     Points<3> x = block_->rest();
-    if (setting == Setting::spin) return x;
+    if (setting == Setting::swing)
+        for (Index n = 0; n < x.cols(); ++n) x(1, n) += swing_amplitude * edge() * mode_shape(n);
+    if (!falls()) return x;
     if (setting == Setting::drop) x = Eigen::AngleAxisd(tilt * std::numbers::pi / 180, Vec<3>::UnitZ()).toRotationMatrix() * x;
     const Vec<3> lowest(0.5 * (x.row(0).minCoeff() + x.row(0).maxCoeff()), x.row(1).minCoeff(), 0);
     x.colwise() += Vec<3>(0, drop_height, 0) - lowest;
@@ -203,14 +88,19 @@ Points<3> MassSpringLesson::start_velocities() const {
 }
 
 void MassSpringLesson::reset() {
-    solver_.reset();
+    integrator_.reset();
     system_.reset();
     rates_key_.reset();
-    block_ = std::make_unique<SpringBlock>(NodeLattice<3>::Cells{cells_x, cells_y, cells_z}, size / Real(Index(cells_x)));
+    clock_.setZero();
+    rhythm_.reset();
+    test_done_ = false;
+    block_ = std::make_unique<SpringBlock>(SpringLattice(lattice(), {cells_x, cells_y, cells_z}, edge()));
     follow_parameters();
     position_ = start_positions();
     velocity_ = start_velocities();
-    for (Points<3>* force : {&spring_force_, &total_force_}) force->setZero(3, position_.cols());
+    spring_force_.setZero(3, position_.cols());
+    total_force_.setZero(position_.size());
+    memory_.setZero(2 + 2 * position_.size());
     for (Points<3>* force : {&damping_force_, &external_force_}) force->setZero();
     for (VecX* values : {&tension_, &strain_}) values->setZero(block_->springs().size());
     touching_ = 0;
@@ -224,8 +114,8 @@ void MassSpringLesson::reset() {
 
 const Registration<MassSpringLesson> registration{{.id = "mesh/mass_spring",
                                                    .title = "Mass–spring lattice",
-                                                   .summary = "A soft block of masses and springs falls, hangs or spins; damping "
-                                                              "and three integrators show what they cost.",
+                                                   .summary = "A net of masses and springs falls, hangs, spins, swings or is "
+                                                              "tested as a material; damping and integrators show their cost.",
                                                    .demo_steps = 420}};
 
 }  // namespace pliant::mass_spring

@@ -1,19 +1,23 @@
-// A soft block of point masses and springs that falls, hangs or spins: forces, damping, three integrators, contact.
+// A soft block of point masses and springs that falls, hangs, spins, swings or is put to a static test: lattices, forces,
+// damping, integrators, contact.
 #pragma once
 #include "spring_block.h"
+#include "static_tests.h"
 
 #include <pliant/lesson/registry.h>
 #include <pliant/solids/contact.h>
 #include <pliant/solids/springs_frequency.h>
 #include <pliant/solids/springs_system.h>
+#include <pliant/time/rhythm.h>
+#include <pliant/time/time_integrator.h>
 
 #include <memory>
 #include <optional>
 
 namespace pliant::mass_spring {
 
-enum class Setting { drop, hang, spin };
-enum class Support { top, side };
+enum class Setting { drop, hang, spin, swing, stretch_test };
+enum class Support { top, side, both };
 
 // Strains below this are rounding.
 inline constexpr Real strain_rounding = 1e-12;
@@ -21,33 +25,42 @@ inline constexpr Real strain_rounding = 1e-12;
 // Factors of larger bodies do not fit into a lecture, nor much larger ones into memory.
 inline constexpr Index most_implicit_nodes = 3000;
 
+// Of a chain that swings, in edges.
+inline constexpr Real swing_amplitude = 0.2;
+
 class MassSpringLesson final : public Lesson {
 public:
     MassSpringLesson();
 
-    int dimension() const override { return 3; }
+    int dimension() const override { return dimension_of(lattice()) == 3 || setting == Setting::spin ? 3 : 2; }
     void check() const override;
     void reset() override;
-    Real time_step() const override { return dt; }
+    Real time_step() const override { return tested() ? Real{0} : Real{dt}; }
     bool at_rest() const override;
     void draw(Scene& picture) const override;
-    std::optional<On> can_pull() const override { return On::node; }
+    std::optional<On> can_pull() const override { return tested() ? std::nullopt : std::optional(On::node); }
     void pull(const std::optional<Pull>& hand) override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return telling_probe(); }
     ColourBy first_colours() const override { return {"tension", -1}; }
-    std::vector<std::string_view> first_plots() const override { return {"energy", telling_probe(), "stretch"}; }
-    std::vector<std::string_view> key_numbers() const override { return first_plots(); }
+    std::vector<std::string_view> first_plots() const override;
+    std::vector<std::string_view> key_numbers() const override;
 
 private:
     // --- parameters ---
     Choice<Setting> setting;
+    Choice<LatticeKind> kind;
     Choice<Support> support;
+    Choice<BlockTest> test;
     Whole cells_x, cells_y, cells_z;
     Number size, total_mass;
     Number k_structural, k_shear, k_bending;
+    Number rest_length_scale;
+    Switch shared_edges;
+    Number target_poisson, test_strain;
+    Whole mode_number;
     Choice<SpringDamping> damping_mode;
     Number damping;
     Number gravity;
@@ -65,18 +78,30 @@ private:
     void declare_stages();
     void declare_probes();
     void declare_checks();
+    std::vector<Probe> static_probes();
+    void declare_assumptions();
+    void declare_lines();
 
     // --- what the parameters mean ---
-    bool implicit() const { return integrator == Scheme::implicit_euler; }
+    bool implicit() const { return is_implicit(integrator); }
+    bool implicit_euler() const { return integrator == Scheme::implicit_euler; }
     bool semi_implicit() const { return integrator == Scheme::semi_implicit_euler; }
-    bool grounded() const { return ground && setting != Setting::spin; }
+    bool falls() const { return setting == Setting::drop || setting == Setting::hang; }
+    bool tested() const { return setting == Setting::stretch_test; }
+    bool grounded() const { return ground && falls(); }
+    // Only a chain swings, and it can only be stretched.
+    LatticeKind lattice() const { return setting == Setting::swing ? LatticeKind::chain : LatticeKind{kind}; }
+    BlockTest block_test() const { return lattice() == LatticeKind::chain ? BlockTest::stretch : BlockTest{test}; }
+    bool has_diagonals() const { return lattice() != LatticeKind::triangular && lattice() != LatticeKind::chain; }
     bool damped() const { return damping_mode != SpringDamping::none; }
-    std::string_view telling_probe() const { return setting == Setting::spin ? "angular_momentum" : held() ? "sag" : "height"; }
-    bool held() const { return setting == Setting::hang; }
+    std::string_view telling_probe() const;
+    bool held() const { return setting == Setting::hang || setting == Setting::swing; }
     bool pulled() const { return load_.pull.node >= 0 && pull_stiffness > 0; }
-    Real weight_acceleration() const { return setting == Setting::spin ? Real{0} : Real{gravity}; }
+    Real weight_acceleration() const { return falls() ? Real{gravity} : Real{0}; }
     bool loaded() const { return weight_acceleration() > 0 || pulled(); }
     std::vector<Index> held_nodes() const;
+    FamilyStiffness stiffnesses() const { return {k_structural, has_diagonals() ? Real{k_shear} : Real{0}, k_bending}; }
+    Real edge() const { return size / Real(lattice() == LatticeKind::chain ? Index(cells_y) : Index(cells_x)); }  // m
     Points<3> start_positions() const;
     Points<3> start_velocities() const;
 
@@ -88,7 +113,21 @@ private:
     void begin_integration();
     void integrate();
     void end_integration();
+    void store_memory();
+    void recall_memory();
     void contact_stage();
+    void static_stage();
+    StaticTests::Key static_key() const;
+    Real test_amount() const;
+
+    // --- a chain that swings in one of its modes (mass_spring_swing.cpp) ---
+    Index free_masses() const;
+    Real mode_shape(Index node) const;
+    Real mode_displacement() const;
+    Real mode_frequency() const;
+    void note_swing();
+    std::optional<Real> measured_frequency() const;
+    Explanation why_frequency() const;
 
     // --- what can be read off (mass_spring_readings.cpp) ---
     Real elastic_energy() const { return spring_energy<3>(block_->springs(), position_); }
@@ -107,6 +146,14 @@ private:
 
     // --- why a number is what it is (mass_spring_why.cpp) ---
     using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);  // Input::now, ...
+    Explanation why_static(const Question& q) const;
+    Explanation why_test_stiffness() const;
+    Explanation why_youngs_modulus() const;
+    Explanation why_poisson_ratio() const;
+    Explanation why_stiffness_ratio() const;
+    Explanation why_coupling(SpringFamily family) const;
+    Real elongation_squares(std::span<const Real> strains, SpringFamily family) const;
+    std::optional<Real> rotation_after(Real t) const;
     Input stiffness_of_spring(Index spring) const;
     Input node_mass() const;
     Explanation why_spring_stage(const Question& q) const;
@@ -121,6 +168,11 @@ private:
     Explanation why_integrated(const Question& q) const;
     Explanation why_explicit_velocity(Index node, int component) const;
     Explanation why_balanced_velocity(Index node, int component) const;
+    Explanation why_table_row(const Question& q) const;
+    Explanation why_second_order(const Question& q) const;
+    Explanation why_iterate_velocity(Index node, int component) const;
+    Explanation why_acceleration(Index node, int component) const;
+    Real arrested_time() const;
     Explanation why_newton_position(Index node, int component) const;
     Input newton_start(Index node, int component) const;
     Input newton_direction(Index dof) const;
@@ -142,6 +194,7 @@ private:
 
     // --- what would mend a run (mass_spring_fixes.cpp) ---
     std::optional<Fix> shear_springs() const;
+    std::optional<Fix> own_poisson() const;
     std::optional<Fix> stable_fix() const;
     std::optional<Fix> slower_travel() const;
 
@@ -153,12 +206,21 @@ private:
     void draw_ground(Scene& picture) const;
     void draw_arrows(Scene& picture) const;
     void write_notes(Scene& picture) const;
+    void write_static_notes(Scene& picture) const;
+    void draw_continuum(Scene& picture) const;
+    void draw_test(Scene& picture) const;
+    void draw_plates(Scene& picture) const;
+    void set_test_frame(Scene& picture) const;
+    void draw_mode(Scene& picture) const;
+    Real continuum_offset() const;
     void set_frame(Scene& picture) const;
     Real frame_side() const;
 
     std::unique_ptr<SpringBlock> block_;
-    std::unique_ptr<SpringSystem<3>> system_;  // of the implicit scheme
-    std::unique_ptr<ImplicitSolver> solver_;
+    std::unique_ptr<SpringSystem<3>> system_;
+    std::unique_ptr<TimeIntegrator> integrator_;
+    StaticTests tests_;
+    bool test_done_ = false;
     ExternalLoad<3> load_;
 
     // What the closed forms start from; they end when a hand or a slider has interfered.
@@ -167,7 +229,10 @@ private:
 
     // State [m, m/s], forces on the nodes [N], tension [N] and strain of the springs.
     Points<3> position_, velocity_;
-    Points<3> spring_force_, damping_force_, external_force_, total_force_;
+    Points<3> spring_force_, damping_force_, external_force_;
+    VecX total_force_, start_position_;    // of the step
+    VecX memory_, clock_ = VecX::Zero(1);  // of the integrator; s
+    Rhythm rhythm_;
     VecX tension_, strain_;
     std::vector<Real> arrested_;  // by the ground within an implicit step, m/s
     std::vector<Touch> touches_;  // of the latest contact stage, one per node
@@ -176,8 +241,8 @@ private:
 
     // Rates of the net at rest, with the parameters that they belong to.
     struct RatesKey {
-        SpringBlock::Stiffnesses stiffness{};
-        Real damping = 0, mass = 0;
+        FamilyStiffness stiffness{};
+        Real damping = 0, mass = 0, rest_scale = 1;
         SpringDamping mode = SpringDamping::none;
         bool operator==(const RatesKey&) const = default;
     };

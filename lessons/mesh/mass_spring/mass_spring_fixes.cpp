@@ -38,7 +38,7 @@ std::optional<Fix> MassSpringLesson::stable_fix() const {
 }
 
 std::optional<Fix> MassSpringLesson::slower_travel() const {
-    const Real speed = std::sqrt(velocity_.colwise().squaredNorm().maxCoeff()), cell = size / Real(Index(cells_x));
+    const Real speed = std::sqrt(velocity_.colwise().squaredNorm().maxCoeff()), cell = edge();
     return with_time_step(margin * cell / speed);
 }
 
@@ -47,7 +47,15 @@ std::optional<Fix> MassSpringLesson::shear_springs() const {
     return Fix{fmt::format("k_d = {}", format_quantity(k, "N/m")), {{"k_shear", format_exact(k)}}};
 }
 
+// The solid beside the net gets the ratio that the net has.
+std::optional<Fix> MassSpringLesson::own_poisson() const {
+    const Real own = lattice_constants(lattice(), stiffnesses(), edge()).poisson_ratio();
+    if (!target_poisson.accepted().contains(own)) return std::nullopt;
+    return Fix{fmt::format("ν* = {}", format_quantity(own, "", 3)), {{"target_poisson", format_exact(own)}}};
+}
+
 std::optional<Fix> MassSpringLesson::fix(const Failure&) const {
+    if (tested()) return has_diagonals() ? shear_springs() : std::nullopt;
     if (!implicit() && dt > stable_time_step()) {
         const Real limit = stable_time_step();
         if (limit <= slowest * dt) return stable_fix();

@@ -21,22 +21,31 @@ void MassSpringLesson::draw(Scene& picture) const {
         draw_cell_edges(picture);
     }
     draw_nodes(picture);
+    if (setting == Setting::swing) draw_mode(picture);
+    if (tested()) {
+        draw_test(picture);
+        write_static_notes(picture);
+        return;
+    }
     draw_arrows(picture);
     write_notes(picture);
 }
 
 Real MassSpringLesson::frame_side() const {
     const Vec<3> edges = block_->lengths();
-    return setting == Setting::hang ? 0.6 * std::max(edges[0], edges[2]) : 0.55 * edges.norm();
+    if (setting == Setting::hang) return std::max(0.6 * std::max(edges[0], edges[2]), 0.2 * edges[1]);
+    return 0.55 * edges.norm();
 }
 
 // The same corners from step to step: room for the fall, the bounce and the turning block.
 void MassSpringLesson::set_frame(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
+    if (tested()) return set_test_frame(picture);
     const Real reach = 0.5 * edges.norm();
-    const Real bottom = setting == Setting::spin ? std::min(Real(0), 0.5 * edges[1] - reach) : 0;
-    const Real top = setting == Setting::spin ? 0.5 * edges[1] + reach
-                                              : edges[1] + drop_height + (setting == Setting::drop ? 0.1 * edges[0] : 0);
+    const Real room = setting == Setting::spin ? reach - 0.5 * edges[1] : 0.1 * edges[1];
+    const Real bottom = falls() ? Real{0} : std::min(Real{0}, -room);
+    const Real top =
+        !falls() ? edges[1] + std::max(room, Real{0}) : edges[1] + drop_height + (setting == Setting::drop ? 0.1 * edges[0] : 0);
     const Real side = frame_side();
     picture.frame(position(-side, bottom, -side), position(side, top, side));
 }
@@ -63,8 +72,8 @@ void MassSpringLesson::draw_cell_edges(Scene& picture) const {
 void MassSpringLesson::draw_springs(Scene& picture) const {
     const std::vector<float> values = picture.values(*this, On::edge);
     const Springs& springs = block_->springs();
-    constexpr std::array<float, family_count> widths{3, 1.5f, 1};
-    for (const Family family : {bending, shear, structural}) {
+    constexpr std::array<float, spring_families> widths{3, 1.5f, 1};
+    for (const SpringFamily family : {bending, shear, structural}) {
         LineMarks marks{.ends = {}, .ink = Ink::edge, .width = widths[family], .pick = {.pickable = true, .on = On::edge}};
         marks.pick.first = block_->first(family);
         for (Index s = block_->first(family); s < block_->last(family); ++s) {
@@ -100,6 +109,7 @@ void MassSpringLesson::draw_ground(Scene& picture) const {
         grid.ends.insert(grid.ends.end(), {position(at, 0, -reach), position(at, 0, reach)});
         grid.ends.insert(grid.ends.end(), {position(-reach, 0, at), position(reach, 0, at)});
     }
+    if (dimension() == 2) grid.ends = {position(-reach, 0, 0), position(reach, 0, 0)}, grid.width = 2;
     picture.lines.push_back(std::move(grid));
 }
 
@@ -116,7 +126,7 @@ void MassSpringLesson::draw_arrows(Scene& picture) const {
 }
 
 void MassSpringLesson::write_notes(Scene& picture) const {
-    const auto& cells = block_->lattice().cells();
+    const auto& cells = block_->lattice().nodes().cells();
     picture.notes.push_back(fmt::format("{} × {} × {} cells: {} nodes of {}, {} springs", cells[0], cells[1], cells[2],
                                         position_.cols(), format_quantity(1000 * block_->mass()[0], "g", 3),
                                         block_->springs().size()));

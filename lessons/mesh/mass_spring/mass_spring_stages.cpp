@@ -7,99 +7,15 @@
 
 namespace pliant::mass_spring {
 
-void MassSpringLesson::declare_fields() {
-    const auto nodal = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
-                          const Points<3>& values) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = unit,
-                     .on = On::node,
-                     .rank = Rank::vector,
-                     .components = 3,
-                     .view = view_of(values),
-                     .help = help,
-                     .used = [&values] { return values.size() > 0; }};
-    };
-    const auto of_springs = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
-                               const VecX& values) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = unit,
-                     .on = On::edge,
-                     .view = view_of(values),
-                     .help = help,
-                     .used = [&values] { return values.size() > 0; }};
-    };
-    state = {state_array("position", "m", position_), state_array("velocity", "m/s", velocity_)};
-    fields = {nodal("position", "x", "m", "of the nodes", position_),
-              nodal("velocity", "v", "m/s", "of the nodes", velocity_),
-              nodal("spring_force", "f", "N", "sum of the springs of a node", spring_force_),
-              nodal("damping_force", "fᵈ", "N", "sum of the dampers of a node", damping_force_),
-              nodal("external_force", "fᵉ", "N", "weight, and the pull of the hand", external_force_),
-              of_springs("tension", "T", "N", "k (|xᵢⱼ| − l): positive where a spring pulls", tension_),
-              of_springs("strain", "ε", "", "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest", strain_)};
-    // Springs a hundred times their length are those of a run that has blown up.
-    fields.back().bound = [] { return 100.0; };
-    // So are nodes that cross the block a thousand times in one step.
-    fields[1].bound = [this] { return 1000 * size / dt; };
-}
-
-void MassSpringLesson::declare_stages() {
-    stages = {
-        {.name = "spring_forces",
-         .formula = "fᵢ = k (|xᵢⱼ| − l) xᵢⱼ/|xᵢⱼ|,  xᵢⱼ = xⱼ − xᵢ",
-         .source = "lecture: mass–spring system; [Nealen2006 §3]",
-         .run = [this] { spring_stage(); },
-         .reads = {"position"},
-         .writes = {"spring_force", "tension", "strain"},
-         .explain = [this](const Question& q) { return why_spring_stage(q); }},
-        {.name = "damping_forces",
-         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / xᵢⱼ·xᵢⱼ) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
-         .source = "lecture: mass–spring system; [Nealen2006 §3]",
-         .run = [this] { damping_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"damping_force"},
-         .active = [this] { return damped(); },
-         .explain = [this](const Question& q) { return why_damping_force(q.index, q.component, Input::now); }},
-        {.name = "external_forces",
-         .formula = "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)",
-         .source = "gravity, and a spring to the pointer",
-         .run = [this] { external_stage(); },
-         .reads = {"position"},
-         .writes = {"external_force"},
-         .active = [this] { return loaded(); },
-         .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
-        {.name = "integrate",
-         .formula = "explicit: x' = x + Δt v, v' = v + Δt f/m;  semi-implicit: v' = v + Δt f/m, x' = x + Δt v';  "
-                    "implicit: m (v' − v) = Δt f(x', v'), x' = x + Δt v', by Newton's method",
-         .source = "lecture: time integration; [Baraff1998], [Nocedal2006]",
-         .run = [this] { integrate(); },
-         .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},
-         .writes = {"position", "velocity"},
-         .again = [this] { return implicit() && solver_->again(); },
-         .begin = [this] { begin_integration(); },
-         .end = [this] { end_integration(); },
-         .explain = [this](const Question& q) { return why_integrated(q); }},
-        {.name = "contact",
-         .formula = "y ≥ 0;  v_y ← −e v_y;  |Δv_t| ≤ μ |Δv_y|",
-         .source = "[Bridson2002]",
-         .run = [this] { contact_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"position", "velocity"},
-         .active = [this] { return grounded(); },
-         .explain = [this](const Question& q) { return why_contact(q); }},
-    };
-}
-
 // Brings springs, masses and loads up to the parameters of this step. What the scene does not use has no memory.
 void MassSpringLesson::follow_parameters() {
-    const bool new_springs = block_->set_springs({k_structural, k_shear, k_bending}, damping);
+    const bool new_springs = block_->set_springs(stiffnesses(), damping, tested() ? Real{1} : Real{rest_length_scale});
     block_->set_mass(total_mass, held_nodes());
     load_.gravity = Vec<3>(0, -weight_acceleration(), 0);
     load_.pull.stiffness = pull_stiffness;
     interfered_ = interfered_ || gravity != start_gravity_ || total_mass != start_mass_;
-    if (new_springs || !implicit()) {
-        solver_.reset();
+    if (new_springs) {
+        integrator_.reset();
         system_.reset();
     }
     const Index nodes = block_->rest().cols(), springs = block_->springs().size();
@@ -131,7 +47,7 @@ void MassSpringLesson::spring_stage() {
     spring_strain<3>(block_->springs(), position_, strain_);
     // Lengths are known to their rounding, which would be all there is to see in free fall.
     for (Index s = 0; s < strain_.size(); ++s)
-        if (std::abs(strain_[s]) < strain_rounding) tension_[s] = strain_[s] = 0;
+        if (block_->springs().rest_length()[s] > 0 && std::abs(strain_[s]) < strain_rounding) tension_[s] = strain_[s] = 0;
 }
 
 void MassSpringLesson::damping_stage() {
@@ -145,52 +61,80 @@ void MassSpringLesson::external_stage() {
 }
 
 void MassSpringLesson::begin_integration() {
-    total_force_ = spring_force_;
-    if (damped()) total_force_ += damping_force_;
-    if (loaded()) total_force_ += external_force_;
-    energy_wobble_ = std::max(energy_wobble_, 0.5 * dt * std::abs(flat(velocity_).dot(flat(total_force_))));
-    if (!implicit()) return;
+    total_force_ = flat(spring_force_);
+    if (damped()) total_force_ += flat(damping_force_);
+    if (loaded()) total_force_ += flat(external_force_);
+    energy_wobble_ = std::max(energy_wobble_, 0.5 * dt * std::abs(flat(velocity_).dot(total_force_)));
 
-    if (!solver_) {
+    const NewtonOptions options{newton_tolerance, static_cast<int>(Index(newton_cap))};
+    if (!integrator_) {
         system_ = std::make_unique<SpringSystem<3>>(block_->springs(), block_->mass());
-        solver_ = std::make_unique<ImplicitSolver>(*system_, block_->inertia());
+        integrator_ = std::make_unique<TimeIntegrator>(*system_, block_->inertia(), integrator, options);
     }
+    integrator_->set_scheme(integrator);
+    integrator_->set_options(options);
+    recall_memory();
     system_->damping = damping_mode;
     system_->load = load_;
-    solver_->set_options({newton_tolerance, static_cast<int>(Index(newton_cap))});
-    ImplicitForm& form = solver_->form();
-    implicit_euler(dt, flat(position_), flat(velocity_), form);
     if (grounded())
-        set_ground_bounds<3>({0, restitution, friction}, position_, form.lower_bound);
+        set_ground_bounds<3>({0, restitution, friction}, position_, integrator_->lower_bound());
     else
-        form.lower_bound.resize(0);
-    solver_->begin(flat(position_));
+        integrator_->lower_bound().resize(0);
+    start_position_ = flat(position_);
+    integrator_->begin(dt, flat(position_), flat(velocity_), &total_force_);
 }
 
+// What lives between steps is part of the state, of one size for all schemes, since a run may go back: the number of the scheme
+// from 1 on, 0 where nothing is remembered, then its memory.
+void MassSpringLesson::store_memory() {
+    memory_.setZero();
+    const VecX& memory = integrator_->memory();
+    if (memory.size() == 0) return;
+    memory_[0] = integrator.value() + 1;
+    memory_.segment(1, memory.size()) = memory;
+}
+
+void MassSpringLesson::recall_memory() {
+    VecX& memory = integrator_->memory();
+    if (memory_[0] == integrator.value() + 1)
+        memory = memory_.segment(1, memory.size());
+    else
+        integrator_->forget();
+}
+
+// One Newton iteration, or one evaluation of the forces; where it has led to can be looked at.
 void MassSpringLesson::integrate() {
-    const DiagonalMass& inertia = block_->inertia();
-    if (integrator == Scheme::explicit_euler) explicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
-    if (semi_implicit()) semi_implicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
-    if (!implicit()) return;
-    // One Newton iteration; its iterate can be looked at.
-    solver_->iterate();
-    flat(position_) = solver_->position();
-    flat(velocity_) = solver_->velocity();
+    integrator_->pass();
+    flat(position_) = integrator_->position();
+    flat(velocity_) = integrator_->velocity();
+    for (Index d = 0; d < velocity_.size(); ++d)
+        if (block_->inertia().fixed(d)) velocity_.data()[d] = 0;
 }
 
 void MassSpringLesson::end_integration() {
-    if (implicit()) solver_->finish(flat(position_), flat(velocity_));
+    integrator_->finish(flat(position_), flat(velocity_));
+    store_memory();
+    clock_[0] += dt;
+    note_swing();
 }
 
 void MassSpringLesson::contact_stage() {
     arrested_.clear();
-    if (implicit()) arrested_speeds<3>(*solver_, block_->inertia(), dt, arrested_);
+    if (implicit()) arrested_speeds<3>(integrator_->solver(), block_->inertia(), arrested_time(), arrested_);
     const Real moved_for = semi_implicit() ? Real(dt) : 0;
     const Ground floor{0, restitution, friction};
     touches_.resize(static_cast<std::size_t>(position_.cols()));
     for (Index n = 0; n < position_.cols(); ++n)
         touches_[static_cast<std::size_t>(n)] = touch_of<3>(floor, block_->inertia(), position_, arrested_, n);
     touching_ = resolve_ground_contact<3>(floor, block_->inertia(), moved_for, position_, velocity_, arrested_);
+    // A step that starts from what the ground has changed does not follow from the one before.
+    if (touching_ > 0) memory_[0] = 0;
+}
+
+// Velocity that a force during an implicit step makes, times the mass over the force.
+Real MassSpringLesson::arrested_time() const {
+    const ImplicitForm& form = integrator_->solver().form();
+    return (integrator == Scheme::implicit_midpoint ? 2 : 1) * form.velocity_rate / form.acceleration_rate;
 }
 
 }  // namespace pliant::mass_spring

@@ -89,16 +89,17 @@ Explanation MassSpringLesson::why_spring_on_node(Index s, Index node, int compon
 
 Explanation MassSpringLesson::why_tension(Index s) const {
     const Springs& springs = block_->springs();
-    const bool rounded = tension_[s] == 0;
+    const bool rounded = tension_[s] == 0 && springs.rest_length()[s] > 0;
     return {.formula = rounded ? "T = k (|x_ij| − l), and 0 where the difference is rounding" : "T = k (|x_ij| − l)",
             .inputs = {stiffness_of_spring(s), length_between(Input::now, springs.j(s), springs.i(s)), rest_length(springs, s)},
             .evaluate = [](std::span<const Real> x) {
-                return std::abs((x[1] - x[2]) / x[2]) < strain_rounding ? Real{0} : x[0] * (x[1] - x[2]);
+                return x[2] > 0 && std::abs((x[1] - x[2]) / x[2]) < strain_rounding ? Real{0} : x[0] * (x[1] - x[2]);
             }};
 }
 
 Explanation MassSpringLesson::why_strain(Index s) const {
     const Springs& springs = block_->springs();
+    if (springs.rest_length()[s] == 0) return fixed_value("ε = 0: a spring of rest length 0 has no strain", 0);
     const bool rounded = strain_[s] == 0;
     return {.formula = rounded ? "ε = (|x_ij| − l) / l, and 0 where the difference is rounding" : "ε = (|x_ij| − l) / l",
             .inputs = {length_between(Input::now, springs.j(s), springs.i(s)), rest_length(springs, s)},

@@ -50,6 +50,17 @@ void MassSpringLesson::explain_probes() {
     give("height", &MassSpringLesson::why_height);
     give("stretch", &MassSpringLesson::why_stretch);
     give("sag", &MassSpringLesson::why_sag);
+    give("frequency", &MassSpringLesson::why_frequency);
+    give("youngs_modulus", &MassSpringLesson::why_youngs_modulus);
+    give("poisson_ratio", &MassSpringLesson::why_poisson_ratio);
+    give("test_stiffness", &MassSpringLesson::why_test_stiffness);
+    give("bending_stiffness", &MassSpringLesson::why_test_stiffness);
+    give("stiffness_ratio", &MassSpringLesson::why_stiffness_ratio);
+    for (const auto& [name, family] :
+         {std::pair{"coupling_structural", structural}, {"coupling_shear", shear}, {"coupling_bending", bending}})
+        std::ranges::find(probes, std::string_view(name), &Probe::name)->explain = [this, family] {
+            return why_coupling(family);
+        };
 }
 
 Explanation MassSpringLesson::why_energy() const {
@@ -91,7 +102,7 @@ Explanation MassSpringLesson::why_elastic_energy() const {
         e.formula += fmt::format("{}{} (|x_ij| − l)²", e.inputs.empty() || symbol == symbols[0] ? "" : " + ", symbol);
     append_all(e.inputs, "", "position", position_.cols());
     // Of each family, the sum of its springs' squared elongations.
-    const auto squares = [this](std::span<const Real> x, Family family) {
+    const auto squares = [this](std::span<const Real> x, SpringFamily family) {
         const Springs& springs = block_->springs();
         const auto at = points(x.subspan(3));
         Real sum = 0;
@@ -174,6 +185,7 @@ Explanation MassSpringLesson::why_stretch() const {
     spring_strain<3>(springs, position_, strain);
     Index most = 0;
     strain.cwiseAbs().maxCoeff(&most);
+    if (springs.rest_length()[most] == 0) return fixed_value("ε = 0: springs of rest length 0 have no strain", 0);
     const Index i = springs.i(most), j = springs.j(most);
     Explanation e{.formula = fmt::format("ε = |(|x_{0} − x_{1}| − l) / l|, the largest: of spring {2} between nodes {1} and {0}",
                                          j, i, most),
@@ -195,7 +207,7 @@ Explanation MassSpringLesson::why_stretch() const {
 
 Explanation MassSpringLesson::why_sag() const {
     Explanation e{.formula = "s = Σ (Y − y) / n", .inputs = {}, .evaluate = {}};
-    const bool hangs = support == Support::top;
+    const bool hangs = support != Support::side;
     for (const Index n : hangs ? block_->layer(1, false) : block_->layer(0, true)) {
         e.inputs.push_back(
             Input::constant(fmt::format("Y_{}", n), block_->rest()(1, n) + drop_height, "m", "height of the node at rest"));

@@ -1,0 +1,28 @@
+#include <pliant/time/lu_direction.h>
+
+namespace pliant {
+
+bool LuDirection::solve(const SparseMatrix& stiffness, Real rate, const DiagonalMass& mass, const VecX& residual, VecX& d) {
+    const bool first = matrix_.rows() == 0;
+    matrix_ = stiffness;
+    matrix_.makeCompressed();
+    // A fixed degree of freedom keeps its diagonal alone.
+    for (Index column = 0; column < matrix_.cols(); ++column)
+        for (SparseMatrix::InnerIterator entry(matrix_, column); entry; ++entry) {
+            const bool diagonal = entry.row() == column, held = mass.fixed(entry.row()) || mass.fixed(column);
+            if (held)
+                entry.valueRef() = diagonal ? 1 : 0;
+            else if (diagonal)
+                entry.valueRef() += rate * mass.mass()[column];
+        }
+    if (first) factor_.analyzePattern(matrix_);
+    factor_.factorize(matrix_);
+    if (factor_.info() != Eigen::Success) return false;
+    d = -residual;
+    for (Index n = 0; n < d.size(); ++n)
+        if (mass.fixed(n)) d[n] = 0;
+    d = factor_.solve(d);
+    return d.allFinite();
+}
+
+}  // namespace pliant

@@ -1,0 +1,244 @@
+// Fields, their bounds, and the stages of a step in the order of the lecture.
+#include "rod.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pliant::rod {
+namespace {
+
+Field in_plane(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Points<2>& numbers,
+               std::string_view help) {
+    Field f = scalar_field(name, symbol, unit, on, numbers, help);
+    f.rank = Rank::vector, f.components = 2;
+    return f;
+}
+
+}  // namespace
+
+void RodLesson::declare_fields() {
+    state = {state_array("position", "m", position_),
+             state_array("velocity", "m/s", velocity_),
+             state_array("clock", "s", clock_),
+             state_array("rhythm", "s, m", rhythm_.memory()),
+             state_array("history", "", history_),
+             {"integrator", "", [this] {
+                  if (!integrator_) return std::span<Real>();
+                  integrator_->set_scheme(scheme);  // each remembers as much as it needs
+                  VecX& memory = integrator_->memory();
+                  return std::span<Real>(memory.data(), static_cast<std::size_t>(memory.size()));
+              }}};
+    fields = {
+        in_plane("position", "x", "m", On::node, position_, "of the nodes"),
+        in_plane("velocity", "v", "m/s", On::node, velocity_, "of the nodes"),
+        scalar_field("displacement", "u", "m", On::node, displacement_, "along the rod, from where the node is at rest"),
+        in_plane("slope", "∂x/∂s", "", On::edge, slope_, "of each segment: how fast x runs along the rod at rest"),
+        scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched"),
+        scalar_field("energy_density", "½EAε²", "J/m", On::edge, energy_density_, "elastic energy per length of the rod at rest"),
+        scalar_field("segment_energy", "Uᵢ", "J", On::edge, segment_energy_, "of each segment: ½EAε² Δs"),
+        scalar_field("spring_stiffness", "k", "N/m", On::edge, stiffness_, "of each spring"),
+        scalar_field("tension", "T", "N", On::edge, tension_, "k (|xᵢ₊₁ − xᵢ| − Δs): positive where a spring pulls"),
+        in_plane("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_, "negative gradient of the energy of all segments"),
+        in_plane("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node"),
+        in_plane("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"),
+        in_plane("external_force", "fᵉ", "N", On::node, external_force_, "weight of the node"),
+    };
+    const auto named = [this](std::string_view name) -> Field& { return *std::ranges::find(fields, name, &Field::name); };
+    named("displacement").defined_by = {"position"};
+    named("displacement").view = [this] { return follow_positions(), view_of(displacement_)(); };
+    named("displacement").explain = [this](const Question& q) { return why_displacement(q.index); };
+    named("velocity").used = [this] { return !hangs_still(); };
+    named("damping_force").used = [this] { return damped(); };
+    named("external_force").used = [this] { return loaded(); };
+}
+
+// Of the strain, and what follows from it.
+void RodLesson::declare_bounds() {
+    const auto strain = [this] { return largest_strain(); };
+    const auto force = [this, strain] { return 2 * chain_axial_stiffness() * strain() + total_mass * weight_acceleration(); };
+    const auto reach = [this, strain] { return length * (2 + strain()); };
+    const auto density = [this, strain] { return 0.5 * chain_axial_stiffness() * strain() * strain(); };
+    const std::vector<std::pair<std::string_view, std::function<Real()>>> bounds = {
+        {"position", reach},
+        {"velocity", [this, reach] { return reach() * (1 / dt + 2 * fastest()); }},
+        {"displacement", reach},
+        {"slope", [strain] { return 1 + strain(); }},
+        {"strain", strain},
+        {"energy_density", density},
+        {"segment_energy", [this, density] { return density() * segment(); }},
+        {"spring_stiffness", [this] { return 2 * stiffness(); }},
+        {"tension", force},
+        {"gradient_force", force},
+        {"spring_force", force},
+        {"damping_force", [] { return std::numeric_limits<Real>::max(); }},
+        {"external_force", [this] { return 2 * total_mass * weight_acceleration(); }}};
+    for (const auto& [name, bound] : bounds) std::ranges::find(fields, name, &Field::name)->bound = bound;
+}
+
+void RodLesson::declare_stages() {
+    const auto moves = [this] { return !hangs_still(); };
+    stages = {
+        {.name = "positions",
+         .formula = "∂x/∂s ≈ (xᵢ₊₁ − xᵢ)/Δs",
+         .source = "lecture C: the deformable rod, sample points s₀ … s_N",
+         .run = [this] { slope_stage(); },
+         .reads = {"position"},
+         .writes = {"slope"},
+         .explain = [this](const Question& q) { return why_slope(q.index, q.component); }},
+        {.name = "strain",
+         .formula = "ε = |∂x/∂s| − 1",
+         .source = "lecture C: strain of the rod",
+         .run = [this] { rod_strains(slope_, strain_); },
+         .reads = {"slope"},
+         .writes = {"strain"},
+         .explain = [this](const Question& q) { return why_strain(q.index); }},
+        {.name = "energy_density",
+         .formula = "½ EA ε²  in  U = ∫ ½ EA ε² ds;  springs picked by hand are a rod of EA = k₀ Δs",
+         .source = "lecture C: potential energy U = ∫ ½ k ε² ds; its k is EA",
+         .run = [this] { energy_density_ = 0.5 * chain_axial_stiffness() * strain_.array().square(); },
+         .reads = {"strain"},
+         .writes = {"energy_density"},
+         .explain = [this](const Question& q) { return why_energy_density(q.index); }},
+        {.name = "discrete_energy",
+         .formula = "U ≈ Σ ½ EA ε² Δs",
+         .source = "lecture C: the integral as a sum over the segments",
+         .run = [this] { segment_energy_ = segment() * energy_density_; },
+         .reads = {"energy_density"},
+         .writes = {"segment_energy"},
+         .explain = [this](const Question& q) { return why_segment_energy(q.index); }},
+        {.name = "springs",
+         .formula = "Uᵢ = ½ k (|xᵢ₊₁ − xᵢ| − Δs)²  with  k = EA/Δs;  tension T = k (|xᵢ₊₁ − xᵢ| − Δs)",
+         .source = "lecture C: we have just reinvented mass–spring systems",
+         .run =
+             [this] {
+                 stiffness_ = springs_.stiffness();
+                 spring_tension<2>(springs_, position_, tension_);
+             },
+         .reads = {"position", "segment_energy"},
+         .writes = {"spring_stiffness", "tension"},
+         .explain = [this](const Question& q) { return why_spring(q); }},
+        {.name = "forces",
+         .formula = "fᵢ = −∂U/∂xᵢ = Σ EA ε x̂ᵢⱼ;  as springs: fᵢ = Σ k (|xᵢⱼ| − Δs) x̂ᵢⱼ",
+         .source = "lecture C: net force on particle i; [Nealen2006 §3]",
+         .run = [this] { force_stage(); },
+         .reads = {"position", "slope", "strain"},
+         .writes = {"gradient_force", "spring_force"},
+         .explain = [this](const Question& q) { return why_force(q); }},
+        {.name = "damping_forces",
+         .formula = "fᵢ = Σ τ k (vᵢⱼ·x̂ᵢⱼ) x̂ᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
+         .source = "[Nealen2006 §3]: along the spring",
+         .run =
+             [this] {
+                 damping_force_.setZero();
+                 add_damping_forces<2>(springs_, SpringDamping::projected, position_, velocity_, damping_force_);
+             },
+         .reads = {"position", "velocity"},
+         .writes = {"damping_force"},
+         .active = [this] { return damped(); },
+         .explain = [this](const Question& q) { return why_damping_force(q.index, q.component); }},
+        {.name = "external_forces",
+         .formula = "fᵢ = (M/N) g",
+         .source = "gravity",
+         .run = [this] { external_stage(); },
+         .reads = {},
+         .writes = {"external_force"},
+         .active = [this] { return loaded(); },
+         .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
+        {.name = "integrate",
+         .formula = "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",
+         .source = "lecture C: d²xᵢ/dt² = −mᵢ⁻¹ ∂U/∂xᵢ; [Hairer2006]",
+         .run = [this] { integrate(); },
+         .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},
+         .writes = {"position", "velocity"},
+         .active = moves,
+         .again = [this] { return integrator_->again(); },
+         .begin = [this] { begin_integration(); },
+         .end = [this] { end_integration(); },
+         .explain = [this](const Question& q) { return why_integrated(q); }},
+        {.name = "equilibrium",
+         .formula = "ΔTᵢ = Σ (f + fᵉ) of all nodes beyond;  every node moves by Σ ΔT/k of the springs above it, until f + fᵉ = 0",
+         .source = "each spring carries what hangs below it",
+         .run = [this] { equilibrium_stage(); },
+         .reads = {"position", "spring_force", "external_force"},
+         .writes = {"position"},
+         .active = [this] { return hangs_still(); },
+         .again = [this] { return clock_[balanced] == 0; },
+         .loop_from = "positions",
+         .explain = [this](const Question& q) { return why_balanced(q.index, q.component); }},
+    };
+}
+
+void RodLesson::slope_stage() { rod_slopes(segment(), position_, slope_); }
+
+void RodLesson::force_stage() {
+    gradient_force_.setZero();
+    add_rod_forces(chain_axial_stiffness(), slope_, strain_, gradient_force_);
+    spring_force_.setZero();
+    add_spring_forces<2>(springs_, position_, spring_force_);
+}
+
+void RodLesson::external_stage() {
+    external_force_.setZero();
+    add_external_forces<2>({weight_acceleration() * along(), {}}, node_masses_, position_, external_force_);
+}
+
+void RodLesson::follow_positions() {
+    displacement_.resize(position_.cols());
+    for (Index i = 0; i < position_.cols(); ++i) displacement_[i] = displacement_of(i);
+}
+
+// ----------------------------------------------------------------------------------------------------- time, or none
+
+void RodLesson::begin_integration() {
+    total_force_ = spring_force_;
+    if (damped()) total_force_ += damping_force_;
+    if (loaded()) total_force_ += external_force_;
+    integrator_->set_scheme(scheme);
+    const VecX force = flat(total_force_);
+    integrator_->begin(dt, flat(position_), flat(velocity_), &force);
+}
+
+// Behind each pass of an explicit scheme the nodes are where the next force is evaluated.
+void RodLesson::integrate() {
+    integrator_->pass();
+    if (is_implicit(scheme)) return;
+    flat(position_) = integrator_->position();
+    flat(velocity_) = integrator_->velocity();
+}
+
+void RodLesson::end_integration() {
+    integrator_->finish(flat(position_), flat(velocity_));
+    clock_[elapsed] += dt;
+    if (history_.size() > 0) note_history(clock_[elapsed] - dt);
+    if (setting == Setting::wave) rhythm_.note(clock_[elapsed], mode_amplitude(), 1e-3 * amplitude);
+}
+
+// The strain now, at all moments since `before`; a new span begins with an empty picture.
+void RodLesson::note_history(Real before) {
+    const auto moment = [this](Real t) { return std::floor(t / history_span() * history_rows); };
+    const Real last = moment(clock_[elapsed]), first = std::max(moment(before) + 1, last - history_rows + 1);
+    Points<2> slope(2, count());
+    VecX strain(count());
+    rod_slopes(segment(), position_, slope);
+    rod_strains(slope, strain);
+    for (Real m = first; m <= last; ++m) {
+        const auto row = static_cast<Index>(std::fmod(m, history_rows));
+        if (row == 0) history_.setZero();
+        history_.col(row) = strain;
+    }
+}
+
+// The rod lies along a line: its springs take up at once what is unbalanced. A second round finds that nothing is.
+void RodLesson::equilibrium_stage() {
+    total_force_ = spring_force_;
+    if (loaded()) total_force_ += external_force_;
+    move_.setZero(position_.cols());
+    clock_[balanced] = imbalance() <= imbalance_rounding() ? 1 : 0;
+    if (clock_[balanced] == 1) return;
+    const VecX force = total_force_.transpose() * along();
+    balance_chain(springs_.stiffness(), force, added_tension_, move_);
+    for (Index i = 0; i < position_.cols(); ++i) position_.col(i) += move_[i] * along();
+}
+
+}  // namespace pliant::rod

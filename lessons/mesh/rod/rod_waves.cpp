@@ -1,0 +1,265 @@
+// What swings and runs along the rod: its closed forms, and what is measured of them.
+#include "rod.h"
+
+#include <pliant/solids/point_masses.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pliant::rod {
+
+using std::numbers::pi;
+
+// ----------------------------------------------------------------------------------------------------------- closed forms
+
+// Of the continuum, along the rod.
+std::optional<Real> RodLesson::exact_displacement(Real s, Real t) const {
+    const UniformRod rod = continuum();
+    if (hangs_still()) return rod.hanging_displacement(s, gravity);
+    if (setting == Setting::wave) {
+        const Real omega = rod.frequency(watched_mode(), end());
+        return amplitude * std::sin(rod.wave_number(watched_mode(), end()) * s) * damped_swing(omega, damping_ratio(omega), t);
+    }
+    if (end() == RodEnd::fixed && s == length) return 0;
+    if (damped()) return std::nullopt;
+    if (setting == Setting::released) return rod.released_displacement(s, t, gravity);
+    return pulse(rod.wave_speed()).displacement(s, t);
+}
+
+std::optional<Real> RodLesson::exact_strain(Real s, Real t) const {
+    const UniformRod rod = continuum();
+    if (hangs_still()) return rod.hanging_strain(s, gravity);
+    if (setting == Setting::wave) {
+        const Real omega = rod.frequency(watched_mode(), end()), kappa = rod.wave_number(watched_mode(), end());
+        return amplitude * kappa * std::cos(kappa * s) * damped_swing(omega, damping_ratio(omega), t);
+    }
+    if (damped() || setting == Setting::released) return std::nullopt;
+    return pulse(rod.wave_speed()).strain(s, t);
+}
+
+// ---------------------------------------------------------------------------------------------------------------- probes
+
+// sin i θ_j of the watched mode, of every node.
+VecX RodLesson::mode_shape() const {
+    const Real phase = chain().phase(watched_mode(), end());
+    return VecX::NullaryExpr(count() + 1, [phase](Index i) { return std::sin(phase * static_cast<Real>(i)); });
+}
+
+Real RodLesson::mode_amplitude() const {
+    const VecX shape = mode_shape();
+    return shape.dot(position_.transpose() * along() - VecX::LinSpaced(count() + 1, 0, length)) / shape.squaredNorm();
+}
+
+// Where its energy lies on average.
+Real RodLesson::pulse_position() const {
+    Points<2> slope(2, count());
+    VecX strain(count());
+    rod_slopes(segment(), position_, slope);
+    rod_strains(slope, strain);
+    Real energy = 0, moment = 0;
+    for (Index i = 0; i < segments; ++i) {
+        const Real elastic = 0.5 * chain_axial_stiffness() * segment() * strain[i] * strain[i];
+        const Real moving = 0.5 * node_mass() * velocity_.col(i + 1).squaredNorm();
+        energy += elastic + moving;
+        moment += elastic * (rest_place(i) + 0.5 * segment()) + moving * rest_place(i + 1);
+    }
+    return energy > 0 ? moment / energy : Real{0};
+}
+
+// The way of a pulse of this speed from s = 0 on, as if it were never turned back; nothing while it is at an end.
+std::optional<Real> RodLesson::way(Real speed, Real t) const {
+    const Real gone = start_position_ + speed * t, clear = 1.8 * pulse_width;
+    const Real turns = std::floor(gone / length), inside = gone - turns * length;
+    if (inside > length - clear || (turns > 0 && inside < clear)) return std::nullopt;
+    return gone;
+}
+
+// How often the pulse has been turned back.
+std::optional<Index> RodLesson::turns() const {
+    const auto gone = way(chain_speed(), clock_[elapsed]);
+    return gone ? std::optional(static_cast<Index>(std::floor(*gone / length))) : std::nullopt;
+}
+
+std::optional<Real> RodLesson::wave_speed() const {
+    const Real t = clock_[elapsed];
+    if (!runs_a_pulse() || t == 0 || damped() || amplitude == 0 || !turns()) return std::nullopt;
+    const Real n = static_cast<Real>(*turns());
+    const Real gone = *turns() % 2 == 0 ? n * length + pulse_position() : (n + 1) * length - pulse_position();
+    return (gone - start_position_) / t;
+}
+
+void RodLesson::declare_wave_probes() {
+    const auto of_mode = [this](auto value) {
+        return [this, value]() -> std::optional<Real> {
+            if (setting != Setting::wave) return std::nullopt;
+            return value();
+        };
+    };
+    probes.insert(
+        probes.end(),
+        {{.name = "mode_amplitude",
+          .symbol = "q",
+          .unit = "m",
+          .help = "Σ φᵢuᵢ/Σ φᵢ² of the mode that swings, φᵢ = sin iθ; exact: of the chain, A cos ωt, damped by τ",
+          .value = of_mode([this] { return mode_amplitude(); }),
+          .exact = [this](Real t) -> std::optional<Real> {
+              if (setting != Setting::wave) return std::nullopt;
+              const Real omega = chain().frequency(watched_mode(), end());
+              return amplitude * damped_swing(omega, damping_ratio(omega), t);
+          }},
+         {.name = "frequency",
+          .symbol = "ω",
+          .unit = "rad/s",
+          .help = "measured from one rise of q through 0 to the next; exact: 2√(k/m) sin((2j − 1)π/(2(2N + 1))), of the chain",
+          .value = [this]() -> std::optional<Real> {
+              const auto period = rhythm_.period();
+              if (setting != Setting::wave || !period) return std::nullopt;
+              return 2 * pi / *period;
+          },
+          .exact = [this](Real) -> std::optional<Real> {
+              if (setting != Setting::wave || damped()) return std::nullopt;
+              return chain().frequency(watched_mode(), end());
+          }},
+         {.name = "frequency_chain",
+          .symbol = "ω_j",
+          .unit = "rad/s",
+          .help = "number j of the frequencies of the chain, found as eigenvalues of its matrices; exact: "
+                  "2√(k/m) sin((2j − 1)π/(2(2N + 1)))",
+          .value = of_mode([this] { return frequencies()[watched_mode() - 1]; }),
+          .exact = [this](Real) -> std::optional<Real> {
+              if (setting != Setting::wave) return std::nullopt;
+              return chain().frequency(watched_mode(), end());
+          }},
+         {.name = "frequency_continuum",
+          .symbol = "ω_c",
+          .unit = "rad/s",
+          .help = "(2j − 1)πc/(2L) of the rod, c = √(EA L/M)",
+          .value = of_mode([this] { return continuum().frequency(watched_mode(), end()); })},
+         {.name = "pulse_position",
+          .symbol = "s_p",
+          .unit = "m",
+          .help = "where the energy of the pulse lies on average",
+          .value = [this]() -> std::optional<Real> {
+              if (!runs_a_pulse() || amplitude == 0) return std::nullopt;
+              return pulse_position();
+          },
+          .exact = [this](Real t) -> std::optional<Real> {
+              const auto gone = runs_a_pulse() && !damped() ? way(continuum().wave_speed(), t) : std::nullopt;
+              if (!gone) return std::nullopt;
+              const Real there_and_back = std::fmod(*gone, 2 * length);
+              return std::min(there_and_back, 2 * length - there_and_back);
+          }},
+         {.name = "wave_speed",
+          .symbol = "c",
+          .unit = "m/s",
+          .help = "of the energy of the pulse since the start, but for when an end turns it back; exact: √(EA L/M)",
+          .value = [this] { return wave_speed(); },
+          .exact = [this](Real) -> std::optional<Real> {
+              if (!runs_a_pulse()) return std::nullopt;
+              return continuum().wave_speed();
+          }}});
+}
+
+// ----------------------------------------------------------------------------------------------------------------- lines
+
+void RodLesson::declare_lines() {
+    const auto against_segments = [this](Rule rule) {
+        return [this, rule](Curve& curve) {
+            curve = {};
+            for (Real n = 1; n <= 200; n = std::max(n + 1, std::floor(1.25 * n))) {
+                curve.position.push_back(n);
+                curve.value.push_back(static_tip(rule, static_cast<Index>(n)));
+            }
+        };
+    };
+    lines = {{.name = "tip_against_segments",
+              .unit = "m",
+              .position_name = "segments N",
+              .help = "displacement of the tip at rest, solved for rods of every N: derived springs come ever closer to the rod, "
+                      "springs picked by hand go ever further",
+              .sample =
+                  [this](Curve& curve) {
+                      curve = {{static_cast<Real>(count())}, {tip_displacement()}};
+                  },
+              .reference =
+                  [this](Curve& curve) {
+                      const Real tip = continuum().hanging_tip(weight_acceleration());
+                      curve = {{1, 200}, {tip, tip}};
+                  },
+              .reference_name = "continuum: MgL/(2EA)",
+              .value_name = "tip displacement",
+              .log_log = true,
+              .used = [this] { return hangs(); },
+              .others = {{"derived", against_segments(Rule::derived)}, {"picked by hand", against_segments(Rule::constant)}}},
+             {.name = "displacement_profile",
+              .unit = "m",
+              .position_name = "s",
+              .position_unit = "m",
+              .help = "along the rod, of the nodes, with the continuum's where it is known",
+              .sample =
+                  [this](Curve& curve) {
+                      curve = {};
+                      for (Index i = 0; i <= segments; ++i) {
+                          curve.position.push_back(rest_place(i));
+                          curve.value.push_back(displacement_of(i));
+                      }
+                  },
+              .reference = [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_displacement); },
+              .reference_name = "continuum",
+              .value_name = "u"},
+             {.name = "strain_profile",
+              .position_name = "s",
+              .position_unit = "m",
+              .help = "in the middle of each segment, with the continuum's where it is known",
+              .sample =
+                  [this](Curve& curve) {
+                      curve = {};
+                      for (Index i = 0; i < segments; ++i) {
+                          curve.position.push_back(rest_place(i) + 0.5 * segment());
+                          curve.value.push_back(strain_[i]);
+                      }
+                  },
+              .reference = [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_strain); },
+              .reference_name = "continuum",
+              .value_name = "ε"}};
+}
+
+void RodLesson::sample_exact(Curve& curve, std::optional<Real> (RodLesson::*exact)(Real, Real) const) const {
+    constexpr int points = 161;
+    curve = {};
+    if (unsolved()) return;
+    for (int k = 0; k < points; ++k) {
+        const Real s = length * k / (points - 1);
+        const auto value = (this->*exact)(s, clock_[elapsed]);
+        if (!value) return;
+        curve.position.push_back(s);
+        curve.value.push_back(*value);
+    }
+}
+
+void RodLesson::declare_wave_lines() {
+    const auto of_modes = [this](auto frequency) {
+        return [this, frequency](Curve& curve) {
+            curve = {};
+            for (Index j = 1; j <= chain().modes(end()); ++j) {
+                curve.position.push_back(static_cast<Real>(j));
+                curve.value.push_back(frequency(j));
+            }
+        };
+    };
+    lines.push_back({.name = "frequencies",
+                     .unit = "rad/s",
+                     .position_name = "mode j",
+                     .help =
+                         "of all modes along the chain, from its matrices, and of the rod: a chain swings too slowly, most of "
+                         "all in its short waves",
+                     .sample = of_modes([this](Index j) { return frequencies()[j - 1]; }),
+                     .reference = of_modes([this](Index j) { return continuum().frequency(j, end()); }),
+                     .reference_name = "continuum",
+                     .value_name = "ω",
+                     .used = [this] { return !hangs_still(); },
+                     .others = {{"2√(k/m) sin(θ/2)", of_modes([this](Index j) { return chain().frequency(j, end()); }), true}}});
+}
+
+}  // namespace pliant::rod

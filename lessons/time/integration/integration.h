@@ -1,0 +1,166 @@
+// Eight time integrators on motions whose exact solution is known: a mass on a spring, a pendulum, a stiff pair.
+#pragma once
+#include "scheme_runs.h"
+#include "stability_region.h"
+
+#include <pliant/lesson/registry.h>
+#include <pliant/time/rhythm.h>
+
+#include <memory>
+#include <optional>
+
+namespace pliant::integration {
+
+enum class Compare { none, lecture, all };
+
+class IntegrationLesson final : public Lesson {
+public:
+    IntegrationLesson();
+
+    int dimension() const override { return 2; }
+    void reset() override;
+    Real time_step() const override { return dt; }
+    void draw(Scene& scene) const override;
+    std::optional<On> can_pull() const override { return On::handle; }
+    std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
+    std::string blow_up_hint() const override;
+    std::optional<Fix> fix(const Failure& failure) const override;
+    std::vector<std::pair<std::string, std::string>> finer() const override;
+    std::vector<std::string_view> first_plots() const override { return {"x", "energy_of_all", "error_over_step"}; }
+    std::vector<std::string_view> key_numbers() const override { return {"energy", "error", "growth_measured"}; }
+
+private:
+    // --- parameters ---
+    Choice<System> system;
+    Choice<Scheme> scheme;
+    Number omega, zeta, dt;
+    Number x0, v0;
+    Number ratio;
+    Choice<Compare> compare;
+    Number newton_tolerance;
+    Whole newton_cap;
+
+    // --- declarations ---
+    void declare_fields();
+    void declare_stages();
+    void declare_probes();
+    void declare_growth_probes();
+    void declare_work_probes();
+    void declare_lines();
+    void declare_checks();
+
+    // --- the stages ---
+    void force_stage();
+    void predict();
+    void pass();
+    void advance();
+
+    // --- what the parameters mean ---
+    bool implicit() const { return is_implicit(scheme); }
+    bool is(System one) const { return system == one; }
+    bool measures_map() const { return is(System::oscillator) && omega > 0; }
+    NewtonOptions newton() const { return {newton_tolerance, static_cast<int>(Index(newton_cap))}; }
+    Method method(Scheme one) const { return {one, newton()}; }
+    std::vector<Scheme> companions() const;          // the running scheme is not among them
+    Index watched() const { return x_.size() - 1; }  // the mass that is plotted: of the pair the outer one
+    Real rate() const { return motion_->slow_rate() > 0 ? motion_->slow_rate() : 1; }  // of the axis v/ω, 1/s
+    Real time() const { return counts_[0] * dt; }
+
+    // --- what is measured (integration_readings.cpp) ---
+    Real energy() const { return motion_->energy(x_, v_); }
+    Real kinetic_energy() const { return 0.5 * v_.squaredNorm(); }
+    std::optional<Real> amplitude_of(Real energy) const;
+    std::optional<Real> error() const;
+    std::optional<Mat<2>> measured_map() const;
+    std::optional<Real> measured_growth() const;
+    std::optional<Real> measured_frequency() const;
+    std::optional<Real> theoretical_growth() const;
+    std::optional<Real> theoretical_frequency() const;
+    std::optional<Real> artificial_damping() const;
+    std::optional<Real> shadow_energy() const;
+    std::optional<Real> exact_period() const;
+    std::optional<Real> order() const;
+
+    // --- curves, of all schemes (integration_lines.cpp) ---
+    const Path& path_of(Scheme one) const;
+    const ErrorCurve& errors_of(Scheme one) const;
+    void energy_curve(Scheme one, Curve& curve) const;
+    void growth_curve(Scheme one, Curve& curve) const;
+    void error_curve_of(Scheme one, bool over_cost, Curve& curve) const;
+    bool compared(Scheme one) const;
+    Line of_all_schemes(Line line, void (IntegrationLesson::*sample)(Scheme, Curve&) const) const;
+
+    // --- what holds, and what would mend a run (integration_checks.cpp) ---
+    Real stable_time_step() const { return stability_limit(scheme, motion_->fast_rate(), zeta); }
+    Real growth_per_step() const { return amplification(scheme, motion_->fast_rate(), zeta, dt); }
+    bool stable() const { return growth_per_step() <= 1 + 1e-9; }
+    Real energy_tolerance() const;
+    std::optional<Fix> stable_fix() const;
+    std::optional<Fix> accurate_fix() const;
+
+    // --- why a number is what it is (integration_why.cpp, integration_why_probes.cpp) ---
+    using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);
+    Explanation why_force(Index dof, std::string_view x_field, std::string_view v_field, Reading at, std::string_view mark) const;
+    std::optional<Explanation> why_pass(const Question& q) const;
+    std::optional<Explanation> why_predicted(const Question& q) const;
+    Explanation start_value(std::string formula, std::string symbol, Index dof) const;
+    Explanation why_prediction(Index dof) const;
+    Explanation why_row(Index dof, bool of_velocity) const;
+    Explanation why_residual(Index dof) const;
+    Explanation why_iterate(Index dof) const;
+    Explanation why_iterate_velocity(Index dof) const;
+    Input newton_direction(Index dof) const;
+    Input before_start(bool of_velocity, Index dof) const;
+    Input unit_mass() const;
+    bool steps_back() const;  // does this step of BDF2 look at the one before?
+    Explanation why_advanced(const Question& q) const;
+    Explanation why_balanced_velocity(Index dof) const;
+    Explanation why_energy() const;
+    Explanation why_kinetic_energy() const;
+    Explanation why_potential_energy() const;
+    Explanation why_shadow_energy() const;
+    Explanation why_exact(bool of_velocity) const;
+    Explanation why_error() const;
+    Explanation why_growth() const;
+    Explanation why_frequency() const;
+
+    // --- the picture (integration_picture.cpp, region_picture.cpp) ---
+    void draw_motion(Scene& scene) const;
+    void draw_springs(Scene& scene) const;
+    void draw_pendulum(Scene& scene) const;
+    void draw_portrait(Scene& scene) const;
+    void draw_exact_path(Scene& scene) const;
+    void draw_path(Scene& scene, Scheme one) const;
+    void draw_region(Scene& scene) const;
+    void draw_roots(Scene& scene) const;
+    void draw_legend(Scene& scene) const;
+    void write_notes(Scene& scene) const;
+    Real portrait_reach() const;  // m: half the width of the portrait
+    bool turns() const;           // does a pendulum's portrait show the whole turn?
+    Position in_portrait(const Motion& at) const;
+
+    // State [m, m/s]; what the stages make of it [m, m/s, N]; what the measurement of growth needs.
+    VecX x_, v_;
+    VecX force_, trial_x_, trial_v_, pass_force_, residual_;
+    VecX before_;  // x and v at the start of this step (between steps: of the latest), and of the one before it
+    Eigen::Array3d counts_ = Eigen::Array3d::Zero();  // steps; force evaluations of the latest step, and in all
+    Index evaluated_before_ = 0;                      // by the integrator, before this step
+    bool advanced_ = false;                           // has this step come to its end?
+
+    Rhythm rhythm_;
+
+    std::unique_ptr<Swinging> motion_;
+    std::unique_ptr<DiagonalMass> mass_;
+    std::unique_ptr<TimeIntegrator> integrator_;
+
+    mutable Paths paths_;
+    struct Errors {
+        SwingingOptions options;
+        NewtonOptions newton;
+        std::optional<ErrorCurve> curve;
+    };
+    mutable std::array<Errors, 8> errors_;
+    mutable std::array<std::optional<StabilityRegion>, 8> regions_;
+};
+
+}  // namespace pliant::integration

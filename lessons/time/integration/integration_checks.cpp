@@ -1,0 +1,123 @@
+// Under which conditions a run can be trusted, what it must obey, and which parameters mend what does not.
+#include "integration.h"
+
+#include <pliant/lesson/format.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pliant::integration {
+namespace {
+
+constexpr Real margin = 0.8;       // of a limit, in a fix
+constexpr Real most_phase = 0.25;  // rad per step: 25 steps in a swing
+constexpr Real slowest = 1e-3;     // steps shorter than this part of the present ones would take too long
+constexpr Real solved = 1e-6;      // part of the energy that a step of Newton's method may leave open
+
+Fix with_time_step(Real dt) {
+    const Real rounded = rounded_down(dt, 2);
+    return {fmt::format("Δt = {}", format_quantity(rounded, "s")), {{"time_step", format_exact(rounded)}}};
+}
+
+std::string name_of(Scheme scheme) {
+    std::string name(info_of(scheme).name);
+    if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
+
+}  // namespace
+
+void IntegrationLesson::declare_checks() {
+    assumptions = {
+        {.name = "stability",
+         .unit = "s",
+         .value = [this] { return Real(dt); },
+         .limit = [this] { return stable_time_step(); },
+         .formula =
+             "explicit Euler: Δt ≤ 2ζ/ω, none without damping;  semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  Verlet: 2/ω and "
+             "Runge–Kutta 4: 2.83/ω without damping;  ω of the fastest mode",
+         .broken = "every step makes the motion larger, until nothing else is left of it",
+         .used = [this] { return !implicit() && omega > 0; },
+         .fix = [this] { return stable_fix(); }},
+        {.name = "accuracy",
+         .unit = "rad",
+         .value = [this] { return motion_->slow_rate() * dt; },
+         .limit = [] { return most_phase; },
+         .formula = "ωΔt ≤ ¼: 25 steps in a swing, of the slow mode",
+         .broken =
+             "a step is a large part of a swing: what is stable then still swings at a wrong rate, and schemes that damp stop it",
+         .used = [this] { return omega > 0; },
+         .fix = [this] { return accurate_fix(); }}};
+    conserved = {
+        {.probe = "energy", .law = Law::never_grows, .tolerance = [this] { return energy_tolerance(); }},
+        {.probe = "shadow_energy",
+         .law = Law::constant,
+         .tolerance = [this] { return 1e-9 * motion_->energy(motion_->start_position(), motion_->start_velocity()); },
+         .expected =
+             [this] { return scheme == Scheme::semi_implicit_euler && motion_->linear() && !motion_->damped() && stable(); }}};
+}
+
+// By how much the energy of a sound run may exceed that of the start: symplectic schemes let it swing about its mean, without end
+// but bounded; beyond the limit nothing is allowed.
+Real IntegrationLesson::energy_tolerance() const {
+    const Real start = motion_->energy(motion_->start_position(), motion_->start_velocity());
+    const Real w = motion_->fast_rate() * dt;
+    if (!stable()) return 1e-9 * start;
+    switch (scheme) {
+        case Scheme::explicit_euler:
+            return start * (1e-9 + (zeta > 0 ? 2 * w : 0));
+        case Scheme::semi_implicit_euler:
+            return start * (1e-9 + 2 * w / std::max(2 - w, Real{1e-3}));
+        case Scheme::velocity_verlet:
+            return start * (1e-9 + 2 * w * w / std::max(4 - w * w, Real{1e-3}));
+        case Scheme::runge_kutta_4:
+            return start * (1e-9 + (motion_->linear() && zeta == 0 ? 0 : w * w * w * w));
+        case Scheme::implicit_euler:
+            return start * solved;
+        default:
+            return start * (solved + (motion_->linear() && scheme != Scheme::bdf2 ? 0 : std::min(w * w, Real{1})));
+    }
+}
+
+// A shorter step, or where it would have to be very short or does not exist another scheme.
+std::optional<Fix> IntegrationLesson::stable_fix() const {
+    const Real limit = stable_time_step(), other = stability_limit(Scheme::semi_implicit_euler, motion_->fast_rate(), zeta);
+    if (limit > slowest * dt) return with_time_step(margin * limit);
+    if (scheme != Scheme::semi_implicit_euler && dt <= margin * other)
+        return Fix{"semi-implicit Euler", {{"scheme", "semi_implicit_euler"}}};
+    return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
+}
+
+std::optional<Fix> IntegrationLesson::accurate_fix() const { return with_time_step(margin * most_phase / motion_->slow_rate()); }
+
+std::string IntegrationLesson::blow_up_hint() const {
+    if (implicit()) return "Lower time_step, or allow more newton_iterations";
+    const Real limit = stable_time_step(), w = motion_->fast_rate();
+    const std::string growth = fmt::format("every step multiplies the motion of ω = {} by {}", format_quantity(w, "rad/s", 3),
+                                           format_quantity(growth_per_step(), "", 5));
+    if (limit == 0)
+        return fmt::format(
+            "{} without damping is stable at no Δt: {} = √(1 + ω²Δt²). Choose another scheme, or give damping_ratio",
+            name_of(scheme), growth);
+    if (dt > limit)
+        return fmt::format("Δt = {} is above the limit of {} for {}: {}. Lower time_step, or choose implicit_euler",
+                           format_quantity(dt, "s"), format_quantity(limit, "s"), info_of(scheme).name, growth);
+    return fmt::format("Δt = {} is below the limit {} of small motions. Lower time_step", format_quantity(dt, "s"),
+                       format_quantity(limit, "s", 3));
+}
+
+std::optional<Fix> IntegrationLesson::fix(const Failure&) const {
+    if (!implicit() && dt > stable_time_step()) return stable_fix();
+    if (implicit() && newton_cap < 20) return Fix{"100 Newton iterations", {{"newton_iterations", "100"}}};
+    return with_time_step(dt / 4);
+}
+
+std::vector<std::pair<std::string, std::string>> IntegrationLesson::finer() const {
+    const Real step = omega > 0 ? std::min(Real(dt) / 8, 0.05 / (motion_->fast_rate() * std::max(Real{1}, Real(zeta)))) : dt / 8;
+    return {{"scheme", "runge_kutta_4"}, {"time_step", format_exact(dt / std::ceil(dt / step))}};
+}
+
+}  // namespace pliant::integration

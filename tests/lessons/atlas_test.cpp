@@ -1,0 +1,60 @@
+// The stability atlas of lessons whose limit is known in closed form.
+#include <pliant/study/stability_report.h>
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace pliant;
+
+namespace {
+
+StabilityMap map_of(std::string_view lesson_name, std::string_view across, std::string_view up, Runner::Assignments settings) {
+    const LessonEntry& entry = find_lesson(lesson_name);
+    const auto lesson = entry.make();
+    return make_stability_map(
+        {.lesson = &entry, .settings = std::move(settings), .across = parse_knob(*lesson, across), .up = parse_knob(*lesson, up)},
+        2);
+}
+
+// The first cell that contradicts theory, in words.
+std::string contradiction(const StabilityMap& map) {
+    for (Index j = 0; j < map.rows(); ++j)
+        for (Index i = 0; i < map.columns(); ++i)
+            if (contradicts_theory(map, i, j))
+                return std::to_string(map.order.across.values[static_cast<std::size_t>(i)]) + ", " +
+                       std::to_string(map.order.up.values[static_cast<std::size_t>(j)]) + ": " + map.at(i, j).verdict.reason;
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("the atlas agrees with theory to one cell for every scheme", "[atlas]") {
+    const auto lesson = find_lesson("time/integration").make();
+    for (const Option& scheme : lesson->parameter("scheme").info.options)
+        for (const std::string up : {"omega=1:100:9:log", "damping_ratio=0:1.5:9"}) {
+            INFO(scheme.key << " " << up);
+            const StabilityMap map = map_of("time/integration", "time_step=2e-3:1:12:log", up,
+                                            {{"scheme", std::string(scheme.key)},
+                                             {up.starts_with("omega") ? "v0" : "omega", up.starts_with("omega") ? "0" : "10"}});
+            REQUIRE(agreement(map));
+            CHECK(agreement(map)->compared == 12 * 9);
+            CHECK(contradiction(map).empty());
+            INFO(contradiction(map));
+            CHECK(agreement(map)->contradicts == 0);
+        }
+}
+
+TEST_CASE("every lesson that steps in time can be mapped", "[atlas]") {
+    for (const LessonEntry& entry : lessons()) {
+        const auto lesson = entry.make();
+        if (lesson->time_step() == 0) continue;
+        INFO(entry.info.id);
+        const auto [across, up] = first_knobs(*lesson);
+        CHECK(across != up);
+        CHECK(can_be_knob(*across));
+        for (const Parameter* p : {across, up}) {
+            const Knob knob = useful_knob(*p, 5);
+            CHECK(knob.values.size() >= 2);
+            CHECK(text_of(*lesson, parse_knob(*lesson, text_of(*lesson, knob))) == text_of(*lesson, knob));
+        }
+    }
+}

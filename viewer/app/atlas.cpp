@@ -1,0 +1,123 @@
+#include "app/atlas.h"
+
+#include "app/session.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace pliant::viewer {
+namespace {
+
+bool is_knob(const MapOrder& order, std::string_view key) { return order.across.key == key || order.up.key == key; }
+
+// One core is left to the lab.
+int jobs_beside_lab() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+
+// What a map assigns to a parameter beside its knobs.
+Real value_in(const MapOrder& order, const Parameter& p) {
+    for (const auto& [key, text] : order.settings)
+        if (key == p.info.key) return p.parse(text);
+    return p.info.initial;
+}
+
+}  // namespace
+
+void Atlas::follow(const Session& session) {
+    std::erase_if(cancelled_, [](const auto& job) { return job->over.load(); });
+    if (std::exchange(lesson_, session.entry().info.id) != session.entry().info.id) {
+        cancel();
+        map_.reset(), picture_.reset();
+        across = up = trouble_ = "";
+        try {
+            const auto [x, y] = first_knobs(session.lesson());
+            across = x->info.key, up = y->info.key;
+        } catch (const Refused& e) {
+            trouble_ = e.what();
+        }
+    }
+    if (!under_way_ || !under_way_->over) return;
+    trouble_ = under_way_->trouble;
+    if (under_way_->map) take(std::move(under_way_->map));
+    under_way_.reset();
+}
+
+MapOrder Atlas::order_of(const Session& session) const {
+    const Lesson& lesson = session.lesson();
+    MapOrder order{.lesson = &session.entry(), .steps = steps};
+    order.across = useful_knob(lesson.parameter(across), cells), order.up = useful_knob(lesson.parameter(up), cells);
+    for (const Parameter* p : lesson.parameters)
+        if (const Real value = session.runner().wanted(*p); value != p->info.initial && !is_knob(order, p->info.key))
+            order.settings.emplace_back(p->info.key, p->text(value));
+    check_order(order);
+    return order;
+}
+
+void Atlas::start(const Session& session) {
+    auto job = std::make_unique<Job>(order_of(session));
+    cancel();
+    trouble_.clear();
+    const auto work = [](const std::stop_token& stop, Job& j) {
+        try {
+            const auto tell = [&j](Index done, Index total) { j.total = total, j.done = done; };
+            auto map = std::make_unique<StabilityMap>(make_stability_map(j.order, jobs_beside_lab(), tell, stop));
+            if (map->complete) j.map = std::move(map);
+        } catch (const std::exception& e) {
+            j.trouble = e.what();
+        }
+        j.over = true;
+    };
+    try {
+        job->thread = std::jthread([work, &j = *job](const std::stop_token& stop) { work(stop, j); });
+    } catch (const std::system_error&) {
+        work({}, *job);
+    }
+    under_way_ = std::move(job);
+}
+
+void Atlas::make_now(const Session& session) {
+    cancel();
+    trouble_.clear();
+    take(std::make_unique<StabilityMap>(make_stability_map(order_of(session), jobs_beside_lab() + 1)));
+}
+
+void Atlas::cancel() {
+    if (!under_way_) return;
+    under_way_->thread.request_stop();
+    cancelled_.push_back(std::move(under_way_));
+}
+
+Real Atlas::progress() const {
+    return under_way_ ? static_cast<Real>(under_way_->done) / static_cast<Real>(under_way_->total) : 0;
+}
+
+void Atlas::take(std::unique_ptr<StabilityMap> map) {
+    map_ = std::move(map);
+    picture_.emplace(*map_);
+}
+
+bool Atlas::outdated(const Session& session) const {
+    return map_ && std::ranges::any_of(session.lesson().parameters, [&](const Parameter* p) {
+               return !is_knob(map_->order, p->info.key) && session.runner().wanted(*p) != value_in(map_->order, *p);
+           });
+}
+
+std::optional<MapPlace> Atlas::present(const Session& session) const {
+    if (!map_ || outdated(session)) return std::nullopt;
+    const auto place = [&](const Knob& knob) {
+        return knob_place(knob, session.runner().wanted(session.lesson().parameter(knob.key)));
+    };
+    const auto x = place(map_->order.across), y = place(map_->order.up);
+    return x && y ? std::optional(MapPlace{*x, *y}) : std::nullopt;
+}
+
+void open_cell(Session& session, const StabilityMap& map, Index i, Index j) {
+    std::vector<std::pair<std::string, Real>> values;
+    for (const Parameter* p : session.lesson().parameters)
+        if (!is_knob(map.order, p->info.key)) values.emplace_back(p->info.key, value_in(map.order, *p));
+    values.emplace_back(map.order.across.key, map.order.across.values[static_cast<std::size_t>(i)]);
+    values.emplace_back(map.order.up.key, map.order.up.values[static_cast<std::size_t>(j)]);
+    session.assign_together(values);
+}
+
+}  // namespace pliant::viewer

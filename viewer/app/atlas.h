@@ -1,0 +1,75 @@
+// The stability map that the lab makes beside the run: two knobs of the open lesson, made in threads of their own. It draws
+// nothing.
+#pragma once
+#include <pliant/study/stability_map.h>
+
+#include "plot/map_plot.h"
+
+#include <atomic>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace pliant::viewer {
+
+class Session;
+
+class Atlas {
+public:
+    Atlas() = default;
+    Atlas(const Atlas&) = delete;
+    Atlas& operator=(const Atlas&) = delete;
+    // What is being made is cancelled, which takes a step of the lesson at most.
+    ~Atlas() = default;
+
+    // --- what is asked for ---
+    std::string across{}, up{};  // keys of the knobs
+    Index cells = 24;            // along each knob, at most
+    Index steps = 200;
+
+    // The knobs of the lesson that is open; another lesson cancels what is being made and forgets the map. Call in every frame.
+    void follow(const Session& session);
+
+    // Of the parameters as they are. Throws Refused, and then nothing has changed.
+    void start(const Session& session);
+    void make_now(const Session& session);  // in this thread
+    void cancel();
+    bool busy() const { return under_way_ != nullptr; }
+    Real progress() const;  // 0 to 1
+
+    // --- what came out ---
+    const StabilityMap* map() const { return map_.get(); }
+    const MapPicture& picture() const { return *picture_; }  // only with a map
+    // The present scene on the map; empty when it lies outside, or has other parameters beside the knobs.
+    std::optional<MapPlace> present(const Session& session) const;
+    // Has anything beside the knobs changed since the map was made?
+    bool outdated(const Session& session) const;
+    const std::string& trouble() const { return trouble_; }  // why there is no map; "" when nothing went wrong
+
+private:
+    struct Job {
+        explicit Job(MapOrder wanted) : order(std::move(wanted)) {}
+        MapOrder order;
+        std::unique_ptr<StabilityMap> map{};
+        std::string trouble{};
+        std::atomic<Index> done = 0, total = 1;
+        std::atomic<bool> over = false;
+        std::jthread thread{};  // last: it is waited for before the others go
+    };
+    MapOrder order_of(const Session& session) const;
+    void take(std::unique_ptr<StabilityMap> map);
+
+    std::string_view lesson_{};
+    std::unique_ptr<StabilityMap> map_;
+    std::optional<MapPicture> picture_;
+    std::string trouble_;
+    std::unique_ptr<Job> under_way_;
+    std::list<std::unique_ptr<Job>> cancelled_;  // until their threads are done
+};
+
+// The scene of a cell in the lab: its parameters in one step of undo, from the start.
+void open_cell(Session& session, const StabilityMap& map, Index i, Index j);
+
+}  // namespace pliant::viewer

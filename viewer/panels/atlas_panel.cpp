@@ -1,0 +1,155 @@
+// The atlas: where the open lesson is stable, over two of its parameters.
+#include <pliant/study/stability_report.h>
+
+#include "panels/companion_panel.h"
+#include "panels/flowing_text.h"
+#include "panels/lab_state.h"
+#include "plot/imgui_canvas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::viewer {
+namespace {
+
+void flowing_words(const std::string& text, bool quiet = false) {
+    if (quiet) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
+    if (quiet) ImGui::PopStyleColor();
+}
+
+void choose_knob(LabState& lab, const char* label, std::string& key, const std::string& other, const char* help) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("across").x - lab.px(10));
+    const bool open = ImGui::BeginCombo(label, words(key).c_str());
+    lab.note_control(fmt::format("atlas {}", label));
+    if (!open) return tooltip(help, lab.scale);
+    for (const Parameter* p : lab.session.lesson().parameters) {
+        if (!can_be_knob(*p) || p->info.key == other) continue;
+        const bool chosen = p->info.key == key;
+        if (ImGui::Selectable(words(p->info.key).c_str(), chosen)) key = p->info.key;
+        lab.note_control(fmt::format("atlas knob {}", p->info.key));
+        tooltip(std::string(p->info.help), lab.scale);
+    }
+    ImGui::EndCombo();
+}
+
+void whole_slider(LabState& lab, const char* label, float width, Index& value, int least, int most, const char* help) {
+    int shown = static_cast<int>(value);
+    ImGui::SetNextItemWidth(width - ImGui::CalcTextSize(label).x - lab.px(10));
+    if (ImGui::SliderInt(label, &shown, least, most, "%d", ImGuiSliderFlags_AlwaysClamp)) value = shown;
+    lab.note_control(fmt::format("atlas {}", label));
+    tooltip(help, lab.scale);
+}
+
+// A refusal is told in the panel, where it was asked for.
+void make_or_cancel(LabState& lab) {
+    Atlas& atlas = lab.atlas;
+    if (!atlas.busy()) {
+        if (flowing_button(lab, atlas.map() ? "Map again" : "Map it", "atlas make",
+                           "Runs the lesson in every cell, beside the lab, and classes each run by its energy", true))
+            start_atlas(lab);
+        return;
+    }
+    if (flowing_button(lab, "Cancel", "atlas cancel", "Stops making the map", true)) atlas.cancel();
+    ImGui::SameLine();
+    ImGui::ProgressBar(static_cast<float>(atlas.progress()), {-1, 0});
+    lab.note_control("atlas progress");
+    tooltip("The cells that are done", lab.scale);
+}
+
+std::string theory_text(const MapCell& c) {
+    if (!c.theory) return "";
+    if (*c.theory == 0) return "theory: every time step is stable";
+    if (std::isinf(*c.theory)) return "theory: no time step is stable";
+    return fmt::format("time step / limit of theory: {:.3g}", *c.theory);
+}
+
+std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, Index j) {
+    const MapCell& c = map.at(i, j);
+    const auto value = [&](const Knob& knob, Index k) {
+        return setting_text(lesson.parameter(knob.key), knob.values[static_cast<std::size_t>(k)]);
+    };
+    std::string text = fmt::format("{}, {}\n{}", value(map.order.across, i), value(map.order.up, j), words_of(c.verdict.kind));
+    if (c.verdict.growth) text += fmt::format(": amplitude × {:.7g} per step", *c.verdict.growth);
+    if (const std::string theory = theory_text(c); !theory.empty()) text += "\n" + theory;
+    return text + "\n" + c.verdict.reason;
+}
+
+void hover(LabState& lab, const StabilityMap& map, Index i, Index j) {
+    lab.atlas_cell = {i, j};
+    tooltip(cell_text(lab.session.lesson(), map, i, j) + "\nClick to open this scene", lab.scale);
+}
+
+void draw_picture(LabState& lab) {
+    const StabilityMap& map = *lab.atlas.map();
+    MapPicture picture = lab.atlas.picture();
+    picture.present = lab.atlas.present(lab.session);
+    const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    const float height = std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(240), 1.5f * room.x);
+    const bool pressed = ImGui::InvisibleButton("map", {room.x, height});
+    lab.note_control("atlas map");
+    ImguiCanvas canvas(*ImGui::GetWindowDrawList());
+    const PlotStyle style = plot_style(plot_theme(lab.theme), lab.scale);
+    const MapPlaces places = draw_map(canvas, {{at.x, at.y}, {at.x + room.x, at.y + height}}, picture, style, false);
+    lab.controls["atlas area"] = {places.area.min.x, places.area.min.y, places.area.width(), places.area.height()};
+    lab.atlas_cell.reset();
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const auto cell = ImGui::IsItemHovered() ? places.cell(map, {mouse.x, mouse.y}) : std::nullopt;
+    if (!cell) return;
+    hover(lab, map, cell->first, cell->second);
+    if (pressed) open_cell(lab.session, map, cell->first, cell->second);
+}
+
+// For those who cannot point: what holds where the sliders stand.
+void tell_present(LabState& lab) {
+    const StabilityMap& map = *lab.atlas.map();
+    if (lab.atlas.outdated(lab.session)) return flowing_words("Other parameters than the knobs have changed since: map again.");
+    const auto place = lab.atlas.present(lab.session);
+    if (!place) return flowing_words("The present scene lies outside of the map.", true);
+    const auto nearest = [](Real x, Index count) { return std::clamp<Index>(std::lround(x), 0, count - 1); };
+    const MapCell& c = map.at(nearest(place->across, map.columns()), nearest(place->up, map.rows()));
+    flowing_words(fmt::format("The present scene: {}.", words_of(c.verdict.kind)));
+}
+
+}  // namespace
+
+void start_atlas(LabState& lab) {
+    try {
+        lab.atlas.start(lab.session);
+    } catch (const Refused& e) {
+        lab.session.say(Session::Message::Kind::refused, e.what());
+    }
+}
+
+void draw_atlas(LabState& lab) {
+    Atlas& atlas = lab.atlas;
+    choose_knob(lab, "across", atlas.across, atlas.up, "The knob along the map");
+    if (std::exchange(lab.focus_atlas, false)) focus_last_item();
+    choose_knob(lab, "up", atlas.up, atlas.across, "The knob up the map");
+    const float half = 0.5f * ImGui::GetContentRegionAvail().x;
+    whole_slider(lab, "cells", half, atlas.cells, 8, 48, "Values of each knob");
+    ImGui::SameLine();
+    whole_slider(lab, "steps", half, atlas.steps, 50, 1000,
+                 "Steps of each cell; one that is in doubt makes up to 16 times as many");
+    make_or_cancel(lab);
+    if (!atlas.trouble().empty()) flowing_words(atlas.trouble());
+    if (!atlas.map()) {
+        if (!atlas.busy() && atlas.trouble().empty())
+            flowing_words(
+                "A map shows for which values of two parameters this lesson is stable: every cell is a run, classed by its "
+                "energy, and the line is the limit of theory.",
+                true);
+        return;
+    }
+    ImGui::BeginChild("atlas", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
+    draw_picture(lab);
+    ImGui::PushFont(lab.fonts.small);
+    flowing_words(agreement_text(*atlas.map()), true);
+    ImGui::PopFont();
+    tell_present(lab);
+    ImGui::EndChild();
+}
+
+}  // namespace pliant::viewer
