@@ -240,6 +240,7 @@ void ImplicitSolver::iterate() {
         keep_bounds(x_);
     } else {
         take_guarded_step();
+        converged_ = linear_converged_ && fraction_ == 1 && unproved_ == 0 && last_step_ <= options_.relative_step * length_;
     }
     v_ = form_.velocity_rate * (x_ - form_.velocity_origin);
     ++iterations_;

@@ -52,6 +52,8 @@ std::vector<Golden> goldens() {
         {"energy_density", {"elasticity/energy_density", {"path=shear"}, {}, medium}, "shear=0.8"},
         {"moduli_shear", {"elasticity/moduli", {"test=shear", "resolution=3"}, {}, small}, "poisson_ratio=-0.4"},
         {"moduli_projector", {"elasticity/moduli", {"test=tension", "resolution=3"}, {}, projector}, "length=0.1"},
+        {"cloth", {"mesh/cloth", {"scene=drape", "nodes=13"}, 60, small}, "k_bending=200"},
+        {"cloth_flag", {"mesh/cloth", {"scene=flag", "nodes=13", "wind=8"}, 40, small}, "wind=2"},
         {"integration", {"time/integration", {"time_step=0.15"}, 20, large}, "scheme=velocity_verlet"},
         {"integration_pendulum",
          {"time/integration", {"system=pendulum", "x0=6.8", "scheme=explicit_euler"}, 60, bright},

@@ -14,10 +14,15 @@
 
 namespace pliant::cloth {
 
+// Newton's method: so many iterations, whatever they leave; or until it converges.
+enum class Newton { capped, full };
 enum class Setting { hanging_corners, hanging_edge, drape, flag, pedestal };
 
 // Strains below this are rounding.
 inline constexpr Real strain_rounding = 1e-12;
+
+// Caps of a full Newton solve: of its own iterations, and of conjugate gradients in each.
+inline constexpr int full_iterations = 500, full_linear_iterations = 2000;
 
 // Factors of larger sheets do not fit into a lecture.
 inline constexpr Index most_direct_nodes = 40 * 40;
@@ -54,8 +59,8 @@ private:
     Number sphere_radius, friction;
     Choice<Scheme> scheme;
     Number dt;
+    Choice<Newton> newton;
     Whole newton_cap;
-    Switch accept_at_cap;
     Number newton_tolerance;
     Choice<LinearSolve> linear_solver;
     Whole linear_iterations;
@@ -74,6 +79,7 @@ private:
     // --- what the parameters mean ---
     bool implicit() const { return scheme == Scheme::implicit_euler; }
     bool iterative() const { return implicit() && linear_solver == LinearSolve::conjugate_gradients; }
+    bool capped() const { return newton == Newton::capped; }
     bool damped() const { return damping_mode != SpringDamping::none; }
     bool in_air() const { return air_drag > 0; }
     bool has_sphere() const { return setting == Setting::drape && sphere_radius > 0; }
@@ -174,7 +180,7 @@ private:
 
     Points<3> spring_force_, damping_force_, external_force_, wind_force_, total_force_;
     VecX strain_;             // of the springs
-    VecX stretch_, bending_;  // of the nodes: largest strain of a structural spring, largest shortening of a bending one
+    VecX stretch_, bending_;  // of the nodes: strain of a structural spring farthest from 0, largest shortening of a bending one
     std::vector<Mat<3>> drag_;
     std::vector<Real> drag_numbers_;  // the same, as a field shows them
     Real gust_at_ = 0;                // time that this step's wind belongs to, s

@@ -42,7 +42,8 @@ std::string sentence(const char* name, Real k_structural, Real k_bending, const 
 }
 
 Finding strong_and_weak() {
-    const Drape cloth = drape_of(1000, 1), softer = drape_of(1000, 10), cardboard = drape_of(1000, 1000), rubber = drape_of(10, 10);
+    const Drape cloth = drape_of(1000, 1), softer = drape_of(1000, 10), cardboard = drape_of(1000, 1000),
+                rubber = drape_of(10, 10);
     const bool drapes = cloth.coefficient >= limp && softer.coefficient <= stiff && cloth.stretch <= cloth_stretch &&
                         softer.stretch <= cloth_stretch && cloth.coefficient <= softer.coefficient;
     const bool others_do_not =

@@ -25,12 +25,12 @@ void ClothLesson::draw(Scene& picture) const {
 void ClothLesson::set_frame(Scene& picture) const {
     const Real half = size / 2, radius = drapes() ? Real{sphere_radius} : Real{0};
     if (setting == Setting::flag)
-        picture.frame(position(-0.8 * size, -0.75 * size, -0.3 * half), position(half, half, 0.3 * half));
+        picture.frame(position(-0.8 * size, -0.75 * size, -0.3 * half), position(half, 0.75 * size, 0.3 * half));
     else if (drapes())
         picture.frame(position(-0.7 * half, -std::max(2 * radius, 0.5 * size), -0.7 * half),
                       position(0.7 * half, 0.05 * size, 0.7 * half));
     else
-        picture.frame(position(-0.8 * half, -1.02 * size, -0.5 * half), position(0.8 * half, 0.02 * size, 0.5 * half));
+        picture.frame(position(-0.8 * half, -1.02 * size, -0.5 * half), position(0.8 * half, 0.2 * size, 0.5 * half));
 }
 
 void ClothLesson::draw_sheet(Scene& picture) const {
@@ -147,9 +147,8 @@ void ClothLesson::write_notes(Scene& picture) const {
         picture.notes.push_back(fmt::format("{} {} {}, the stability limit", step, dt <= stable_time_step() ? "≤" : ">",
                                             format_quantity(stable_time_step(), "s", 3)));
     } else if (solver_ && !solver_->converged()) {
-        picture.notes.push_back(fmt::format("{}; after {} Newton iteration{} up to {} are unbalanced", step,
-                                            solver_->iterations(), solver_->iterations() == 1 ? "" : "s",
-                                            format_quantity(imbalance_.cwiseAbs().maxCoeff(), "N", 2)));
+        picture.notes.push_back(
+            fmt::format("{}, unbalanced ≤ {}", step, format_quantity(imbalance_.cwiseAbs().maxCoeff(), "N", 2)));
     } else {
         picture.notes.push_back(step + (solver_ ? ", solved" : ", implicit"));
     }

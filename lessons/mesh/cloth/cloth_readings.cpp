@@ -124,7 +124,7 @@ void ClothLesson::declare_checks() {
          .used = [this] { return implicit(); },
          .fix =
              [] {
-                 return std::optional(Fix{"10 Newton iterations of 100", {{"newton_cap", "10"}, {"linear_iterations", "100"}}});
+                 return std::optional(Fix{"solve each step fully", {{"newton", "full"}}});
              }},
         {.name = "shear_springs",
          .value = missing(k_shear),
@@ -196,7 +196,7 @@ std::string ClothLesson::too_large_a_step() const {
 
 std::string ClothLesson::blow_up_hint() const {
     if (const std::string hint = too_large_a_step(); !hint.empty()) return hint;
-    if (implicit()) return "Lower time_step, allow more newton_cap and linear_iterations, or switch accept_at_cap on";
+    if (implicit()) return "Lower time_step, or set newton to capped, which takes what a few iterations give";
     return fmt::format(
         "Δt = {} is below the limit {} of small motions: the sheet is far from its shape at rest, or the wind too "
         "strong. Choose implicit_euler as the scheme",
@@ -205,7 +205,7 @@ std::string ClothLesson::blow_up_hint() const {
 
 std::optional<Fix> ClothLesson::fix(const Failure&) const {
     if (!implicit()) return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
-    if (!accept_at_cap) return Fix{"accept the last iterate", {{"accept_at_cap", "on"}}};
+    if (!capped()) return Fix{"take the last iterate", {{"newton", "capped"}}};
     const Real shorter = rounded_down(dt / 4, 2);
     return Fix{fmt::format("Δt = {}", format_quantity(shorter, "s")), {{"time_step", format_exact(shorter)}}};
 }

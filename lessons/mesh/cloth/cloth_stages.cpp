@@ -40,7 +40,8 @@ void ClothLesson::declare_fields() {
             scalar_field("contact_force", "N", "N", On::node, contact_force_, "with which the sphere presses a node outwards"),
             has(contact_force_)),
         scalar_field("strain", "ε", "", On::edge, strain_, "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest"),
-        scalar_field("stretch", "ε₊", "", On::node, stretch_, "largest strain of a node's structural springs"),
+        scalar_field("stretch", "ε_s", "", On::node, stretch_,
+                     "of the strains of a node's structural springs the one farthest from 0: red where it is stretched"),
         scalar_field("bending", "β", "", On::node, bending_,
                      "largest shortening of a node's bending springs: 0 where it is flat"),
     };
@@ -153,15 +154,14 @@ void ClothLesson::spring_stage() {
     spring_force_.setZero();
     add_spring_forces<3>(springs, position_, spring_force_);
     spring_strain<3>(springs, position_, strain_);
-    stretch_.setConstant(position_.cols(), -1);
+    stretch_.setZero();
     bending_.setZero();
-    const auto raise = [](Real& value, Real to) { value = std::max(value, to); };
     for (Index s = 0; s < strain_.size(); ++s) {
         if (std::abs(strain_[s]) < strain_rounding) strain_[s] = 0;
         const Family family = sheet_->family_of(s);
         for (const Index n : {springs.i(s), springs.j(s)}) {
-            if (family == structural) raise(stretch_[n], strain_[s]);
-            if (family == bending) raise(bending_[n], -strain_[s]);
+            if (family == structural && std::abs(strain_[s]) > std::abs(stretch_[n])) stretch_[n] = strain_[s];
+            if (family == bending) bending_[n] = std::max(bending_[n], -strain_[s]);
         }
     }
 }
@@ -183,17 +183,17 @@ void ClothLesson::wind_stage() {
     for (std::size_t n = 0; n < drag_.size(); ++n) {
         const auto node = static_cast<Index>(n);
         wind_force_.col(node) = drag_[n] * (air.velocity - velocity_.col(node));
-        Eigen::Map<Mat<3>>(drag_numbers_.data() + 9 * n) = drag_[n];
+        Eigen::Map<Mat<3>>(drag_numbers_.data() + 9 * n) = drag_[n].transpose();  // row by row
     }
 }
 
 NewtonOptions ClothLesson::newton_options() const {
     return {.relative_step = newton_tolerance,
-            .max_iterations = static_cast<int>(Index(newton_cap)),
-            .at_cap = accept_at_cap ? AtCap::accept : AtCap::fail,
+            .max_iterations = capped() ? static_cast<int>(Index(newton_cap)) : full_iterations,
+            .at_cap = capped() ? AtCap::accept : AtCap::fail,
             .linear_solve = linear_solver,
             .linear_tolerance = linear_tolerance,
-            .linear_iterations = static_cast<int>(Index(linear_iterations))};
+            .linear_iterations = capped() ? static_cast<int>(Index(linear_iterations)) : full_linear_iterations};
 }
 
 void ClothLesson::begin_integration() {

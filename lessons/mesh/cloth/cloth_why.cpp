@@ -99,18 +99,19 @@ Explanation ClothLesson::why_strain(Index s) const {
 }
 
 Explanation ClothLesson::why_largest_of_node(Index node, bool bent) const {
-    Explanation e{.formula = bent ? "β = max(0" : "ε₊ = max(−1", .inputs = {}, .evaluate = {}};
+    Explanation e{.formula = bent ? "β = max(0" : "ε_s = the one farthest from 0 of (", .inputs = {}, .evaluate = {}};
     for (const Index s : sheet_->springs_of(node)) {
         if (sheet_->family_of(s) != (bent ? bending : structural)) continue;
         const std::string symbol = fmt::format("ε_{}", other_end(sheet_->springs(), s, node));
-        e.formula += fmt::format(", {}{}", bent ? "− " : "", symbol);
+        e.formula += fmt::format("{}{}", bent ? ", − " : e.inputs.empty() ? "" : ", ", symbol);
         e.inputs.push_back(Input::now(symbol, "strain", s));
     }
     e.formula += ")";
     e.evaluate = [bent](std::span<const Real> x) {
-        Real largest = bent ? 0 : -1;
-        for (const Real strain : x) largest = std::max(largest, bent ? -strain : strain);
-        return largest;
+        Real farthest = 0;
+        for (const Real strain : x)
+            if (bent ? -strain > farthest : std::abs(strain) > std::abs(farthest)) farthest = bent ? -strain : strain;
+        return farthest;
     };
     return e;
 }
