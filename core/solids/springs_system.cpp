@@ -24,7 +24,7 @@ Real external_energy(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<D
 }
 
 template <int Dim>
-SpringSystem<Dim>::SpringSystem(const Springs& springs, const VecX& mass) : springs_(springs), mass_(mass), matrix_(springs) {}
+SpringSystem<Dim>::SpringSystem(const Springs& springs, const VecX& mass) : springs_(springs), mass_(mass) {}
 
 template <int Dim>
 Real SpringSystem<Dim>::potential(ConstDofs x) const {
@@ -49,13 +49,14 @@ void SpringSystem<Dim>::force(ConstDofs x, ConstDofs v, Dofs f) const {
 
 template <int Dim>
 const SparseMatrix& SpringSystem<Dim>::stiffness(ConstDofs x, Real velocity_rate, Curvature curvature) {
-    matrix_.set_zero();
-    matrix_.add_stiffness(springs_, points<Dim>(x),
+    if (!matrix_) matrix_.emplace(springs_);
+    matrix_->set_zero();
+    matrix_->add_stiffness(springs_, points<Dim>(x),
                           curvature == Curvature::exact ? SpringCurvature::exact : SpringCurvature::positive);
-    matrix_.add_damping(springs_, damping, points<Dim>(start_), velocity_rate);
-    if (load.pull.active()) matrix_.add_at_node(load.pull.node, load.pull.stiffness * Mat<Dim>::Identity());
-    terms.add_stiffness(velocity_rate, [this](Index node, const Mat<Dim>& block) { matrix_.add_at_node(node, block); });
-    return matrix_.matrix();
+    matrix_->add_damping(springs_, damping, points<Dim>(start_), velocity_rate);
+    if (load.pull.active()) matrix_->add_at_node(load.pull.node, load.pull.stiffness * Mat<Dim>::Identity());
+    terms.add_stiffness(velocity_rate, [this](Index node, const Mat<Dim>& block) { matrix_->add_at_node(node, block); });
+    return matrix_->matrix();
 }
 
 template <int Dim>

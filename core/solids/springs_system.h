@@ -6,6 +6,7 @@
 #include <pliant/time/implicit.h>
 
 #include <memory>
+#include <optional>
 
 namespace pliant {
 
@@ -64,9 +65,10 @@ public:
 private:
     const Springs& springs_;
     const VecX& mass_;
-    SpringMatrix<Dim> matrix_;
-    std::unique_ptr<SpringTangent> tangent_;  // made when it is asked for
-    VecX start_;                              // where begin_step() took the directions of damping, m
+    // Each is made when it is asked for.
+    std::optional<SpringMatrix<Dim>> matrix_;
+    std::unique_ptr<SpringTangent> tangent_;
+    VecX start_;  // where begin_step() took the directions of damping, m
 };
 
 }  // namespace pliant

@@ -11,12 +11,6 @@ namespace pliant {
 // Throws Refused unless dt is positive and finite.
 void require_time_step(Real dt);
 
-// Forward Euler: x += dt v, then v += dt M^-1 f, with v of the start in the first [Nealen2006 §2].
-void explicit_euler(Real dt, const DiagonalMass& mass, ConstDofs f, Dofs x, Dofs v);
-
-// Semi-implicit (symplectic) Euler: v += dt M^-1 f, then x += dt v with the new v [Hairer2006 §I.1.2].
-void semi_implicit_euler(Real dt, const DiagonalMass& mass, ConstDofs f, Dofs x, Dofs v);
-
 // What an implicit scheme asks for: the positions x with
 //   M acceleration_rate (x - acceleration_origin) = f(x, v),   v = velocity_rate (x - velocity_origin).
 // Backward differentiation, the implicit midpoint rule and Newmark's schemes all have this form with other rates and origins.

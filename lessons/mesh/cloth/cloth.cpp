@@ -244,13 +244,13 @@ Vec<3> ClothLesson::wind_at(Real t) const {
 }
 
 void ClothLesson::reset() {
-    solver_.reset();
+    integrator_.reset();
     system_.reset();
     limiter_.reset();
     rates_key_.reset();
     sheet_ = std::make_unique<ClothSheet>(nodes, size);
     const Index count = sheet_->rest().cols();
-    for (Points<3>* values : {&position_, &velocity_, &spring_force_, &total_force_}) values->setZero(3, count);
+    for (Points<3>* values : {&position_, &velocity_, &spring_force_}) values->setZero(3, count);
     follow_parameters();
     position_ = start_positions();
     for (Points<3>* force : {&damping_force_, &external_force_, &wind_force_}) force->setZero();

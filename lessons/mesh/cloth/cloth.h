@@ -8,6 +8,7 @@
 #include <pliant/solids/springs_frequency.h>
 #include <pliant/solids/springs_system.h>
 #include <pliant/solids/strain_limiter.h>
+#include <pliant/time/time_integrator.h>
 
 #include <memory>
 #include <optional>
@@ -100,7 +101,9 @@ private:
     void external_stage();
     void wind_stage();
     void begin_integration();
-    void begin_implicit_step();
+    void prepare_implicit_step();
+    // Of the implicit scheme, once it has begun a step; else null.
+    const ImplicitSolver* solver() const;
     void integrate();
     void end_integration();
     void begin_limiting();
@@ -167,8 +170,8 @@ private:
     void set_frame(Scene& picture) const;
 
     std::unique_ptr<ClothSheet> sheet_;
-    std::unique_ptr<SpringSystem<3>> system_;  // of the implicit scheme
-    std::unique_ptr<ImplicitSolver> solver_;
+    std::unique_ptr<SpringSystem<3>> system_;
+    std::unique_ptr<TimeIntegrator> integrator_;
     std::unique_ptr<StrainLimiter> limiter_;
     ExternalLoad<3> load_;
 
@@ -178,7 +181,8 @@ private:
     VecX contact_force_;
     std::array<Real, 1> gust_time_{}, unbalanced_work_{};
 
-    Points<3> spring_force_, damping_force_, external_force_, wind_force_, total_force_;
+    Points<3> spring_force_, damping_force_, external_force_, wind_force_;
+    VecX total_force_;
     VecX strain_;             // of the springs
     VecX stretch_, bending_;  // of the nodes: strain of a structural spring farthest from 0, largest shortening of a bending one
     std::vector<Mat<3>> drag_;

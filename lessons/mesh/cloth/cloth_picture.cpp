@@ -146,11 +146,11 @@ void ClothLesson::write_notes(Scene& picture) const {
     if (!implicit()) {
         picture.notes.push_back(fmt::format("{} {} {}, the stability limit", step, dt <= stable_time_step() ? "≤" : ">",
                                             format_quantity(stable_time_step(), "s", 3)));
-    } else if (solver_ && !solver_->converged()) {
+    } else if (solver() && !solver()->converged()) {
         picture.notes.push_back(
             fmt::format("{}, unbalanced ≤ {}", step, format_quantity(imbalance_.cwiseAbs().maxCoeff(), "N", 2)));
     } else {
-        picture.notes.push_back(step + (solver_ ? ", solved" : ", implicit"));
+        picture.notes.push_back(step + (solver() ? ", solved" : ", implicit"));
     }
 }
 

@@ -17,7 +17,7 @@ void ClothLesson::declare_probes() {
     };
     const auto of_solver = [this](std::string_view name, std::string_view unit, std::string_view help, auto value) {
         return Probe{.name = name, .unit = unit, .help = help, .value = [this, value]() -> std::optional<Real> {
-                         if (!solver_) return std::nullopt;
+                         if (!solver()) return std::nullopt;
                          return Real(value());
                      }};
     };
@@ -75,9 +75,9 @@ void ClothLesson::declare_probes() {
              if (!has_sphere()) return std::nullopt;
              return Real(touching_);
          }},
-        of_solver("newton_iterations_used", "", "of the latest time step", [this] { return solver_->iterations(); }),
+        of_solver("newton_iterations_used", "", "of the latest time step", [this] { return solver()->iterations(); }),
         of_solver("linear_iterations_used", "", "of conjugate gradients in the latest time step",
-                  [this] { return solver_->linear_iterations(); }),
+                  [this] { return solver()->linear_iterations(); }),
         of_solver("imbalance", "N", "largest component of force that the latest step left unbalanced at a node",
                   [this] { return imbalance_.size() ? imbalance_.cwiseAbs().maxCoeff() : Real{0}; }),
     };
@@ -117,7 +117,7 @@ void ClothLesson::declare_checks() {
              }},
         {.name = "solved",
          .unit = "N",
-         .value = [this] { return solver_ && imbalance_.size() ? imbalance_.cwiseAbs().maxCoeff() : Real{0}; },
+         .value = [this] { return solver() && imbalance_.size() ? imbalance_.cwiseAbs().maxCoeff() : Real{0}; },
          .limit = [this] { return 0.2 * total_mass * std::max(Real{gravity}, Real{1}); },
          .formula = "|r| ≤ a fifth of the weight at every node",
          .broken = "one Newton iteration is not enough for this motion: forces are left unbalanced, and it is slowed down",

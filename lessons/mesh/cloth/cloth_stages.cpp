@@ -92,7 +92,7 @@ void ClothLesson::declare_stages() {
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force", "wind_drag", "wind_force",
                    "contact_force"},
          .writes = {"position", "velocity"},
-         .again = [this] { return implicit() && solver_->again(); },
+         .again = [this] { return integrator_->again(); },
          .begin = [this] { begin_integration(); },
          .end = [this] { end_integration(); },
          .explain = [this](const Question& q) { return why_integrated(q); }},
@@ -124,10 +124,6 @@ void ClothLesson::follow_parameters() {
     sheet_->set_mass(total_mass, held_nodes());
     load_.gravity = Vec<3>(0, -gravity, 0);
     load_.pull.stiffness = pull_stiffness;
-    if (!implicit()) {
-        solver_.reset();
-        system_.reset();
-    }
     const Index count = sheet_->rest().cols();
     const auto keep = [count](Points<3>& force, bool used) {
         if (force.cols() != (used ? count : 0)) force.setZero(3, used ? count : 0);
@@ -187,6 +183,10 @@ void ClothLesson::wind_stage() {
     }
 }
 
+const ImplicitSolver* ClothLesson::solver() const {
+    return integrator_ && is_implicit(integrator_->scheme()) ? &integrator_->solver() : nullptr;
+}
+
 NewtonOptions ClothLesson::newton_options() const {
     return {.relative_step = newton_tolerance,
             .max_iterations = capped() ? static_cast<int>(Index(newton_cap)) : full_iterations,
@@ -197,19 +197,23 @@ NewtonOptions ClothLesson::newton_options() const {
 }
 
 void ClothLesson::begin_integration() {
-    if (implicit()) return begin_implicit_step();
-    total_force_ = spring_force_;
-    if (damped()) total_force_ += damping_force_;
-    if (loaded()) total_force_ += external_force_;
-    if (in_air()) total_force_ += wind_force_;
-}
-
-void ClothLesson::begin_implicit_step() {
-    if (!solver_) {
+    if (!integrator_) {
         system_ = std::make_unique<SpringSystem<3>>(sheet_->springs(), sheet_->mass());
         system_->set_sheet(nodes, nodes);
-        solver_ = std::make_unique<ImplicitSolver>(*system_, sheet_->inertia(), newton_options());
+        integrator_ = std::make_unique<TimeIntegrator>(*system_, sheet_->inertia(), scheme, newton_options());
     }
+    integrator_->set_scheme(scheme);
+    integrator_->set_options(newton_options());
+    if (implicit()) prepare_implicit_step();
+    total_force_ = flat(spring_force_);
+    if (damped()) total_force_ += flat(damping_force_);
+    if (loaded()) total_force_ += flat(external_force_);
+    if (in_air()) total_force_ += flat(wind_force_);
+    integrator_->begin(dt, flat(position_), flat(velocity_), &total_force_);
+}
+
+// What the solver needs to know of the load, of the air and of the sphere.
+void ClothLesson::prepare_implicit_step() {
     system_->damping = damping_mode;
     system_->load = load_;
     NodalTerms<3>& terms = system_->terms;
@@ -226,29 +230,21 @@ void ClothLesson::begin_implicit_step() {
         const Real stiffness = plane_stiffness * (sheet_->mass()[0] / (dt * dt));
         rest_on_sphere(sphere(), sheet_->inertia(), dt, position_, velocity_, contact_force_, stiffness, terms);
     }
-    solver_->set_options(newton_options());
-    implicit_euler(dt, flat(position_), flat(velocity_), solver_->form());
-    solver_->begin(flat(position_));
 }
 
+// One pass; its iterate can be looked at.
 void ClothLesson::integrate() {
-    const DiagonalMass& inertia = sheet_->inertia();
-    if (scheme == Scheme::explicit_euler) explicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
-    if (scheme == Scheme::semi_implicit_euler)
-        semi_implicit_euler(dt, inertia, flat(total_force_), flat(position_), flat(velocity_));
-    if (!implicit()) return;
-    // One Newton iteration; its iterate can be looked at.
-    solver_->iterate();
-    flat(position_) = solver_->position();
-    flat(velocity_) = solver_->velocity();
+    integrator_->pass();
+    flat(position_) = integrator_->position();
+    flat(velocity_) = integrator_->velocity();
 }
 
 void ClothLesson::end_integration() {
     gust_time_[0] += dt;
     held_.setZero();
+    integrator_->finish(flat(position_), flat(velocity_));
     if (!implicit()) return;
-    solver_->finish(flat(position_), flat(velocity_));
-    solver_->imbalance(imbalance_);
+    integrator_->solver().imbalance(imbalance_);
     unbalanced_work_[0] += dt * std::abs(imbalance_.dot(flat(velocity_)));
     plane_forces(system_->terms.planes, position_, held_);
 }

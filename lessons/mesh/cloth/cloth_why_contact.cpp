@@ -173,7 +173,7 @@ Explanation ClothLesson::why_pressed(Index node) const {
         append_constants(e.inputs, "n", plane.normal, "", frozen_normal);
         for (int c = 0; c < 3; ++c)
             e.inputs.push_back(Input::constant(std::string(1, axis[static_cast<std::size_t>(c)]),
-                                               solver_->position()[3 * node + c], "m",
+                                               solver()->position()[3 * node + c], "m",
                                                "where the integration has left the node"));
         return e;
     }

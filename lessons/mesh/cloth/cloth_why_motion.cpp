@@ -44,7 +44,7 @@ Explanation ClothLesson::why_integrated(const Question& q) const {
     if (!implicit())
         return of_velocity ? why_explicit_velocity(q.index, q.component)
                            : drifted(dt, q.index, q.component, scheme == Scheme::semi_implicit_euler);
-    if (!solver_->again())
+    if (!solver()->again())
         return of_velocity ? why_balanced_velocity(q.index, q.component) : drifted(dt, q.index, q.component, true);
     if (!of_velocity) return why_newton_position(q.index, q.component);
     return {.formula = "v′ = (x′ − x) / Δt",
@@ -81,16 +81,16 @@ Explanation ClothLesson::why_balanced_velocity(Index node, int component) const 
 // One Newton iteration: the iterate before it, and the direction.
 Explanation ClothLesson::why_newton_position(Index node, int component) const {
     const Index dof = 3 * node + component;
-    if (solver_->searched())
+    if (solver()->searched())
         return {
             .formula = "x′ = x_s + s d",
-            .inputs = {Input::constant("x_s", solver_->search_origin()[dof], "m",
+            .inputs = {Input::constant("x_s", solver()->search_origin()[dof], "m",
                                        "the iterate where the search along a line started"),
-                       Input::constant("s", solver_->fraction(), "", "the fraction of the direction that lowers the potential"),
-                       Input::constant("d", solver_->search_direction()[dof], "m", "Newton's direction from there")},
+                       Input::constant("s", solver()->fraction(), "", "the fraction of the direction that lowers the potential"),
+                       Input::constant("d", solver()->search_direction()[dof], "m", "Newton's direction from there")},
             .evaluate = [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
     return {.formula = "x′ = x_k + d",
-            .inputs = {solver_->iterations() == 1 ? newton_start(node, component)
+            .inputs = {solver()->iterations() == 1 ? newton_start(node, component)
                                                   : Input::earlier("x_k", "position", node, component),
                        newton_direction(dof)},
             .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
@@ -98,7 +98,7 @@ Explanation ClothLesson::why_newton_position(Index node, int component) const {
 
 // Where Newton's method started in this step.
 Input ClothLesson::newton_start(Index node, int component) const {
-    if (!solver_->began_at_prediction())
+    if (!solver()->began_at_prediction())
         return Input::part("x_k", "m",
                            {.formula = "x_k = x",
                             .inputs = {Input::before("x", "position", node, component)},
@@ -117,18 +117,18 @@ Input ClothLesson::newton_direction(Index dof) const {
         diagonal = system_->tangent().diagonal(dof);
         row = system_->tangent().row(dof);
     } else {
-        const SparseMatrix& H = solver_->curvature();
+        const SparseMatrix& H = solver()->curvature();
         diagonal = H.coeff(dof, dof);
         for (SparseMatrix::InnerIterator entry(H, dof); entry; ++entry)
             if (entry.row() != dof) row.emplace_back(entry.row(), entry.value());
     }
-    e.inputs = {Input::constant("g", solver_->gradient()[dof], "N", "what the iterate before left unbalanced"),
-                Input::constant("r", solver_->linear_residual(dof), "N", "what conjugate gradients have left of this row"),
+    e.inputs = {Input::constant("g", solver()->gradient()[dof], "N", "what the iterate before left unbalanced"),
+                Input::constant("r", solver()->linear_residual(dof), "N", "what conjugate gradients have left of this row"),
                 Input::constant("H_aa", diagonal, "N/m", "stiffness, damping and inertia of the node")};
     for (const auto& [b, value] : row) {
         if (value == 0) continue;
         e.inputs.push_back(Input::constant("H_ab", value, "N/m", "coupling to a neighbour"));
-        e.inputs.push_back(Input::constant("d_b", solver_->direction()[b], "m",
+        e.inputs.push_back(Input::constant("d_b", solver()->direction()[b], "m",
                                            fmt::format("the neighbour's direction, {} of node {}", "xyz"[b % 3], b / 3)));
     }
     e.evaluate = [](std::span<const Real> x) {
