@@ -94,7 +94,9 @@ void ClothLesson::draw_sphere(Scene& picture) const {
     if (!drapes() || !(sphere_radius > 0)) return;
     constexpr int around = 32, down = 16;
     const bool disc = setting == Setting::pedestal;
-    const Real radius = disc ? Real{sphere_radius} : sphere_radius - 0.004 * size;
+    // By as much as the middle of a cell on the sphere lies inside of it.
+    const Real sagitta = sheet_->cell() * sheet_->cell() / (4 * sphere_radius);
+    const Real radius = disc ? Real{sphere_radius} : sphere_radius - 0.004 * size - sagitta;
     if (!(radius > 0)) return;
     TriangleMarks ball{.corners = {}, .triangles = {}, .ink = Ink::ground};
     const Real pi = std::numbers::pi;
