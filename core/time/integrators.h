@@ -1,8 +1,6 @@
-// Time integrators of M a = f(x, v) with a diagonal mass matrix, written once for every such system. Degrees of freedom are one
+// The implicit time integrators of M a = f(x, v) with a diagonal mass matrix, each as the ImplicitForm that it gives to an
+// ImplicitSolver (implicit.h); the explicit ones are tables (scheme.h), and TimeIntegrator runs both. Degrees of freedom are one
 // long vector (see mass.h); a fixed degree of freedom keeps its velocity. Notation: dt time step s, x m, v m/s, f N.
-//
-// An explicit scheme is a function of the force at the start of the step, so that a caller can evaluate forces and integrate
-// as separate stages. An implicit scheme is the ImplicitForm that it gives to an ImplicitSolver (implicit.h).
 #pragma once
 #include <pliant/time/mass.h>
 
