@@ -52,7 +52,7 @@ const SparseMatrix& SpringSystem<Dim>::stiffness(ConstDofs x, Real velocity_rate
     if (!matrix_) matrix_.emplace(springs_);
     matrix_->set_zero();
     matrix_->add_stiffness(springs_, points<Dim>(x),
-                          curvature == Curvature::exact ? SpringCurvature::exact : SpringCurvature::positive);
+                           curvature == Curvature::exact ? SpringCurvature::exact : SpringCurvature::positive);
     matrix_->add_damping(springs_, damping, points<Dim>(start_), velocity_rate);
     if (load.pull.active()) matrix_->add_at_node(load.pull.node, load.pull.stiffness * Mat<Dim>::Identity());
     terms.add_stiffness(velocity_rate, [this](Index node, const Mat<Dim>& block) { matrix_->add_at_node(node, block); });

@@ -91,7 +91,7 @@ Explanation ClothLesson::why_newton_position(Index node, int component) const {
             .evaluate = [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
     return {.formula = "x′ = x_k + d",
             .inputs = {solver()->iterations() == 1 ? newton_start(node, component)
-                                                  : Input::earlier("x_k", "position", node, component),
+                                                   : Input::earlier("x_k", "position", node, component),
                        newton_direction(dof)},
             .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
 }
