@@ -80,9 +80,9 @@ private:
     void observe() {
         if (probe_) watch_.add(runner_.value(*probe_), runner_.exact(*probe_));
         const auto& state = runner_.lesson().state;
-        // What has no unit counts something.
+        // What has no unit counts something, and what has several is a memory of a method; neither is the motion.
         for (std::size_t a = 0; a < state.size(); ++a)
-            if (!state[a].unit.empty()) turn_.add(a, state[a].view());
+            if (!state[a].unit.empty() && state[a].unit.find(',') == std::string_view::npos) turn_.add(a, state[a].view());
     }
 
     StabilityVerdict step() {

@@ -128,7 +128,9 @@ StabilityVerdict StabilityWatch::verdict(bool came_round, bool last) const {
                                p.rise() / p.scale);
         return v;
     }
-    v.settled = last || !rises;
+    // Before it has come round, a motion may gain in one half of its turn more than it loses in the other.
+    const bool gains = !came_round && p.rise() > least_rise * p.scale;
+    v.settled = last || !(rises || gains);
     v.kind = loses(p) ? Stability::dissipative : Stability::stable;
     v.reason = v.kind == Stability::dissipative ? kept(p) : fmt::format("the energy stays bounded in {} steps", samples() - 1);
     return v;

@@ -36,8 +36,8 @@ struct StabilityVerdict {
 //   diverged     M₁ < M₂ < M₃ < M₄, by more than 10⁻³ S in all and by at least half of what e swings within a part. A bounded
 //                oscillation of the energy, however wide (semi-implicit Euler near its limit), does not raise the largest value
 //                part by part; a growth by a tiny factor per step does. A rise counts once the motion has come round, when it
-//                exceeds 3 S, or when the run is as long as it may get. Until then one that rises from part to part is not
-//                settled: the run has to go on.
+//                exceeds 3 S, or when the run is as long as it may get. Until then one that rises from part to part, or
+//                in all, is not settled: the run has to go on.
 //   dissipative  bounded, and on average below 95 % of X, or of the energy at the start where there is no X; in steps in which X
 //                has less than 1 % of S left it tells nothing. Where X lasts to the end, E has to stay below 95 % of it
 //                throughout the last quarter as well: one that swings far below X and comes back to it loses nothing.
