@@ -25,12 +25,12 @@ void ClothLesson::draw(Scene& picture) const {
 void ClothLesson::set_frame(Scene& picture) const {
     const Real half = size / 2, radius = drapes() ? Real{sphere_radius} : Real{0};
     if (setting == Setting::flag)
-        picture.frame(position(-0.8 * size, -0.75 * size, -0.3 * half), position(half, 0.75 * size, 0.3 * half));
+        picture.frame(position(-0.8 * size, -0.75 * size, -0.3 * half), position(half, 0.9 * size, 0.3 * half));
     else if (drapes())
-        picture.frame(position(-0.7 * half, -std::max(2 * radius, 0.5 * size), -0.7 * half),
-                      position(0.7 * half, 0.05 * size, 0.7 * half));
+        picture.frame(position(-0.7 * half, -std::max(2 * radius, 0.62 * size), -0.7 * half),
+                      position(0.7 * half, 0.25 * size, 0.7 * half));
     else
-        picture.frame(position(-0.8 * half, -1.02 * size, -0.5 * half), position(0.8 * half, 0.2 * size, 0.5 * half));
+        picture.frame(position(-0.8 * half, -1.02 * size, -0.5 * half), position(0.8 * half, 0.33 * size, 0.5 * half));
 }
 
 void ClothLesson::draw_sheet(Scene& picture) const {
@@ -127,8 +127,8 @@ void ClothLesson::draw_arrows(Scene& picture) const {
             const Vec<3> at = setting == Setting::flag ? Vec<3>(-0.85 * size, height * size, 0)
                                                        : Vec<3>(0, (height - 0.5) * size, -0.75 * size);
             picture.arrow(position<3>(at), position<3>(at + along), Ink::velocity);
-            if (height == 0.35)
-                picture.label(position<3>(at), "w = " + format_quantity(w.norm(), "m/s", 3), Ink::velocity, 0, -16);
+            if (height == -0.35)
+                picture.label(position<3>(at), "w = " + format_quantity(w.norm(), "m/s", 3), Ink::velocity, 0, 16);
         }
     }
     if (!pulled()) return;
