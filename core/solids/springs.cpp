@@ -110,14 +110,36 @@ inline Eigen::Array2d force_per_length(const Eigen::Array2d& squared_length, con
     return In(stiffness) * (length - In(rest_length)) * (length * inverse);
 }
 
-// Two springs at a time: the processor takes two roots and two divisions, which bound the speed, for the price of one. Springs
-// that follow each other mostly share their first node.
+// Sums the forces of springs that follow each other and share their first node, and adds them to it at once.
+template <int Dim>
+class FirstNode {
+public:
+    FirstNode(Real* force, Index node) : force_(force), node_(node) {}
+    void add(Index node, const Eigen::Array2d& xy, Real z) {
+        if (node != node_) {
+            flush();
+            node_ = node, xy_.setZero(), z_ = 0;
+        }
+        xy_ += xy, z_ += z;
+    }
+    void flush() { add_at<Dim>(force_, node_, xy_, z_); }
+
+private:
+    Real* force_;
+    Index node_;
+    Eigen::Array2d xy_ = Eigen::Array2d::Zero();
+    Real z_ = 0;
+};
+
+// Two springs at a time: the processor takes two roots and two divisions, which bound the speed, for the price of one.
 template <int Dim>
 void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f) {
     const Real *rest_length = springs.rest_length().data(), *stiffness = springs.stiffness().data(), *at = x.data();
     Real* force = f.data();
     const auto* nodes = springs.nodes();
     const Index count = springs.size();
+    if (count == 0) return;
+    FirstNode<Dim> first(force, nodes[0][0]);
     Index s = 0;
     for (; s + 1 < count; s += 2) {
         const Index i = nodes[s][0], j = nodes[s][1], k = nodes[s + 1][0], l = nodes[s + 1][1];
@@ -126,13 +148,9 @@ void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f
         const Eigen::Array2d squared = Eigen::Array2d(aa[0], bb[0]) + Eigen::Array2d(aa[1], bb[1]) + z * z;
         const Eigen::Array2d pull = force_per_length(squared, rest_length + s, stiffness + s);
         const Eigen::Array2d fa = pull[0] * a.xy, fb = pull[1] * b.xy, fz = pull * z;
-        if (i == k) {
-            add_at<Dim>(force, i, fa + fb, fz[0] + fz[1]);
-        } else {
-            add_at<Dim>(force, i, fa, fz[0]);
-            add_at<Dim>(force, k, fb, fz[1]);
-        }
+        first.add(i, fa, fz[0]);
         take_at<Dim>(force, j, fa, fz[0]);
+        first.add(k, fb, fz[1]);
         take_at<Dim>(force, l, fb, fz[1]);
     }
     if (s < count) {
@@ -140,9 +158,10 @@ void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f
         const Real squared = a.xy.matrix().squaredNorm() + a.z * a.z;
         const Real ends[2] = {rest_length[s], 0}, k[2] = {stiffness[s], 0};
         const Real pull = force_per_length({squared, 1}, ends, k)[0];
-        add_at<Dim>(force, springs.i(s), pull * a.xy, pull * a.z);
+        first.add(springs.i(s), pull * a.xy, pull * a.z);
         take_at<Dim>(force, springs.j(s), pull * a.xy, pull * a.z);
     }
+    first.flush();
 }
 
 template <int Dim>
