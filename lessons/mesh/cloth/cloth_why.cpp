@@ -1,5 +1,6 @@
 // Why the forces are what they are: each spring, damper and load of a node.
 #include "cloth.h"
+#include "mesh/springs/spring_why.h"
 
 #include <fmt/format.h>
 
@@ -10,33 +11,7 @@ namespace {
 
 constexpr std::array<char, 3> axis{'x', 'y', 'z'};
 
-using Reading = Input (*)(std::string, std::string_view, Index, int);
-
-// Appends the three coordinates of two nodes in turns: x_j, x_i, y_j, y_i, ...
-void append_ends(std::vector<Input>& inputs, Reading at, std::string_view field, std::string_view before, Index j, Index i) {
-    for (int c = 0; c < 3; ++c) {
-        const char letter = axis[static_cast<std::size_t>(c)];
-        inputs.push_back(at(fmt::format("{}{}_j", before, letter), field, j, c));
-        inputs.push_back(at(fmt::format("{}{}_i", before, letter), field, i, c));
-    }
-}
-
-Vec<3> difference(std::span<const Real> ends) { return {ends[0] - ends[1], ends[2] - ends[3], ends[4] - ends[5]}; }
-
-// |x_j − x_i|, from the positions.
-Input length_between(Reading at, Index j, Index i) {
-    Explanation e{.formula = "|x_ij| = √((x_j − x_i)² + (y_j − y_i)² + (z_j − z_i)²)",
-                  .inputs = {},
-                  .evaluate = [](std::span<const Real> x) { return difference(x).norm(); }};
-    append_ends(e.inputs, at, "position", "", j, i);
-    return Input::part("|x_ij|", "m", std::move(e));
-}
-
-Input rest_length(const Springs& springs, Index s) {
-    return Input::constant("l", springs.rest_length()[s], "m", "rest length of the spring");
-}
-
-Index other_end(const Springs& springs, Index s, Index node) { return springs.i(s) == node ? springs.j(s) : springs.i(s); }
+using springs::append_ends, springs::difference, springs::length_between, springs::other_end, springs::rest_length;
 
 // The sum over the springs of a node.
 template <class Term>

@@ -1,5 +1,6 @@
 // Why the forces are what they are: each spring, damper and load of a node.
 #include "mass_spring.h"
+#include "mesh/springs/spring_why.h"
 
 #include <fmt/format.h>
 
@@ -12,33 +13,7 @@ constexpr std::array<char, 3> axis{'x', 'y', 'z'};
 
 std::string named(char letter, std::string_view index) { return fmt::format("{}_{}", letter, index); }
 
-// Appends the three coordinates of a node's vector, or of two nodes' vectors in turns: x_j, x_i, y_j, y_i, ...
-void append_ends(std::vector<Input>& inputs, Input (*at)(std::string, std::string_view, Index, int), std::string_view field,
-                 std::string_view letters, Index j, Index i) {
-    for (int c = 0; c < 3; ++c) {
-        const auto letter = letters.size() == 3 ? std::string(1, letters[static_cast<std::size_t>(c)])
-                                                : fmt::format("{}{}", letters, axis[static_cast<std::size_t>(c)]);
-        inputs.push_back(at(fmt::format("{}_j", letter), field, j, c));
-        inputs.push_back(at(fmt::format("{}_i", letter), field, i, c));
-    }
-}
-
-Vec<3> difference(std::span<const Real> ends) { return {ends[0] - ends[1], ends[2] - ends[3], ends[4] - ends[5]}; }
-
-// |x_j − x_i|, from the positions.
-Input length_between(Input (*at)(std::string, std::string_view, Index, int), Index j, Index i) {
-    Explanation e{.formula = "|x_ij| = √((x_j − x_i)² + (y_j − y_i)² + (z_j − z_i)²)",
-                  .inputs = {},
-                  .evaluate = [](std::span<const Real> x) { return difference(x).norm(); }};
-    append_ends(e.inputs, at, "position", "xyz", j, i);
-    return Input::part("|x_ij|", "m", std::move(e));
-}
-
-Input rest_length(const Springs& springs, Index s) {
-    return Input::constant("l", springs.rest_length()[s], "m", "rest length of the spring");
-}
-
-Index other_end(const Springs& springs, Index s, Index node) { return springs.i(s) == node ? springs.j(s) : springs.i(s); }
+using springs::append_ends, springs::difference, springs::length_between, springs::other_end, springs::rest_length;
 
 // The sum over the springs of a node.
 template <class Term>
@@ -134,7 +109,7 @@ Explanation MassSpringLesson::why_damper_on_node(Index s, Index node, int compon
             return x[12] > 0 ? v_ij.dot(x_ij) / (x[12] * x[12]) : 0;
         }};
     append_ends(rate.inputs, Input::now, "velocity", "v", other, node);
-    append_ends(rate.inputs, direction_at, "position", "xyz", other, node);
+    append_ends(rate.inputs, direction_at, "position", "", other, node);
     rate.inputs.push_back(length_between(direction_at, other, node));
     return {.formula = fmt::format("fᵈ_{1} = kᵈ w ({0}_j − {0}_i)", letter, other),
             .inputs = {Input::of(damping), Input::part("w", "1/s", std::move(rate)),
