@@ -1,4 +1,5 @@
 #include "cloth.h"
+#include "time/schemes/scheme_options.h"
 
 #include <fmt/format.h>
 
@@ -115,10 +116,7 @@ ClothLesson::ClothLesson()
                        .useful = {0, 1.5},
                        .accepted = Interval{0, 1e6},
                        .used = [this] { return setting == Setting::drape; }}),
-      scheme(*this, {.key = "scheme", .help = "how forces become motion", .initial = 2},
-             {{"explicit_euler", "explicit Euler"},
-              {"semi_implicit_euler", "semi-implicit Euler"},
-              {"implicit_euler", "implicit Euler"}}),
+      scheme(*this, {.key = "scheme", .help = "how forces become motion", .initial = 2}, scheme_options(3)),
       dt(*this, {.key = "time_step",
                  .symbol = "Δt",
                  .unit = "s",

@@ -1,4 +1,5 @@
 #include "mass_spring.h"
+#include "time/schemes/scheme_options.h"
 
 namespace pliant::mass_spring {
 namespace {
@@ -25,12 +26,6 @@ ParameterInfo stiffness_of(std::string_view key, std::string_view symbol, std::s
             .accepted = Interval{0, 1e15},
             .scale = Scale::log,
             .used = std::move(used)};
-}
-
-std::vector<Option> scheme_options() {
-    std::vector<Option> options;
-    for (const SchemeInfo& info : schemes()) options.push_back({info.key, info.name});
-    return options;
 }
 
 }  // namespace

@@ -1,15 +1,10 @@
 #include "rod.h"
+#include "time/schemes/scheme_options.h"
 
 #include <pliant/solids/point_masses.h>
 
 namespace pliant::rod {
 namespace {
-
-std::vector<Option> scheme_options() {
-    std::vector<Option> options;
-    for (const SchemeInfo& s : schemes()) options.push_back({s.key, s.name});
-    return options;
-}
 
 const Registration<RodLesson> registration{
     {.id = "mesh/rod",

@@ -1,4 +1,5 @@
 #include "integration.h"
+#include "time/schemes/scheme_options.h"
 
 #include <fmt/format.h>
 
@@ -9,12 +10,6 @@ namespace pliant::integration {
 namespace {
 
 constexpr Real least_swing = 1e-6;  // of the scale: what is smaller is no swing
-
-std::vector<Option> scheme_options() {
-    std::vector<Option> options;
-    for (const SchemeInfo& info : schemes()) options.push_back({info.key, info.name});
-    return options;
-}
 
 const Registration<IntegrationLesson> registration{
     {.id = "time/integration",
