@@ -1,7 +1,7 @@
 #include <pliant/continuum/deformation.h>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <pliant/math/small_eigen.h>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <cmath>
 
@@ -14,12 +14,10 @@ constexpr Real well_conditioned = 0.3;
 constexpr Real smallest_square = 1e-60;
 
 // The rotation U D V^T nearest to F = U Sigma V^T: D turns the direction that is stretched least where U V^T is a reflection.
-template <int Dim>
-Mat<Dim> rotation_by_svd(const Mat<Dim>& F) {
-    const Eigen::JacobiSVD<Mat<Dim>> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Mat<Dim> U = svd.matrixU();
-    if (U.determinant() * svd.matrixV().determinant() < 0) U.col(Dim - 1) *= -1;
-    return U * svd.matrixV().transpose();
+Mat<3> rotation_by_svd(const Mat<3>& F) {
+    SingularValues3 svd = singular_values(F);
+    if (svd.U.determinant() * svd.V.determinant() < 0) svd.U.col(2) *= -1;
+    return svd.U * svd.V.transpose();
 }
 
 Mat<2> rotation_of(const Mat<2>& F) {
@@ -49,14 +47,14 @@ Mat<3> rotation_of(const Mat<3>& F) {
     for (int k = 0; k < 20; ++k) {
         const Real f2 = f * f;
         slope = 4 * (f * (f2 - I1) - 2 * J);
-        if (!(slope > well_conditioned * f * f2)) return rotation_by_svd<3>(F);
+        if (!(slope > well_conditioned * f * f2)) return rotation_by_svd(F);
         const Real value = f2 * (f2 - 2 * I1) - 8 * J * f + constant, bend = 12 * f2 - 4 * I1;
         const Real step = 2 * value * slope / (2 * slope * slope - value * bend);
         f -= step;
         if (!(step > 1e-6 * f)) break;  // the next one would be of the size of rounding
     }
     slope = f * (f * f - I1) - 2 * J;
-    if (!(4 * slope > well_conditioned * f * f * f)) return rotation_by_svd<3>(F);
+    if (!(4 * slope > well_conditioned * f * f * f)) return rotation_by_svd(F);
     // ((f^2 + I1) F - 2 F C + 2 f cof F) / slope, two columns of it; they are orthonormal, and the third follows.
     const Real scale = 1 / slope, diagonal = (f * f + I1) * scale, mixed = -2 * scale, cofactors = 2 * f * scale;
     const Real off = mixed * ab;
@@ -99,7 +97,7 @@ Mat<3> rotation_differential<3>(const PolarDecomposition<3>& polar, const Mat<3>
     if (std::abs(A.determinant()) > 1e-12 * size * size * size)
         w = A.inverse() * axial;
     else if (size > 0)
-        w = A.completeOrthogonalDecomposition().solve(axial);
+        w = shortest_solution(A, axial);
     Mat<3> W;
     W << 0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0;
     return polar.R * W;
@@ -107,9 +105,9 @@ Mat<3> rotation_differential<3>(const PolarDecomposition<3>& polar, const Mat<3>
 
 template <int Dim>
 PrincipalStretches<Dim> principal_stretches(const Mat<Dim>& F) {
-    const Eigen::SelfAdjointEigenSolver<Mat<Dim>> eigen(polar_decomposition<Dim>(F).S);
+    const SymmetricEigen<Dim> eigen = symmetric_eigen<Dim>(polar_decomposition<Dim>(F).S);
     // Ascending; the one that an inversion makes negative is the least in size too.
-    return {eigen.eigenvalues().reverse(), eigen.eigenvectors().rowwise().reverse()};
+    return {eigen.values.reverse(), eigen.vectors.rowwise().reverse()};
 }
 
 #define PLIANT_INSTANTIATE(Dim)                                            \

@@ -3,6 +3,7 @@
 #include <pliant/lesson/explanation.h>
 #include <pliant/math/types.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -48,6 +49,12 @@ struct Field {
     Index size() const { return static_cast<Index>(view().size()) / components; }
     bool in_use() const { return !used || used(); }
 };
+
+// "x", "y" or "z".
+constexpr const char* axis_name(Index component) {
+    constexpr std::array<const char*, 3> names{"x", "y", "z"};
+    return names[static_cast<std::size_t>(component)];
+}
 
 // The components of a row by name: {""}, {"x", "y"}, {"xx", "xy", ...}.
 std::vector<std::string> component_names(const Field& field);

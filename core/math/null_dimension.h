@@ -1,8 +1,6 @@
 // The null space of a linear map that is given by what it does.
 #pragma once
-#include <pliant/math/types.h>
-
-#include <Eigen/QR>
+#include <pliant/math/dense_matrix.h>
 
 namespace pliant {
 
@@ -16,9 +14,7 @@ Index null_dimension(Index n, Map&& map) {
         map(VecX::Unit(n, c), column);
         matrix.col(c) = column;
     }
-    Eigen::ColPivHouseholderQR<MatX> qr(matrix);
-    qr.setThreshold(1e-10);
-    return n - qr.rank();
+    return n - rank(matrix, 1e-10);
 }
 
 }  // namespace pliant

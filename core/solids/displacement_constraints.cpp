@@ -1,7 +1,7 @@
 #include <pliant/math/error.h>
 #include <pliant/solids/displacement_constraints.h>
 
-#include <Eigen/QR>
+#include <pliant/math/dense_matrix.h>
 #include <algorithm>
 #include <cmath>
 
@@ -100,9 +100,7 @@ Index unconstrained_rigid_modes(const SimplexMesh<Dim>& mesh, const Displacement
         points /= points.cwiseAbs().maxCoeff();
         const MatX modes = rigid_modes<Dim>(points);
         const MatX rows = prescribed_rows<Dim>(modes, nodes, constraints);
-        Eigen::ColPivHouseholderQR<MatX> qr;
-        qr.setThreshold(tolerance);
-        count += modes.cols() - (rows.rows() > 0 ? qr.compute(rows).rank() : 0);
+        count += modes.cols() - (rows.rows() > 0 ? rank(rows, tolerance) : 0);
     }
     return count;
 }

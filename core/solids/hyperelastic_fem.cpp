@@ -1,7 +1,7 @@
 #include <pliant/math/error.h>
+#include <pliant/math/small_eigen.h>
 #include <pliant/solids/element_materials.h>
 #include <pliant/solids/hyperelastic_fem.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <limits>
@@ -12,9 +12,9 @@ namespace {
 // The nearest matrix without negative eigenvalues.
 template <int Size>
 void remove_negative_part(Mat<Size>& A) {
-    const Eigen::SelfAdjointEigenSolver<Mat<Size>> eigen(A);
-    if (eigen.eigenvalues()[0] >= 0) return;
-    A = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
+    const SymmetricEigen<Size> eigen = symmetric_eigen<Size>(A);
+    if (eigen.values[0] >= 0) return;
+    A = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
 }
 
 template <int Dim>

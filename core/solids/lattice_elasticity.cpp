@@ -95,9 +95,7 @@ Points<3> solve(const SparseMatrix& K, const Plates& plates) {
 Real mean_strain_across(const Points<3>& rest, const Points<3>& u) {
     const Points<3> x = rest.colwise() - Vec<3>(rest.rowwise().mean());
     const VecX from_mean = u.row(across).array() - u.row(across).mean();
-    Eigen::ColPivHouseholderQR<MatX> fit(x.transpose());
-    fit.setThreshold(1e-10);
-    return fit.solve(from_mean)[across];
+    return least_squares(x.transpose(), from_mean, 1e-10)[across];
 }
 
 }  // namespace

@@ -10,12 +10,6 @@ const SparseMatrix& supported_stiffness(const LinearFem<Dim>& body, const Displa
     return body.stiffness();
 }
 
-// A Dim × nodes array as one vector of unknowns.
-template <int Dim>
-Eigen::Map<const VecX> unknowns(const Points<Dim>& points) {
-    return {points.data(), points.size()};
-}
-
 template <int Dim>
 StaticSolution<Dim> finish(const StaticProblem<Dim>& problem, const Points<Dim>& force, const VecX& x, const VecX& b) {
     StaticSolution<Dim> solution;
@@ -34,7 +28,7 @@ StaticProblem<Dim>::StaticProblem(const LinearFem<Dim>& body, const Displacement
 
 template <int Dim>
 void StaticProblem<Dim>::right_side(const Points<Dim>& force, VecX& b) const {
-    const VecX full = unknowns<Dim>(force) - body_->stiffness() * unknowns<Dim>(constraints_.values());
+    const VecX full = flat(force) - body_->stiffness() * flat(constraints_.values());
     system_.reduce(full, b);
 }
 

@@ -15,15 +15,6 @@ constexpr Real enough_decrease = 1e-4;
 constexpr Real shortest_step = 1e-10;
 constexpr Real linear_tolerance = 1e-12;  // of conjugate gradients
 
-template <int Dim>
-Eigen::Map<VecX> unknowns(Points<Dim>& points) {
-    return {points.data(), points.size()};
-}
-template <int Dim>
-Eigen::Map<const VecX> unknowns(const Points<Dim>& points) {
-    return {points.data(), points.size()};
-}
-
 }  // namespace
 
 template <int Dim>
@@ -51,7 +42,7 @@ void NewtonEquilibrium<Dim>::begin(const Points<Dim>& u0, const Points<Dim>& for
     step_length_ = 0;
     made_definite_ = false;
     status_ = Status::running;
-    potential_ = body_->energy(u_) - unknowns<Dim>(force_).dot(unknowns<Dim>(u_));
+    potential_ = body_->energy(u_) - flat(force_).dot(flat(u_));
     measure();
 }
 
@@ -105,7 +96,7 @@ template <int Dim>
 bool NewtonEquilibrium<Dim>::solve_tangent(bool definite) {
     body_->stiffness(u_, definite, stiffness_);
     system_.update(stiffness_);
-    full_ = unknowns<Dim>(residual_force_) - stiffness_ * unknowns<Dim>(step_);
+    full_ = flat(residual_force_) - stiffness_ * flat(step_);
     system_.reduce(full_, right_side_);
     const SparseMatrix& matrix = system_.matrix();
     try {
@@ -128,7 +119,7 @@ bool NewtonEquilibrium<Dim>::solve_tangent(bool definite) {
 // Change of the potential energy along the step, to first order.
 template <int Dim>
 Real NewtonEquilibrium<Dim>::slope() const {
-    return (unknowns<Dim>(internal_) - unknowns<Dim>(force_)).dot(unknowns<Dim>(step_));
+    return (flat(internal_) - flat(force_)).dot(flat(step_));
 }
 
 // Takes the step when the potential energy falls enough; while the supports still move, when it stays finite. Near the solution,
@@ -140,7 +131,7 @@ bool NewtonEquilibrium<Dim>::try_step(Real length, Real slope) {
     if (length == 1)
         for (Index i = 0; i < u_.size(); ++i)
             if (constraints_.flags()[static_cast<std::size_t>(i)]) trial_.data()[i] = constraints_.values().data()[i];
-    const Real work = unknowns<Dim>(force_).dot(unknowns<Dim>(trial_)), energy = body_->energy(trial_);
+    const Real work = flat(force_).dot(flat(trial_)), energy = body_->energy(trial_);
     const Real potential = energy - work;
     if (!std::isfinite(potential)) return false;
     const bool moves_supports = distance_to_supports() > 0;

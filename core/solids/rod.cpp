@@ -1,7 +1,7 @@
 #include <pliant/math/error.h>
 #include <pliant/solids/rod.h>
 
-#include <Eigen/Eigenvalues>
+#include <pliant/math/dense_matrix.h>
 
 #include <fmt/format.h>
 
@@ -61,9 +61,7 @@ VecX chain_frequencies(const Eigen::Ref<const VecX>& stiffness, const Eigen::Ref
         diagonal[i] = (stiffness[i] / k + beyond) * (m / mass[i + 1]);
         if (i + 1 < free) beside[i] = -beyond * std::sqrt(m / mass[i + 1]) * std::sqrt(m / mass[i + 2]);
     }
-    Eigen::SelfAdjointEigenSolver<MatX> solver;
-    solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-    return std::sqrt(k) / std::sqrt(m) * solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+    return std::sqrt(k) / std::sqrt(m) * tridiagonal_eigenvalues(diagonal, beside).cwiseMax(0).cwiseSqrt();
 }
 
 }  // namespace pliant

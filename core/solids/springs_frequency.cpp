@@ -1,6 +1,5 @@
+#include <pliant/math/small_eigen.h>
 #include <pliant/solids/springs_frequency.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,7 @@ Real largest_rate(const DiagonalMass& mass, const Eigen::Matrix<Real, Dim, Eigen
         const Real inverse_mass = mass.inverse().template segment<Dim>(Dim * n).maxCoeff();
         if (inverse_mass == 0) continue;
         const Mat<Dim> block = blocks.template middleCols<Dim>(Dim * n);
-        const Real norm = Eigen::SelfAdjointEigenSolver<Mat<Dim>>(block, Eigen::EigenvaluesOnly).eigenvalues()[Dim - 1];
+        const Real norm = symmetric_eigenvalues<Dim>(block)[Dim - 1];
         largest = std::max(largest, norm * inverse_mass);
     }
     return largest;

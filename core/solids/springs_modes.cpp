@@ -1,9 +1,9 @@
+#include <pliant/math/dense_matrix.h>
 #include <pliant/math/error.h>
 #include <pliant/solids/springs_matrix.h>
 #include <pliant/solids/springs_modes.h>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -43,11 +43,11 @@ SpringModes spring_modes(const Springs& springs, const DiagonalMass& mass, Point
 
     SpringModes modes{.omega_squared = VecX(0), .shape = MatX::Zero(mass.size(), count)};
     if (count == 0) return modes;
-    const Eigen::SelfAdjointEigenSolver<MatX> solver(scaled);
-    modes.omega_squared = solver.eigenvalues();
+    const DenseEigen pairs = dense_eigen(scaled);
+    modes.omega_squared = pairs.values;
     for (Index n = 0; n < count; ++n) {
         const Index dof = free[static_cast<std::size_t>(n)];
-        modes.shape.row(dof) = root[dof] * solver.eigenvectors().row(n);
+        modes.shape.row(dof) = root[dof] * pairs.vectors.row(n);
     }
     return modes;
 }

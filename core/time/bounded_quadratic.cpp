@@ -1,11 +1,23 @@
 #include <pliant/time/bounded_quadratic.h>
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
+#include <utility>
 
 namespace pliant {
 
 // Held sets settle in a few passes; a set that does not is one that flips variables whose bound hardly matters.
 constexpr int most_passes = 30;
+
+struct BoundedQuadratic::Factor {
+    Eigen::SimplicialLDLT<SparseMatrix> ldlt;
+};
+
+BoundedQuadratic::BoundedQuadratic(std::vector<char> fixed)
+    : fixed_(std::move(fixed)), held_(fixed_), factor_(std::make_unique<Factor>()) {}
+BoundedQuadratic::~BoundedQuadratic() = default;
+BoundedQuadratic::BoundedQuadratic(BoundedQuadratic&&) noexcept = default;
 
 void BoundedQuadratic::set_matrix(const SparseMatrix& matrix) {
     if (diagonal_.empty()) {
@@ -13,7 +25,7 @@ void BoundedQuadratic::set_matrix(const SparseMatrix& matrix) {
         for (Index column = 0; column < matrix.cols(); ++column)
             for (Index n = matrix.outerIndexPtr()[column]; n < matrix.outerIndexPtr()[column + 1]; ++n)
                 if (matrix.innerIndexPtr()[n] == column) diagonal_.push_back(n);
-        factor_.analyzePattern(matrix_);
+        factor_->ldlt.analyzePattern(matrix_);
     }
     matrix_.coeffs() = matrix.coeffs();
 }
@@ -55,10 +67,10 @@ bool BoundedQuadratic::solve_with_held(const VecX& gradient, const VecX& lower, 
     for (Index n = 0; n < d.size(); ++n)
         if (held(n)) right_side_[n] = d[n];
 
-    factor_.factorize(reduced_);
+    factor_->ldlt.factorize(reduced_);
     ++factorisations_;
-    if (factor_.info() != Eigen::Success || (d.size() > 0 && !(factor_.vectorD().minCoeff() > 0))) return false;
-    d = factor_.solve(right_side_);
+    if (factor_->ldlt.info() != Eigen::Success || (d.size() > 0 && !(factor_->ldlt.vectorD().minCoeff() > 0))) return false;
+    d = factor_->ldlt.solve(right_side_);
     return true;
 }
 

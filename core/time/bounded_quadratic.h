@@ -3,9 +3,7 @@
 #pragma once
 #include <pliant/math/types.h>
 
-#include <Eigen/SparseCholesky>
-
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace pliant {
@@ -15,7 +13,9 @@ namespace pliant {
 // [Hintermueller2003]. Each pass factorises H with the held variables taken out; the pattern is analysed once.
 class BoundedQuadratic {
 public:
-    explicit BoundedQuadratic(std::vector<char> fixed) : fixed_(std::move(fixed)), held_(fixed_) {}
+    explicit BoundedQuadratic(std::vector<char> fixed);
+    ~BoundedQuadratic();
+    BoundedQuadratic(BoundedQuadratic&&) noexcept;
 
     // H, symmetric, both triangles stored. The first call sets the pattern, which must hold every diagonal entry and not change.
     void set_matrix(const SparseMatrix& matrix);
@@ -41,7 +41,8 @@ private:
     std::vector<char> fixed_, held_;
     SparseMatrix matrix_, reduced_;
     std::vector<Index> diagonal_;  // of each column, in the matrix's values
-    Eigen::SimplicialLDLT<SparseMatrix> factor_;
+    struct Factor;
+    std::unique_ptr<Factor> factor_;
     VecX product_, right_side_, multiplier_;
     int factorisations_ = 0;
 };

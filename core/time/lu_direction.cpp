@@ -1,6 +1,15 @@
 #include <pliant/time/lu_direction.h>
 
+#include <Eigen/SparseLU>
+
 namespace pliant {
+
+struct LuDirection::Factor {
+    Eigen::SparseLU<SparseMatrix> lu;
+};
+
+LuDirection::LuDirection() : factor_(std::make_unique<Factor>()) {}
+LuDirection::~LuDirection() = default;
 
 bool LuDirection::solve(const SparseMatrix& stiffness, Real rate, const DiagonalMass& mass, const VecX& residual, VecX& d) {
     const bool first = matrix_.rows() == 0;
@@ -15,13 +24,13 @@ bool LuDirection::solve(const SparseMatrix& stiffness, Real rate, const Diagonal
             else if (diagonal)
                 entry.valueRef() += rate * mass.mass()[column];
         }
-    if (first) factor_.analyzePattern(matrix_);
-    factor_.factorize(matrix_);
-    if (factor_.info() != Eigen::Success) return false;
+    if (first) factor_->lu.analyzePattern(matrix_);
+    factor_->lu.factorize(matrix_);
+    if (factor_->lu.info() != Eigen::Success) return false;
     d = -residual;
     for (Index n = 0; n < d.size(); ++n)
         if (mass.fixed(n)) d[n] = 0;
-    d = factor_.solve(d);
+    d = factor_->lu.solve(d);
     return d.allFinite();
 }
 

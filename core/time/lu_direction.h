@@ -2,13 +2,16 @@
 #pragma once
 #include <pliant/time/mass.h>
 
-#include <Eigen/SparseLU>
+#include <memory>
 
 namespace pliant {
 
 // Solves J d = -r by an LU factorisation, with d = 0 where a degree of freedom is fixed. The pattern is analysed once.
 class LuDirection {
 public:
+    LuDirection();
+    ~LuDirection();
+
     // J is K + rate M with K of any symmetry, whose pattern never changes and holds every diagonal entry. Returns false when J is
     // singular.
     bool solve(const SparseMatrix& stiffness, Real rate, const DiagonalMass& mass, const VecX& residual, VecX& d);
@@ -17,7 +20,8 @@ public:
 
 private:
     SparseMatrix matrix_;
-    Eigen::SparseLU<SparseMatrix> factor_;
+    struct Factor;
+    std::unique_ptr<Factor> factor_;
 };
 
 }  // namespace pliant

@@ -10,15 +10,6 @@ namespace pliant {
 using Dofs = Eigen::Ref<VecX>;
 using ConstDofs = const Eigen::Ref<const VecX>&;
 
-template <class Matrix>
-Eigen::Map<VecX> flat(Matrix& points) {
-    return {points.data(), points.size()};
-}
-template <class Matrix>
-Eigen::Map<const VecX> flat(const Matrix& points) {
-    return {points.data(), points.size()};
-}
-
 class DiagonalMass {
 public:
     DiagonalMass() = default;

@@ -1,4 +1,5 @@
 // The advection lesson: its schemes against theory and the exact solution, its ends, and its explanations in corner cases.
+#include "readings.h"
 #include "why_checks.h"
 
 #include <pliant/lesson/runner.h>
@@ -8,14 +9,13 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
 
-Runner start(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/advection"), parameters); }
-
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
+Runner start_advection(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/advection"), parameters); }
 
 std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
 
@@ -32,7 +32,8 @@ void check_laws(const Runner& runner) {
 
 // After one turn of a solid rotation at Courant number 2.
 Real difference_after_a_turn(const char* scheme, const char* resolution, int steps) {
-    Runner runner = start({{"blob", "smooth"}, {"radius", "0.2"}, {"resolution", resolution}, {"cfl", "2"}, {"scheme", scheme}});
+    Runner runner =
+        start_advection({{"blob", "smooth"}, {"radius", "0.2"}, {"resolution", resolution}, {"cfl", "2"}, {"scheme", scheme}});
     run(runner, steps);
     return value(runner, "difference");
 }
@@ -41,7 +42,7 @@ Real difference_after_a_turn(const char* scheme, const char* resolution, int ste
 
 TEST_CASE("advection: a blob in a translation spreads as theory says, at any fraction of a cell", "[advection]") {
     const auto [cfl, steps] = GENERATE(std::pair{"0.5", 64}, std::pair{"0.25", 96}, std::pair{"2.3", 20});
-    Runner runner = start({{"field", "translation"}, {"blob", "hill"}, {"radius", "0.1"}, {"cfl", cfl}});
+    Runner runner = start_advection({{"field", "translation"}, {"blob", "hill"}, {"radius", "0.1"}, {"cfl", cfl}});
     run(runner, steps);
     // Exact for a sum over an endless grid; the blob's tails do not reach around the box yet.
     CHECK_THAT(value(runner, "measured_viscosity"), WithinRel(value(runner, "theory_viscosity"), 1e-6));
@@ -51,8 +52,8 @@ TEST_CASE("advection: a blob in a translation spreads as theory says, at any fra
 TEST_CASE("advection: a whole number of cells per step loses nothing", "[advection]") {
     for (const char* scheme : {"semi_lagrangian_linear", "monotone_cubic", "mac_cormack"}) {
         INFO(scheme);
-        Runner runner =
-            start({{"field", "translation"}, {"blob", "slotted_disc"}, {"cfl", "4"}, {"resolution", "32"}, {"scheme", scheme}});
+        Runner runner = start_advection(
+            {{"field", "translation"}, {"blob", "slotted_disc"}, {"cfl", "4"}, {"resolution", "32"}, {"scheme", scheme}});
         run(runner, 8);
         CHECK_THAT(value(runner, "turns"), WithinRel(1.0, 1e-12));
         CHECK(value(runner, "variance_left") == 1);
@@ -72,7 +73,7 @@ TEST_CASE("advection: after a turn the better schemes are closer, and finer grid
 
 TEST_CASE("advection: Euler's path throws the blob outward, the midpoint rule keeps it", "[advection]") {
     const auto far = [](const char* trace) {
-        Runner runner = start({{"back_trace", trace}, {"scheme", "mac_cormack"}, {"cfl", "4"}});
+        Runner runner = start_advection({{"back_trace", trace}, {"scheme", "mac_cormack"}, {"cfl", "4"}});
         run(runner, 25);
         return value(runner, "difference");
     };
@@ -81,7 +82,7 @@ TEST_CASE("advection: Euler's path throws the blob outward, the midpoint rule ke
 
 TEST_CASE("advection: the exact solution of the vortex follows closed streamlines", "[advection]") {
     // Where the blob is, the stream function of the fluid is that of where it was: compare ψ-sorted contents by the mean of ψ.
-    Runner runner = start({{"field", "vortex"}, {"blob", "smooth"}, {"resolution", "64"}, {"cfl", "1"}});
+    Runner runner = start_advection({{"field", "vortex"}, {"blob", "smooth"}, {"resolution", "64"}, {"cfl", "1"}});
     const auto mean_psi = [&] {
         const auto q = field(runner, "exact");
         Real sum = 0, all = 0;
@@ -106,13 +107,13 @@ TEST_CASE("advection: the exact solution of the vortex follows closed streamline
 TEST_CASE("advection: values stay between 0 and 1 at any Courant number, in every field and scheme", "[advection]") {
     const char* flow = GENERATE("translation", "rotation", "vortex");
     const char* cfl = GENERATE("0.1", "1", "5", "20", "100", "200");
-    Runner runner = start({{"field", flow},
-                           {"blob", "slotted_disc"},
-                           {"cfl", cfl},
-                           {"resolution", "24"},
-                           {"compare", "true"},
-                           {"direction", "30"},
-                           {"scheme", "mac_cormack"}});
+    Runner runner = start_advection({{"field", flow},
+                                     {"blob", "slotted_disc"},
+                                     {"cfl", cfl},
+                                     {"resolution", "24"},
+                                     {"compare", "true"},
+                                     {"direction", "30"},
+                                     {"scheme", "mac_cormack"}});
     for (int k = 0; k < 6; ++k) {
         runner.step();
         check_laws(runner);
@@ -128,7 +129,7 @@ TEST_CASE("advection: a blob between the cells, and one that is lost altogether,
          {Runner::Assignments{{"blob", "slotted_disc"}, {"radius", "0.01"}, {"resolution", "8"}, {"compare", "true"}},
           {{"blob", "slotted_disc"}, {"resolution", "24"}, {"cfl", "100"}},
           {{"blob", "slotted_disc"}, {"resolution", "24"}, {"cfl", "200"}, {"field", "vortex"}, {"back_trace", "euler"}}}) {
-        Runner runner = start(parameters);
+        Runner runner = start_advection(parameters);
         run(runner, 3);
         for (const Probe& probe : runner.lesson().probes)
             if (const auto x = runner.value(probe)) CHECK(std::isfinite(*x));
@@ -137,7 +138,7 @@ TEST_CASE("advection: a blob between the cells, and one that is lost altogether,
 }
 
 TEST_CASE("advection: the mark of a cell goes where the hand goes", "[advection]") {
-    Runner runner = start({{"resolution", "32"}});
+    Runner runner = start_advection({{"resolution", "32"}});
     const auto values = runner.lesson().dragged(Pull{0, {0.5, 0.5, 0}, {0.26, 2.0, 0}});
     REQUIRE(values.size() == 2);
     CHECK(values[0] == std::pair<std::string, Real>{"cell_x", 8});
@@ -147,7 +148,7 @@ TEST_CASE("advection: the mark of a cell goes where the hand goes", "[advection]
 
 TEST_CASE("advection: a scheme that is changed on the way takes effect with the next step, and going back restores the old one",
           "[advection]") {
-    Runner runner = start({{"resolution", "24"}});
+    Runner runner = start_advection({{"resolution", "24"}});
     run(runner, 3);
     runner.assign("scheme", 2);
     runner.assign("cfl", 2);
@@ -163,14 +164,14 @@ TEST_CASE("advection: every number is explained, in each scheme, over walls and 
     const char* scheme = GENERATE("semi_lagrangian_linear", "monotone_cubic", "mac_cormack");
     const char* trace = GENERATE("euler", "midpoint");
     const char* cfl = GENERATE("0.7", "23");
-    Runner runner = start({{"field", flow},
-                           {"scheme", scheme},
-                           {"back_trace", trace},
-                           {"cfl", cfl},
-                           {"resolution", "12"},
-                           {"blob", "hill"},
-                           {"direction", "200"},
-                           {"compare", "true"}});
+    Runner runner = start_advection({{"field", flow},
+                                     {"scheme", scheme},
+                                     {"back_trace", trace},
+                                     {"cfl", cfl},
+                                     {"resolution", "12"},
+                                     {"blob", "hill"},
+                                     {"direction", "200"},
+                                     {"compare", "true"}});
     check_every_stage(runner, std::string(flow) + " " + scheme + " " + trace, 2);
 }
 
@@ -180,7 +181,7 @@ TEST_CASE("advection: the fixes mend what they promise", "[advection]") {
                                                                           {"blob resolved", {{"resolution", "16"}}}};
     for (const auto& [name, parameters] : broken) {
         INFO(name);
-        Runner runner = start(parameters);
+        Runner runner = start_advection(parameters);
         const Assumption& a = *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);
         REQUIRE(a.value() > a.limit());
         const auto fix = a.fix();

@@ -1,4 +1,6 @@
 // The deformation gradient lesson: what it shows of each map is what the map does.
+#include "readings.h"
+
 #include <pliant/continuum/deformation.h>
 #include <pliant/lesson/format.h>
 #include <pliant/math/line_fit.h>
@@ -12,6 +14,7 @@
 #include <cmath>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -22,8 +25,6 @@ Runner done(const Runner::Assignments& assignments) {
     runner.step();
     return runner;
 }
-
-Real measured(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
 
 std::span<const Real> numbers(const Runner& runner, std::string_view field) { return runner.lesson().field(field).view(); }
 Vec<3> vector(const Runner& runner, std::string_view field, Index row = 0) {
@@ -40,7 +41,7 @@ Curve line(const Runner& runner) {
 }
 
 const Runner::Assignments inverted{{"map", "stretch"}, {"stretch_x", "-1.2"}, {"stretch_y", "0.9"}, {"stretch_z", "1.1"}};
-const Runner::Assignments flat{{"map", "stretch"}, {"stretch_x", "1"}, {"stretch_y", "0"}, {"stretch_z", "0"}};
+const Runner::Assignments flattened{{"map", "stretch"}, {"stretch_x", "1"}, {"stretch_y", "0"}, {"stretch_z", "0"}};
 
 }  // namespace
 
@@ -81,9 +82,9 @@ TEST_CASE("deformation gradient: the vectors close: dx = dX + du leads from p to
 TEST_CASE("deformation gradient: a line of length 1 along x grows as |F dX| says", "[deformation]") {
     const Runner runner = done(
         {{"map", "shear"}, {"shear", "1"}, {"P_x", "0"}, {"P_y", "0"}, {"Q_x", "0"}, {"Q_y", "0.2"}, {"P_z", "0"}, {"Q_z", "0"}});
-    CHECK_THAT(measured(runner, "length_ratio"), WithinRel(std::sqrt(2.0), 1e-12));
-    CHECK_THAT(measured(runner, "mapped_length_ratio"), WithinRel(std::sqrt(2.0), 1e-12));
-    CHECK_THAT(measured(runner, "stretch_1"), WithinRel((1 + std::sqrt(5.0)) / 2, 1e-12));
+    CHECK_THAT(value(runner, "length_ratio"), WithinRel(std::sqrt(2.0), 1e-12));
+    CHECK_THAT(value(runner, "mapped_length_ratio"), WithinRel(std::sqrt(2.0), 1e-12));
+    CHECK_THAT(value(runner, "stretch_1"), WithinRel((1 + std::sqrt(5.0)) / 2, 1e-12));
 }
 
 TEST_CASE("deformation gradient: the error over the distance has slope 2 where the map bends", "[deformation]") {
@@ -105,7 +106,7 @@ TEST_CASE("deformation gradient: the error over the distance has slope 2 where t
 TEST_CASE("deformation gradient: where F is the same everywhere the error is rounding and the plot stays whole",
           "[deformation]") {
     const Runner runner = done({{"map", GENERATE("translation", "rotation", "stretch", "shear", "free")}});
-    CHECK(measured(runner, "taylor_error") < 1e-15);
+    CHECK(value(runner, "taylor_error") < 1e-15);
     const Curve curve = line(runner);
     CHECK(std::ranges::all_of(curve.value, [](Real error) { return error > 0 && error < 1e-14; }));
     Curve reference;
@@ -116,7 +117,7 @@ TEST_CASE("deformation gradient: where F is the same everywhere the error is rou
 TEST_CASE("deformation gradient: Q on P leaves ratios undefined and everything else whole", "[deformation]") {
     Runner runner = done({{"Q_x", "-0.25"}, {"Q_y", "-0.1"}, {"Q_z", "0.2"}});
     CHECK(!runner.value(runner.lesson().probe("length_ratio")));
-    CHECK(measured(runner, "taylor_error") == 0);
+    CHECK(value(runner, "taylor_error") == 0);
     CHECK(!line(runner).position.empty());
     check_every_stage(runner, "Q on P");
     Scene scene;
@@ -126,13 +127,13 @@ TEST_CASE("deformation gradient: Q on P leaves ratios undefined and everything e
 }
 
 TEST_CASE("deformation gradient: an inverted or flattened body still has a proper rotation", "[deformation]") {
-    const Runner inside_out = done(inverted), no_volume = done(flat);
-    CHECK_THAT(measured(inside_out, "det_F"), WithinRel(-1.2 * 0.9 * 1.1, 1e-12));
-    CHECK_THAT(measured(inside_out, "stretch_3"), WithinRel(-0.9, 1e-12));
+    const Runner inside_out = done(inverted), no_volume = done(flattened);
+    CHECK_THAT(value(inside_out, "det_F"), WithinRel(-1.2 * 0.9 * 1.1, 1e-12));
+    CHECK_THAT(value(inside_out, "stretch_3"), WithinRel(-0.9, 1e-12));
     CHECK_THAT(tensor(inside_out, "point_rotation").determinant(), WithinAbs(1, 1e-12));
-    CHECK(measured(no_volume, "det_F") == 0);
+    CHECK(value(no_volume, "det_F") == 0);
     CHECK_THAT(tensor(no_volume, "point_rotation").determinant(), WithinAbs(1, 1e-12));
-    for (const auto& parameters : {inverted, flat}) {
+    for (const auto& parameters : {inverted, flattened}) {
         Runner runner(find_lesson("elasticity/deformation_gradient"), parameters);
         check_every_stage(runner, "no proper body");
     }

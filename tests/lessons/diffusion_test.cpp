@@ -1,4 +1,6 @@
 // The diffusion lesson: each wave by its factor, both schemes and both forms, walls, and the limit of the explicit stencil.
+#include "readings.h"
+
 #include <fmt/format.h>
 #include <pliant/lesson/format.h>
 #include <catch2/catch_test_macros.hpp>
@@ -12,6 +14,7 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -19,27 +22,15 @@ using std::numbers::pi;
 
 namespace {
 
-Runner start(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/diffusion"), parameters); }
+Runner start_diffusion(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/diffusion"), parameters); }
 
 Runner after(Index steps, const Runner::Assignments& parameters) {
-    Runner runner = start(parameters);
+    Runner runner = start_diffusion(parameters);
     for (Index k = 0; k < steps; ++k) runner.step();
     return runner;
 }
 
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-
 std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
-
-const Assumption& assumption(const Runner& runner, std::string_view name) {
-    return *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);
-}
-
-std::vector<std::string> stage_names(const Runner& runner) {
-    std::vector<std::string> names;
-    for (const Stage* s : runner.stages()) names.emplace_back(s->name);
-    return names;
-}
 
 void check_laws(const Runner& runner) {
     for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
@@ -117,14 +108,14 @@ TEST_CASE("diffusion: a channel starts up as the series solution says", "[diffus
     const std::array<std::pair<Real, Real>, 3> published = {{{0.2, 0.01241933}, {0.5, 0.11384420}, {1.0, 0.26275627}}};
     const char* scheme = GENERATE("explicit", "implicit");
     // Δt = r Δx²/ν = 1 ms.
-    Runner runner = start({{"start", "zero"},
-                           {"boundary", "fixed"},
-                           {"viscosity", "0.1"},
-                           {"resolution", "51"},
-                           {"cell_x", "25"},
-                           {"mode", "1"},
-                           {"scheme", scheme},
-                           {"diffusion_number", format_exact(0.1 * 1e-3 * 51 * 51)}});
+    Runner runner = start_diffusion({{"start", "zero"},
+                                     {"boundary", "fixed"},
+                                     {"viscosity", "0.1"},
+                                     {"resolution", "51"},
+                                     {"cell_x", "25"},
+                                     {"mode", "1"},
+                                     {"scheme", scheme},
+                                     {"diffusion_number", format_exact(0.1 * 1e-3 * 51 * 51)}});
     for (const auto& [time, exact] : published) {
         while (runner.time() < time - 1e-6) runner.step();
         CHECK_THAT(*runner.exact(runner.lesson().probe("u_selected")), WithinAbs(exact, 2e-8));
@@ -158,17 +149,19 @@ TEST_CASE("diffusion: the formula of the slide keeps neither the mean nor the sc
     CHECK_THAT(value(runner, "factor_measured"), WithinRel(value(runner, "factor_theory"), 1e-9));
     const Assumption& complete = assumption(runner, "the slide's formula is complete");
     CHECK(complete.value() > complete.limit());
-    Runner mended = start({{"form", "lecture"}});
+    Runner mended = start_diffusion({{"form", "lecture"}});
     mended.assign(assumption(mended, "the slide's formula is complete").fix()->assign);
     CHECK_FALSE(assumption(mended, "the slide's formula is complete").in_use());
     // The implicit scheme has no such form.
-    CHECK_FALSE(assumption(start({{"form", "lecture"}, {"scheme", "implicit"}}), "the slide's formula is complete").in_use());
+    CHECK_FALSE(
+        assumption(start_diffusion({{"form", "lecture"}, {"scheme", "implicit"}}), "the slide's formula is complete").in_use());
 }
 
 TEST_CASE("diffusion: beyond the limit a run blows up, names the limit and can be mended", "[diffusion]") {
     const char* dimension = GENERATE("1", "2");
     const bool square = std::string_view(dimension) == "2";
-    Runner runner = start({{"dimension", dimension}, {"start", "random"}, {"diffusion_number", square ? "0.28" : "0.56"}});
+    Runner runner =
+        start_diffusion({{"dimension", dimension}, {"start", "random"}, {"diffusion_number", square ? "0.28" : "0.56"}});
     const Assumption& limit = assumption(runner, "explicit limit");
     CHECK(limit.limit() == (square ? 0.25 : 0.5));
     CHECK(limit.value() > limit.limit());
@@ -182,7 +175,7 @@ TEST_CASE("diffusion: beyond the limit a run blows up, names the limit and can b
     CHECK_THAT(runner.failure()->limit, ContainsSubstring(square ? "1/4 in 2D" : "1/2 in 1D") && ContainsSubstring("implicit"));
     const auto fix = runner.lesson().fix(*runner.failure());
     REQUIRE(fix);
-    Runner mended = start({{"dimension", dimension}, {"start", "random"}});
+    Runner mended = start_diffusion({{"dimension", dimension}, {"start", "random"}});
     mended.assign(fix->assign);
     for (int k = 0; k < 200; ++k) mended.step();
     check_laws(mended);
@@ -193,7 +186,8 @@ TEST_CASE("diffusion: beyond the limit a run blows up, names the limit and can b
 }
 
 TEST_CASE("diffusion: the solver's passes can be stopped after, and leave ever less", "[diffusion]") {
-    Runner runner = start({{"scheme", "implicit"}, {"start", "step"}, {"boundary", "insulated"}, {"diffusion_number", "20"}});
+    Runner runner =
+        start_diffusion({{"scheme", "implicit"}, {"start", "step"}, {"boundary", "insulated"}, {"diffusion_number", "20"}});
     CHECK(stage_names(runner) == std::vector<std::string>{"solve"});
     runner.step_pass();
     REQUIRE(runner.inside_step());
@@ -201,7 +195,7 @@ TEST_CASE("diffusion: the solver's passes can be stopped after, and leave ever l
     while (runner.inside_step()) runner.step_pass();
     CHECK(value(runner, "solver_iterations") > 3);
     for (const Real rho : field(runner, "residual")) CHECK(std::abs(rho) < 1e-9);
-    CHECK(stage_names(start({})) == std::vector<std::string>{"neighbours", "update"});
+    CHECK(stage_names(start_diffusion({})) == std::vector<std::string>{"neighbours", "update"});
 }
 
 TEST_CASE("diffusion: without viscosity nothing moves, with a huge one all is even at once", "[diffusion]") {
@@ -211,8 +205,8 @@ TEST_CASE("diffusion: without viscosity nothing moves, with a huge one all is ev
     CHECK(still.time() == 5);
     const Runner even = after(2, {{"viscosity", "1e6"}, {"scheme", "implicit"}, {"start", "step"}, {"diffusion_number", "1e9"}});
     for (const Real u : field(even, "u")) CHECK_THAT(u, WithinAbs(0.5, 1e-6));
-    CHECK_THROWS_WITH(start({{"viscosity", "-1"}}), ContainsSubstring("viscosity"));
-    CHECK_THROWS_WITH(start({{"viscosity", "1e-300"}}), ContainsSubstring("time step"));
+    CHECK_THROWS_WITH(start_diffusion({{"viscosity", "-1"}}), ContainsSubstring("viscosity"));
+    CHECK_THROWS_WITH(start_diffusion({{"viscosity", "1e-300"}}), ContainsSubstring("time step"));
 }
 
 TEST_CASE("diffusion: a wave shorter than two cells is taken for a longer one", "[diffusion]") {
@@ -220,7 +214,7 @@ TEST_CASE("diffusion: a wave shorter than two cells is taken for a longer one", 
     for (std::size_t i = 0; i < 32; ++i) CHECK_THAT(field(runner, "u")[i], WithinAbs(field(shown, "u")[i], 1e-12));
     const Assumption& resolved = assumption(runner, "mode resolved in space");
     CHECK(resolved.value() > resolved.limit());
-    Runner mended = start({{"mode", "29"}});
+    Runner mended = start_diffusion({{"mode", "29"}});
     mended.assign(resolved.fix()->assign);
     CHECK(assumption(mended, "mode resolved in space").value() <= 0.125);
     // Modes that vanish on every cell have no factor.
@@ -230,7 +224,7 @@ TEST_CASE("diffusion: a wave shorter than two cells is taken for a longer one", 
 
 TEST_CASE("diffusion: what a lamp offers mends what it shows", "[diffusion]") {
     const auto check = [](const Runner::Assignments& scene, std::string_view name) {
-        Runner runner = start(scene);
+        Runner runner = start_diffusion(scene);
         const Assumption& broken = assumption(runner, name);
         INFO(name);
         REQUIRE(broken.in_use());
@@ -251,13 +245,13 @@ TEST_CASE("diffusion: what a lamp offers mends what it shows", "[diffusion]") {
 }
 
 TEST_CASE("diffusion: the cell of the stencil is a handle", "[diffusion]") {
-    Runner row = start({{"length", "2"}});
+    Runner row = start_diffusion({{"length", "2"}});
     CHECK(row.lesson().can_pull() == On::handle);
     using Values = std::vector<std::pair<std::string, Real>>;
     CHECK(row.lesson().dragged({0, Vec<3>::Zero(), {1.01, 5, 0}}) == Values{{"cell_x", 16}});
     CHECK(row.lesson().dragged({0, Vec<3>::Zero(), {-3, 0, 0}}) == Values{{"cell_x", 0}});
     CHECK(row.lesson().dragged({-1, Vec<3>::Zero(), {1, 0, 0}}).empty());
-    const Runner square = start({{"dimension", "2"}});
+    const Runner square = start_diffusion({{"dimension", "2"}});
     CHECK(square.lesson().dragged({0, Vec<3>::Zero(), {0.51, 7, 0}}) == Values{{"cell_x", 16}, {"cell_y", 31}});
     // A cell that a coarser grid lacks is its last one.
     CHECK_NOTHROW(after(1, {{"resolution", "4"}, {"cell_x", "200"}}).lesson().probe("u_selected").value());
@@ -265,7 +259,7 @@ TEST_CASE("diffusion: the cell of the stencil is a handle", "[diffusion]") {
 
 TEST_CASE("diffusion: the numbers of a seed are its own", "[diffusion]") {
     const auto of = [](const char* seed) {
-        const Runner runner = start({{"start", "random"}, {"seed", seed}});
+        const Runner runner = start_diffusion({{"start", "random"}, {"seed", seed}});
         return std::vector<Real>(field(runner, "u").begin(), field(runner, "u").end());
     };
     CHECK(of("1") == of("1"));
@@ -277,7 +271,7 @@ TEST_CASE("why diffusion: every number is explained at every kind of end, in bot
     const char* boundary = GENERATE("periodic", "fixed", "insulated");
     const auto look = [&](Runner::Assignments more) {
         more.insert(more.end(), {{"dimension", dimension}, {"boundary", boundary}, {"resolution", "6"}, {"wall_low", "0.4"}});
-        Runner runner = start(more);
+        Runner runner = start_diffusion(more);
         check_every_stage(runner, fmt::format("diffusion {} {}", dimension, boundary), 2, 1);
     };
     look({{"start", "random"}});

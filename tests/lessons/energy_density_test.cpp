@@ -1,4 +1,6 @@
 // Energy densities as a lesson: known stresses and energies through its parameters, and what each energy does when squeezed.
+#include "readings.h"
+
 #include <pliant/lesson/format.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/until.h>
@@ -10,6 +12,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -20,13 +23,6 @@ Runner run_density(const Runner::Assignments& assignments) {
     Runner runner(find_lesson("elasticity/energy_density"), assignments);
     advance(runner, Until::at_rest());
     return runner;
-}
-
-Real measured(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-
-bool holds(const Runner& runner, std::string_view name) {
-    const Assumption& a = *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);
-    return !a.in_use() || a.value() <= a.limit();
 }
 
 }  // namespace
@@ -41,21 +37,21 @@ TEST_CASE("energy_density: a general F has the stress and the energy of the cata
                                                      Known{"neo_hookean", 224753.963, 114188.734, 10762.932, 50116.2458}}) {
         INFO(energy);
         const Runner runner = run_density({{"path", "free"}, {"energy", energy}});
-        CHECK_THAT(measured(runner, "P11"), WithinAbs(P11, 0.6e-3));
-        CHECK_THAT(measured(runner, "P12"), WithinAbs(P12, 0.6e-3));
-        CHECK_THAT(measured(runner, "P13"), WithinAbs(P13, 0.6e-3));
-        CHECK_THAT(measured(runner, "psi"), WithinAbs(psi, 0.6e-4));
-        CHECK_THAT(measured(runner, "det_F"), WithinAbs(1.1895, 1e-12));
-        CHECK(measured(runner, "derivative_check") < 1e-8);
+        CHECK_THAT(value(runner, "P11"), WithinAbs(P11, 0.6e-3));
+        CHECK_THAT(value(runner, "P12"), WithinAbs(P12, 0.6e-3));
+        CHECK_THAT(value(runner, "P13"), WithinAbs(P13, 0.6e-3));
+        CHECK_THAT(value(runner, "psi"), WithinAbs(psi, 0.6e-4));
+        CHECK_THAT(value(runner, "det_F"), WithinAbs(1.1895, 1e-12));
+        CHECK(value(runner, "derivative_check") < 1e-8);
         CHECK(runner.holds(0) == Holds::yes);
     }
 }
 
 TEST_CASE("energy_density: known paths, and every closed form that the lesson states", "[energy]") {
-    CHECK_THAT(measured(run_density({}), "P11"), WithinRel(448500.0, 1e-12));
-    CHECK_THAT(measured(run_density({}), "lateral_stretch"), WithinAbs(0.890505474, 1e-9));
-    CHECK_THAT(measured(run_density({{"energy", "neo_hookean"}, {"stretch", "0.5"}}), "P11"), WithinAbs(-935352.06, 0.006));
-    CHECK_THAT(measured(run_density({{"energy", "neo_hookean"}, {"stretch", "2"}}), "P11"), WithinAbs(646744.66, 0.006));
+    CHECK_THAT(value(run_density({}), "P11"), WithinRel(448500.0, 1e-12));
+    CHECK_THAT(value(run_density({}), "lateral_stretch"), WithinAbs(0.890505474, 1e-9));
+    CHECK_THAT(value(run_density({{"energy", "neo_hookean"}, {"stretch", "0.5"}}), "P11"), WithinAbs(-935352.06, 0.006));
+    CHECK_THAT(value(run_density({{"energy", "neo_hookean"}, {"stretch", "2"}}), "P11"), WithinAbs(646744.66, 0.006));
     int compared = 0;
     for (const char* energy : {"linear", "stvk", "corotated", "neo_hookean"})
         for (const char* path : {"uniaxial", "held", "volumetric", "shear"})
@@ -63,13 +59,13 @@ TEST_CASE("energy_density: known paths, and every closed form that the lesson st
                 const Runner runner = run_density(
                     {{"energy", energy}, {"path", path}, {"stretch", stretch}, {"shear", stretch}, {"poisson_ratio", "0.4"}});
                 INFO(energy << " " << path << " " << stretch);
-                CHECK(measured(runner, "derivative_check") < 1e-7);
+                CHECK(value(runner, "derivative_check") < 1e-7);
                 for (const char* probe : {"psi", "P11", "P12"})
                     if (const auto exact = runner.exact(runner.lesson().probe(probe))) {
-                        CHECK_THAT(measured(runner, probe), WithinAbs(*exact, 1e-9 * (std::abs(*exact) + 1e3)));
+                        CHECK_THAT(value(runner, probe), WithinAbs(*exact, 1e-9 * (std::abs(*exact) + 1e3)));
                         ++compared;
                     }
-                if (std::string(path) == "uniaxial") CHECK_THAT(measured(runner, "P22"), WithinAbs(0, 1e-6));
+                if (std::string(path) == "uniaxial") CHECK_THAT(value(runner, "P22"), WithinAbs(0, 1e-6));
             }
     CHECK(compared > 60);
 }
@@ -77,8 +73,8 @@ TEST_CASE("energy_density: known paths, and every closed form that the lesson st
 TEST_CASE("energy_density: StVK softens below 1/sqrt(3), the others do not", "[energy]") {
     CHECK(holds(run_density({{"stretch", "0.578"}}), "does not soften"));
     CHECK(!holds(run_density({{"stretch", "0.577"}}), "does not soften"));
-    CHECK_THAT(measured(run_density({{"stretch", format_exact(1 / std::sqrt(3.0))}}), "stiffness"), WithinAbs(0, 1e-8));
-    CHECK_THAT(measured(run_density({{"stretch", "0"}}), "P11"), WithinAbs(0, 1e-9));
+    CHECK_THAT(value(run_density({{"stretch", format_exact(1 / std::sqrt(3.0))}}), "stiffness"), WithinAbs(0, 1e-8));
+    CHECK_THAT(value(run_density({{"stretch", "0"}}), "P11"), WithinAbs(0, 1e-9));
     for (const char* energy : {"linear", "corotated", "neo_hookean"})
         for (const char* stretch : {"0.05", "0.3", "1.5"})
             CHECK(holds(run_density({{"energy", energy}, {"stretch", stretch}}), "does not soften"));
@@ -90,7 +86,7 @@ TEST_CASE("energy_density: three energies go through inversion and say so, neo-H
             const Runner runner = run_density({{"energy", energy}, {"stretch", stretch}});
             INFO(energy << " " << stretch);
             CHECK(!holds(runner, "not inside out"));
-            CHECK(measured(runner, "derivative_check") < 1e-6);
+            CHECK(value(runner, "derivative_check") < 1e-6);
             Scene scene;
             runner.lesson().draw(scene);
             CHECK(std::ranges::any_of(scene.notes, [](const std::string& note) { return note.starts_with("det F"); }));
@@ -137,7 +133,7 @@ TEST_CASE("energy_density: the curves hold the other energies and the cube's own
         if (!curve.position.empty()) drawn.push_back(other.name);
         if (other.name == "the cube now") {
             REQUIRE(curve.position == std::vector<Real>{0.6});
-            CHECK_THAT(curve.value[0], WithinRel(measured(runner, "P11"), 1e-12));
+            CHECK_THAT(curve.value[0], WithinRel(value(runner, "P11"), 1e-12));
         }
         if (other.points && other.name.starts_with("StVK")) {
             CHECK_THAT(curve.position[0], WithinAbs(0.57735, 1e-5));

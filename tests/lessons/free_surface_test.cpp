@@ -1,5 +1,7 @@
 // The free surface: rest, waves, falling columns, what the conditions at the surface make of them, and the explanations of all of
 // it.
+#include "readings.h"
+
 #include <pliant/lesson/format.h>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -11,6 +13,7 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Approx;
 using Catch::Matchers::ContainsSubstring;
 using std::numbers::pi;
@@ -18,8 +21,6 @@ using std::numbers::pi;
 namespace {
 
 Runner lesson(const Runner::Assignments& assignments) { return Runner(find_lesson("fluids/free_surface"), assignments); }
-
-Real measured(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
 
 Runner run(const Runner::Assignments& assignments, Index steps) {
     Runner runner = lesson(assignments);
@@ -31,8 +32,8 @@ Runner run(const Runner::Assignments& assignments, Index steps) {
 
 TEST_CASE("free surface: still water has the pressure of its depth, and stays still", "[free_surface]") {
     const Runner right = run({{"column_width", "1"}, {"column_height", "0.37"}, {"resolution", "24"}, {"tolerance", "1e-9"}}, 5);
-    CHECK(std::abs(measured(right, "pressure_offset")) < 1e-7);
-    CHECK(measured(right, "kinetic_energy") < 1e-18);
+    CHECK(std::abs(value(right, "pressure_offset")) < 1e-7);
+    CHECK(value(right, "kinetic_energy") < 1e-18);
     // On a face of the cells p = 0 in the cell of air is half a cell off.
     for (const char* n : {"20", "40"}) {
         const Runner off = run({{"column_width", "1"},
@@ -41,13 +42,13 @@ TEST_CASE("free surface: still water has the pressure of its depth, and stays st
                                 {"surface_condition", "at_cell_centre"},
                                 {"tolerance", "1e-9"}},
                                2);
-        CHECK(measured(off, "pressure_offset") == Approx(9.81 / std::stod(n) / 2).epsilon(1e-6));
+        CHECK(value(off, "pressure_offset") == Approx(9.81 / std::stod(n) / 2).epsilon(1e-6));
     }
 }
 
 TEST_CASE("free surface: the mould holds, and the lamp tells", "[free_surface]") {
     const Runner mould = run({{"surface_condition", "closed"}, {"resolution", "40"}}, 20);
-    CHECK(measured(mould, "front_position") == Approx(0.25).margin(2e-3));
+    CHECK(value(mould, "front_position") == Approx(0.25).margin(2e-3));
     const auto& assumptions = mould.lesson().assumptions;
     const auto lamp = std::ranges::find(assumptions, "p = 0 at the surface", &Assumption::name);
     REQUIRE(lamp != assumptions.end());
@@ -66,7 +67,7 @@ TEST_CASE("free surface: a wave goes down and up as linear theory says", "[free_
         worst = std::max(worst, std::abs(*height.value() - *height.exact(runner.time())));
     }
     CHECK(worst < 0.004);
-    CHECK(measured(runner, "volume") == Approx(0.5).epsilon(1e-3));
+    CHECK(value(runner, "volume") == Approx(0.5).epsilon(1e-3));
 }
 
 TEST_CASE("free surface: a front of any size in its own units", "[free_surface]") {
@@ -81,7 +82,7 @@ TEST_CASE("free surface: a front of any size in its own units", "[free_surface]"
                                    {"time_step", "0.002"},
                                    {"resolution", "64"}},
                                   54);
-        return measured(runner, "front_position") / (0.05715 * unit);
+        return value(runner, "front_position") / (0.05715 * unit);
     };
     const Real metres = front(1);
     CHECK(metres > 2.292 - 0.15);
@@ -92,8 +93,8 @@ TEST_CASE("free surface: a front of any size in its own units", "[free_surface]"
 TEST_CASE("free surface: without a keeper the gauge tells what is lost", "[free_surface]") {
     const Runner leaks = run({{"keep_volume", "false"}, {"resolution", "40"}, {"time_step", "0.008"}}, 60);
     const Runner keeps = run({{"keep_volume", "true"}, {"resolution", "40"}, {"time_step", "0.008"}}, 60);
-    CHECK(measured(keeps, "volume") == Approx(*keeps.lesson().probe("volume").exact(0)).epsilon(1e-6));
-    CHECK(std::abs(measured(leaks, "volume") / measured(keeps, "volume") - 1) > 1e-3);
+    CHECK(value(keeps, "volume") == Approx(*keeps.lesson().probe("volume").exact(0)).epsilon(1e-6));
+    CHECK(std::abs(value(leaks, "volume") / value(keeps, "volume") - 1) > 1e-3);
     CHECK(keeps.holds(0) == Holds::yes);
 }
 
@@ -127,8 +128,8 @@ TEST_CASE("free surface: empty, full and tiny tanks run", "[free_surface]") {
                                          {{"time_step", "10"}}}) {
         const Runner runner = run(a, 4);
         INFO(a[0].first << " = " << a[0].second);
-        CHECK(std::isfinite(measured(runner, "kinetic_energy")));
-        CHECK(std::isfinite(measured(runner, "volume")));
+        CHECK(std::isfinite(value(runner, "kinetic_energy")));
+        CHECK(std::isfinite(value(runner, "volume")));
     }
 }
 

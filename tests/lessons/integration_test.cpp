@@ -1,5 +1,7 @@
 // The lesson of the eight integrators: growth, frequency, limits, orders and energies against theory, and every exact solution
 // against its equation.
+#include "readings.h"
+
 #include <pliant/lesson/format.h>
 #include <pliant/time/scheme.h>
 #include <catch2/catch_test_macros.hpp>
@@ -13,6 +15,7 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -22,17 +25,15 @@ namespace {
 
 using Settings = Runner::Assignments;
 
-Runner start(const Settings& parameters) { return Runner(find_lesson("time/integration"), parameters); }
+Runner start_integration(const Settings& parameters) { return Runner(find_lesson("time/integration"), parameters); }
 
 Runner after(Index steps, const Settings& parameters) {
-    Runner runner = start(parameters);
+    Runner runner = start_integration(parameters);
     for (Index k = 0; k < steps; ++k) runner.step();
     return runner;
 }
 
 std::optional<Real> probe(const Runner& runner, std::string_view name) { return runner.value(runner.lesson().probe(name)); }
-Real value(const Runner& runner, std::string_view name) { return probe(runner, name).value(); }
-Real exact(const Runner& runner, std::string_view name) { return runner.exact(runner.lesson().probe(name)).value(); }
 
 const Assumption& stability(const Runner& runner) {
     return *std::ranges::find(runner.lesson().assumptions, "stability", &Assumption::name);
@@ -82,7 +83,7 @@ TEST_CASE("integration: semi-implicit Euler swings too fast by the known factor"
 
 TEST_CASE("integration: damping lowers the limit of semi-implicit Euler", "[integration]") {
     for (const auto& [zeta, limit] : {std::pair{0.1, 0.1809975}, {0.5, 0.1236068}, {1., 0.0828427}}) {
-        Runner runner = start(oscillator("semi_implicit_euler", 10, zeta, 0.01));
+        Runner runner = start_integration(oscillator("semi_implicit_euler", 10, zeta, 0.01));
         INFO(zeta);
         CHECK_THAT(stability(runner).limit(), WithinAbs(limit, 1e-7));
         CHECK(value(after(3, oscillator("semi_implicit_euler", 10, zeta, 0.999 * limit)), "growth_measured") < 1);
@@ -96,7 +97,7 @@ TEST_CASE("integration: growth and frequency of every scheme are those of theory
     for (const SchemeInfo& info : schemes()) {
         // BDF2 has two more roots; after some steps the motion has forgotten them.
         const Index steps = info.scheme == Scheme::bdf2 ? 30 : 4;
-        Runner runner = start(oscillator(std::string(info.key), 3, zeta, w / 3));
+        Runner runner = start_integration(oscillator(std::string(info.key), 3, zeta, w / 3));
         for (Index k = 0; k < steps; ++k) runner.step();
         INFO(info.key << " zeta " << zeta << " w " << w);
         const auto growth = probe(runner, "growth_measured"), frequency = probe(runner, "frequency_measured");
@@ -115,14 +116,14 @@ TEST_CASE("integration: every scheme has its order, on every motion that is know
         Settings settings = motion;
         settings.emplace_back("scheme", info.key);
         INFO(info.key << " " << motion.front().second);
-        CHECK_THAT(value(start(settings), "order"), WithinAbs(info.order, 0.15));
+        CHECK_THAT(value(start_integration(settings), "order"), WithinAbs(info.order, 0.15));
     }
 }
 
 TEST_CASE("integration: symplectic schemes keep the energy bounded, implicit Euler loses it, explicit Euler gains it",
           "[integration]") {
     for (const SchemeInfo& info : schemes()) {
-        Runner runner = start(oscillator(std::string(info.key), 2, 0, 0.1));
+        Runner runner = start_integration(oscillator(std::string(info.key), 2, 0, 0.1));
         const Real before = value(runner, "energy");
         Real most = before, least = before;
         for (int k = 0; k < 1000 && most < 100 * before; ++k) {
@@ -157,12 +158,12 @@ TEST_CASE("integration: the exact motions fulfil their equations", "[integration
     const std::string system = GENERATE("oscillator", "pendulum", "stiff_pair");
     const Real zeta = GENERATE(0., 0.4, 1 - 1e-9, 1., 1 + 1e-9, 4., 1e6);
     if (system == "pendulum" && zeta > 0) {
-        CHECK_FALSE(probe(start({{"system", system}, {"damping_ratio", "0.4"}}), "exact_x"));
+        CHECK_FALSE(probe(start_integration({{"system", system}, {"damping_ratio", "0.4"}}), "exact_x"));
         return;
     }
     const Real v0 = GENERATE(0., 3., -11.);
-    const Runner runner =
-        start({{"system", system}, {"damping_ratio", text(zeta)}, {"v0", text(v0)}, {"stiffness_ratio", "3"}, {"omega", "2"}});
+    const Runner runner = start_integration(
+        {{"system", system}, {"damping_ratio", text(zeta)}, {"v0", text(v0)}, {"stiffness_ratio", "3"}, {"omega", "2"}});
     const Probe &x = runner.lesson().probe("x"), &v = runner.lesson().probe("v");
     CHECK_THAT(*x.exact(0), WithinAbs(1, 1e-14));
     CHECK_THAT(*v.exact(0), WithinAbs(v0, 1e-9 * (1 + zeta)));
@@ -180,15 +181,15 @@ TEST_CASE("integration: the exact motions fulfil their equations", "[integration
 }
 
 TEST_CASE("integration: the pair moves as its finer run does", "[integration]") {
-    Runner coarse =
-        start({{"system", "stiff_pair"}, {"damping_ratio", "0.05"}, {"scheme", "runge_kutta_4"}, {"time_step", "0.001"}});
+    Runner coarse = start_integration(
+        {{"system", "stiff_pair"}, {"damping_ratio", "0.05"}, {"scheme", "runge_kutta_4"}, {"time_step", "0.001"}});
     for (int k = 0; k < 2000; ++k) coarse.step();
     CHECK_THAT(value(coarse, "x"), WithinAbs(exact(coarse, "x"), 1e-6));
     CHECK_THAT(value(coarse, "energy"), WithinRel(exact(coarse, "energy"), 1e-5));
 }
 
 TEST_CASE("integration: explicit Euler without damping is stable nowhere, and says so", "[integration]") {
-    Runner runner = start(oscillator("explicit_euler", 2, 0, 0.5));
+    Runner runner = start_integration(oscillator("explicit_euler", 2, 0, 0.5));
     CHECK(stability(runner).limit() == 0);
     CHECK(stability(runner).value() > stability(runner).limit());
     std::string told;
@@ -213,7 +214,7 @@ TEST_CASE("integration: every number is explained, for every scheme and motion",
                                        Settings{{"omega", "0"}, {"v0", "1"}}, Settings{{"x0", "0"}}}) {
             Settings settings = motion;
             settings.emplace_back("scheme", info.key);
-            Runner runner = start(settings);
+            Runner runner = start_integration(settings);
             check_every_stage(runner, std::string(info.key) + " " + motion.front().first, 3, 1);
         }
 }
@@ -222,7 +223,8 @@ TEST_CASE("integration: a pendulum swings with the period of its amplitude", "[i
     const char* scheme = GENERATE("runge_kutta_4", "velocity_verlet", "implicit_midpoint");
     // From 90°: K(sin 45°)/(π/2) = 1.18034 times the period of small swings.
     const Real length = 9.81 / 4;
-    Runner runner = start({{"system", "pendulum"}, {"x0", text(length * pi / 2)}, {"scheme", scheme}, {"time_step", "0.01"}});
+    Runner runner =
+        start_integration({{"system", "pendulum"}, {"x0", text(length * pi / 2)}, {"scheme", scheme}, {"time_step", "0.01"}});
     while (runner.time() < 12) runner.step();
     CHECK_THAT(exact(runner, "period"), WithinRel(1.1803405990 * pi, 1e-9));
     CHECK_THAT(value(runner, "period"), WithinRel(1.1803405990 * pi, 1e-4));
@@ -265,7 +267,7 @@ TEST_CASE("integration: the work is counted", "[integration]") {
 }
 
 TEST_CASE("integration: steps of a microsecond add up", "[integration]") {
-    Runner runner = start(oscillator("semi_implicit_euler", 2, 0, 1e-6));
+    Runner runner = start_integration(oscillator("semi_implicit_euler", 2, 0, 1e-6));
     for (int k = 0; k < 100000; ++k) runner.step();
     CHECK_THAT(runner.time(), WithinAbs(0.1, 1e-12));
     CHECK_THAT(value(runner, "x"), WithinAbs(std::cos(0.2), 1e-6));
@@ -273,7 +275,7 @@ TEST_CASE("integration: steps of a microsecond add up", "[integration]") {
 }
 
 TEST_CASE("integration: what is dragged becomes parameters", "[integration]") {
-    Runner runner = start({});
+    Runner runner = start_integration({});
     const auto& lesson = runner.lesson();
     const auto values = lesson.dragged({1, Vec<3>::Zero(), Vec<3>(2.35 + 0.4 - 1. / 3, 1. / 3, 0)});
     REQUIRE(values.size() == 2);

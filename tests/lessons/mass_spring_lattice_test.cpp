@@ -1,4 +1,5 @@
 // The lattices of the mass-spring lesson as materials and as chains, and all integrators on them.
+#include "readings.h"
 #include "why_checks.h"
 
 #include <pliant/lesson/until.h>
@@ -10,6 +11,7 @@
 #include <cmath>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -25,12 +27,10 @@ Assignments joined(Assignments settings, const Assignments& more) {
     return settings;
 }
 
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-Real exact(const Runner& runner, std::string_view probe) { return runner.lesson().probe(probe).exact(runner.time()).value(); }
-
 const Assignments chain{{"scene", "swing"}, {"lattice", "chain"}, {"cells_y", "10"},        {"k_structural", "1"},
                         {"mass", "11"},     {"k_bending", "0"},   {"damping_mode", "none"}, {"time_step", "0.05"}};
-const Assignments test{{"scene", "stretch_test"}, {"cells_x", "2"}, {"cells_y", "2"}, {"cells_z", "2"}, {"k_bending", "0"}};
+const Assignments static_test{
+    {"scene", "stretch_test"}, {"cells_x", "2"}, {"cells_y", "2"}, {"cells_z", "2"}, {"k_bending", "0"}};
 
 }  // namespace
 
@@ -91,14 +91,14 @@ TEST_CASE("mass-spring: every pass of every integrator is explained, through an 
 TEST_CASE("mass-spring: the static test measures the lattice, and all of it is explained") {
     for (const char* lattice : {"cubic_face", "cubic_body", "square", "triangular"}) {
         INFO(lattice);
-        Runner runner = net(joined(test, {{"lattice", lattice}, {"shared_edges", "true"}}));
+        Runner runner = net(joined(static_test, {{"lattice", lattice}, {"shared_edges", "true"}}));
         CHECK(runner.is_static());
         runner.step();
         CHECK(runner.lesson().at_rest());
         CHECK_THAT(value(runner, "youngs_modulus"), WithinRel(exact(runner, "youngs_modulus"), 1e-9));
         CHECK_THAT(value(runner, "poisson_ratio"), WithinRel(exact(runner, "poisson_ratio"), 1e-7));
         for (const char* kind : {"stretch", "shear", "bend"}) {
-            Runner other = net(joined(test, {{"lattice", lattice}, {"test", kind}, {"k_bending", "20"}}));
+            Runner other = net(joined(static_test, {{"lattice", lattice}, {"test", kind}, {"k_bending", "20"}}));
             other.step();
             check_every_stage(other, lattice);
             CHECK(value(other, "stiffness_ratio") > 0.3);
@@ -106,16 +106,16 @@ TEST_CASE("mass-spring: the static test measures the lattice, and all of it is e
                        WithinRel(1, 1e-12));
         }
     }
-    Runner single = net(joined(test, {{"lattice", "chain"}}));
+    Runner single = net(joined(static_test, {{"lattice", "chain"}}));
     single.step();
     CHECK_THAT(value(single, "test_stiffness"), WithinRel(100, 1e-12));
-    Runner bent = net(joined(test, {{"lattice", "chain"}, {"test", "bend"}}));
+    Runner bent = net(joined(static_test, {{"lattice", "chain"}, {"test", "bend"}}));
     bent.step();
     CHECK(value(bent, "test_stiffness") == value(single, "test_stiffness"));
 }
 
 TEST_CASE("mass-spring: a solid of the lattice's own Poisson ratio stretches as the net does, if its outer springs are shared") {
-    const Assignments isotropic = joined(test, {{"k_shear", "200"}, {"shared_edges", "true"}});
+    const Assignments isotropic = joined(static_test, {{"k_shear", "200"}, {"shared_edges", "true"}});
     Runner own = net(isotropic);
     own.step();
     CHECK_THAT(value(own, "stiffness_ratio"), WithinRel(1, 1e-9));
@@ -131,7 +131,7 @@ TEST_CASE("mass-spring: a solid of the lattice's own Poisson ratio stretches as 
 }
 
 TEST_CASE("mass-spring: a mechanism is reported, and motions of rest length 0 are finite") {
-    Runner folds = net(joined(test, {{"k_shear", "0"}}));
+    Runner folds = net(joined(static_test, {{"k_shear", "0"}}));
     CHECK_THROWS_WITH(folds.step(), ContainsSubstring("singular") && ContainsSubstring("mechanisms unconstrained"));
     Runner collapses =
         net({{"rest_length_scale", "0"}, {"scene", "spin"}, {"lattice", "square"}, {"cells_x", "2"}, {"cells_y", "1"}});

@@ -1,4 +1,6 @@
 // The mass-spring lesson: what its scenes, dampers and integrators must show.
+#include "readings.h"
+
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/texts.h>
@@ -14,6 +16,7 @@
 #include <utility>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -34,20 +37,14 @@ struct Run : Runner {
     void run_time(Real seconds) { advance(*this, Until::after_time(seconds)); }
 };
 
-std::vector<std::string_view> stage_names(const Runner& runner) {
-    std::vector<std::string_view> names;
-    for (const Stage* stage : runner.stages()) names.push_back(stage->name);
-    return names;
-}
-
 }  // namespace
 
 TEST_CASE("mass-spring: the stages stand in the lecture's order, and only those that the scene needs") {
     Run run;
     CHECK(stage_names(run) ==
-          std::vector<std::string_view>{"spring_forces", "damping_forces", "external_forces", "integrate", "contact"});
+          Names{"spring_forces", "damping_forces", "external_forces", "integrate", "contact"});
     Run bare({{"scene", "spin"}, {"damping_mode", "none"}});
-    CHECK(stage_names(bare) == std::vector<std::string_view>{"spring_forces", "integrate"});
+    CHECK(stage_names(bare) == Names{"spring_forces", "integrate"});
     CHECK_FALSE(bare.has("damping_force"));
     CHECK_FALSE(bare.has("external_force"));
     CHECK(bare.lesson().find_field("damping_force")->view().empty());

@@ -16,7 +16,9 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-Runner start(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/navier_stokes"), parameters); }
+Runner start_navier_stokes_scenes(const Runner::Assignments& parameters) {
+    return Runner(find_lesson("fluids/navier_stokes"), parameters);
+}
 
 std::optional<Real> probe(const Runner& runner, std::string_view name) { return runner.value(runner.lesson().probe(name)); }
 
@@ -46,8 +48,8 @@ void check_laws(const Runner& runner) {
 }  // namespace
 
 TEST_CASE("navier_stokes: a channel that is pushed tends to Poiseuille's parabola") {
-    Runner runner =
-        start({{"scene", "poiseuille"}, {"viscosity", "0.1"}, {"body_force", "0.8"}, {"resolution", "24"}, {"time_step", "0.2"}});
+    Runner runner = start_navier_stokes_scenes(
+        {{"scene", "poiseuille"}, {"viscosity", "0.1"}, {"body_force", "0.8"}, {"resolution", "24"}, {"time_step", "0.2"}});
     run_until(runner, 1);
     CHECK(*probe(runner, "profile_difference") < 0.05);
     run_until(runner, 40);
@@ -65,7 +67,8 @@ TEST_CASE("navier_stokes: a channel that is pushed tends to Poiseuille's parabol
 }
 
 TEST_CASE("navier_stokes: a wall that starts to move drags the fluid along as the series says") {
-    Runner runner = start({{"scene", "couette"}, {"viscosity", "0.1"}, {"resolution", "40"}, {"time_step", "0.005"}});
+    Runner runner =
+        start_navier_stokes_scenes({{"scene", "couette"}, {"viscosity", "0.1"}, {"resolution", "40"}, {"time_step", "0.005"}});
     for (const auto& [time, expected] : {std::pair{0.2, 0.01241933}, {0.5, 0.11384420}, {1.0, 0.26275627}}) {
         run_until(runner, time);
         const Curve measured = sampled(line(runner, "profile").sample);
@@ -80,13 +83,13 @@ TEST_CASE("navier_stokes: a wall that starts to move drags the fluid along as th
 }
 
 TEST_CASE("navier_stokes: the cavity has any shape, and its Reynolds number sets the viscosity") {
-    Runner runner = start({{"scene", "cavity"},
-                           {"aspect", "2"},
-                           {"resolution", "16"},
-                           {"reynolds", "50"},
-                           {"lid_speed", "2"},
-                           {"size", "0.5"},
-                           {"viscosity", "123"}});
+    Runner runner = start_navier_stokes_scenes({{"scene", "cavity"},
+                                                {"aspect", "2"},
+                                                {"resolution", "16"},
+                                                {"reynolds", "50"},
+                                                {"lid_speed", "2"},
+                                                {"size", "0.5"},
+                                                {"viscosity", "123"}});
     CHECK(field(runner, "pressure").size() == 16 * 32);
     CHECK_THAT(*probe(runner, "reynolds_number"), WithinRel(50.0, 1e-12));
     for (int k = 0; k < 20; ++k) runner.step();
@@ -100,8 +103,9 @@ TEST_CASE("navier_stokes: the cavity has any shape, and its Reynolds number sets
 }
 
 TEST_CASE("navier_stokes: a cavity of another size is the same cavity in other units") {
-    Runner one = start({{"scene", "cavity"}, {"resolution", "16"}});
-    Runner small = start({{"scene", "cavity"}, {"resolution", "16"}, {"size", "1e-3"}, {"time_step", "2e-5"}});
+    Runner one = start_navier_stokes_scenes({{"scene", "cavity"}, {"resolution", "16"}});
+    Runner small =
+        start_navier_stokes_scenes({{"scene", "cavity"}, {"resolution", "16"}, {"size", "1e-3"}, {"time_step", "2e-5"}});
     for (int k = 0; k < 10; ++k) one.step(), small.step();
     CHECK_THAT(*probe(small, "kinetic_energy"), WithinRel(*probe(one, "kinetic_energy"), 1e-6));
     const Curve u = sampled(line(one, "u_center").sample), w = sampled(line(small, "u_center").sample);
@@ -112,7 +116,7 @@ TEST_CASE("navier_stokes: a cavity of another size is the same cavity in other u
 }
 
 TEST_CASE("navier_stokes: as much flows out behind the disc as in before it, and none through it") {
-    Runner runner = start({{"scene", "karman"}, {"resolution", "48"}});
+    Runner runner = start_navier_stokes_scenes({{"scene", "karman"}, {"resolution", "48"}});
     for (int k = 0; k < 10; ++k) runner.step();
     const Index nx = 96, ny = 36;
     const auto u = field(runner, "u_on_faces");
@@ -143,7 +147,8 @@ TEST_CASE("navier_stokes: behind a disc vortices are shed in a steady rhythm", "
 
 TEST_CASE("navier_stokes: smoke rises by its own lightness, and sinks where it is heavy") {
     const auto mean_height = [](const char* buoyancy) {
-        Runner runner = start({{"scene", "smoke"}, {"buoyancy", buoyancy}, {"resolution", "32"}, {"viscosity", "0"}});
+        Runner runner =
+            start_navier_stokes_scenes({{"scene", "smoke"}, {"buoyancy", buoyancy}, {"resolution", "32"}, {"viscosity", "0"}});
         for (int k = 0; k < 50; ++k) runner.step();
         check_laws(runner);
         const auto s = field(runner, "smoke");
@@ -166,18 +171,18 @@ TEST_CASE("navier_stokes: smoke rises by its own lightness, and sinks where it i
 
 TEST_CASE("navier_stokes: the stage that carries smoke exists in its scene alone") {
     for (const char* scene : {"box", "cavity", "taylor_green", "poiseuille", "couette", "karman"}) {
-        const Runner runner = start({{"scene", scene}, {"resolution", "8"}});
+        const Runner runner = start_navier_stokes_scenes({{"scene", scene}, {"resolution", "8"}});
         CHECK(std::ranges::none_of(runner.stages(), [](const Stage* s) { return s->name == "smoke"; }));
         const Field& smoke = *std::ranges::find(runner.lesson().fields, "smoke", &Field::name);
         CHECK(!smoke.in_use());
         CHECK(smoke.view().empty());
     }
-    CHECK(start({{"scene", "smoke"}, {"resolution", "8"}}).stages().back()->name == "smoke");
+    CHECK(start_navier_stokes_scenes({{"scene", "smoke"}, {"resolution", "8"}}).stages().back()->name == "smoke");
 }
 
 TEST_CASE("navier_stokes: more cells than a step could take are refused") {
-    CHECK_THROWS_AS(start({{"scene", "cavity"}, {"aspect", "10"}, {"resolution", "512"}}), Refused);
-    Runner runner = start({{"scene", "cavity"}, {"aspect", "10"}, {"resolution", "8"}});
+    CHECK_THROWS_AS(start_navier_stokes_scenes({{"scene", "cavity"}, {"aspect", "10"}, {"resolution", "512"}}), Refused);
+    Runner runner = start_navier_stokes_scenes({{"scene", "cavity"}, {"aspect", "10"}, {"resolution", "8"}});
     CHECK_THROWS_AS(runner.assign({{"resolution", "512"}}), Refused);
     runner.step();
     CHECK(field(runner, "pressure").size() == 8 * 80);
@@ -186,7 +191,7 @@ TEST_CASE("navier_stokes: more cells than a step could take are refused") {
 TEST_CASE("navier_stokes: the numbers that are read off every scene are explained") {
     for (const char* scene : {"box", "cavity", "taylor_green", "poiseuille", "couette", "karman", "smoke"})
         for (const char* cells : {"16", "17"}) {
-            Runner runner = start({{"scene", scene}, {"resolution", cells}, {"advection", "mac_cormack"}});
+            Runner runner = start_navier_stokes_scenes({{"scene", scene}, {"resolution", cells}, {"advection", "mac_cormack"}});
             for (int k = 0; k < 3; ++k) runner.step();
             check_probes(runner, std::string(scene) + " " + cells);
         }

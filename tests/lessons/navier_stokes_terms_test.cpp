@@ -1,4 +1,6 @@
 // The terms of the Navier-Stokes equations switched off one by one, and put into another order.
+#include "readings.h"
+
 #include <pliant/lesson/runner.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -9,19 +11,13 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::WithinRel;
 
 namespace {
 
-Runner start(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/navier_stokes"), parameters); }
-
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-
-using Names = std::vector<std::string>;
-Names stage_names(const Runner& runner) {
-    Names names;
-    for (const Stage* s : runner.stages()) names.emplace_back(s->name);
-    return names;
+Runner start_navier_stokes_terms(const Runner::Assignments& parameters) {
+    return Runner(find_lesson("fluids/navier_stokes"), parameters);
 }
 
 bool lamp_holds(const Runner& runner) {
@@ -34,10 +30,12 @@ bool lamp_holds(const Runner& runner) {
 }  // namespace
 
 TEST_CASE("navier_stokes: a term that is off has no stage and no array") {
-    CHECK(stage_names(start({{"with_forces", "off"}})) == Names{"advection", "viscosity", "projection"});
-    CHECK(stage_names(start({{"with_advection", "off"}})) == Names{"external_forces", "viscosity", "projection"});
-    CHECK(stage_names(start({{"with_viscosity", "off"}})) == Names{"external_forces", "advection", "projection"});
-    Runner piling_up = start({{"with_projection", "off"}, {"resolution", "16"}});
+    CHECK(stage_names(start_navier_stokes_terms({{"with_forces", "off"}})) == Names{"advection", "viscosity", "projection"});
+    CHECK(stage_names(start_navier_stokes_terms({{"with_advection", "off"}})) ==
+          Names{"external_forces", "viscosity", "projection"});
+    CHECK(stage_names(start_navier_stokes_terms({{"with_viscosity", "off"}})) ==
+          Names{"external_forces", "advection", "projection"});
+    Runner piling_up = start_navier_stokes_terms({{"with_projection", "off"}, {"resolution", "16"}});
     CHECK(stage_names(piling_up) == Names{"external_forces", "advection", "viscosity"});
     for (int k = 0; k < 5; ++k) piling_up.step();
     for (const char* name : {"pressure", "divergence_before", "divergence_after"}) {
@@ -52,12 +50,12 @@ TEST_CASE("navier_stokes: a term that is off has no stage and no array") {
 }
 
 TEST_CASE("navier_stokes: without any term nothing happens, and time goes on") {
-    Runner runner = start({{"scene", "taylor_green"},
-                           {"with_forces", "off"},
-                           {"with_advection", "off"},
-                           {"with_viscosity", "off"},
-                           {"with_projection", "off"},
-                           {"resolution", "16"}});
+    Runner runner = start_navier_stokes_terms({{"scene", "taylor_green"},
+                                               {"with_forces", "off"},
+                                               {"with_advection", "off"},
+                                               {"with_viscosity", "off"},
+                                               {"with_projection", "off"},
+                                               {"resolution", "16"}});
     CHECK(stage_names(runner).empty());
     const Real energy = value(runner, "kinetic_energy");
     for (int k = 0; k < 3; ++k) runner.step();
@@ -67,7 +65,8 @@ TEST_CASE("navier_stokes: without any term nothing happens, and time goes on") {
 }
 
 TEST_CASE("navier_stokes: terms can be switched on the way") {
-    Runner runner = start({{"scene", "taylor_green"}, {"viscosity", "0.01"}, {"resolution", "16"}, {"with_advection", "off"}});
+    Runner runner = start_navier_stokes_terms(
+        {{"scene", "taylor_green"}, {"viscosity", "0.01"}, {"resolution", "16"}, {"with_advection", "off"}});
     for (int k = 0; k < 5; ++k) runner.step();
     runner.assign("with_viscosity", 0);
     const Real energy = value(runner, "kinetic_energy");
@@ -85,7 +84,7 @@ TEST_CASE("navier_stokes: only the lecture's order leaves a velocity without div
                                             {"advection_last", {"external_forces", "viscosity", "projection", "advection"}},
                                             {"forces_last", {"advection", "viscosity", "projection", "external_forces"}}}));
     INFO(order);
-    Runner runner = start({{"order", order}, {"resolution", "32"}});
+    Runner runner = start_navier_stokes_terms({{"order", order}, {"resolution", "32"}});
     CHECK(stage_names(runner) == names);
     for (int k = 0; k < 20; ++k) runner.step();
     const bool lecture = std::string(order) == "lecture";
@@ -108,7 +107,7 @@ TEST_CASE("navier_stokes: the lamp of the order offers what mends it") {
     for (const Runner::Assignments& wrong : {Runner::Assignments{{"order", "forces_last"}}, {{"with_projection", "off"}}}) {
         Runner::Assignments parameters = wrong;
         parameters.emplace_back("resolution", "24");
-        Runner runner = start(parameters);
+        Runner runner = start_navier_stokes_terms(parameters);
         for (int k = 0; k < 5; ++k) runner.step();
         REQUIRE(!lamp_holds(runner));
         const auto& lamps = runner.lesson().assumptions;
@@ -121,7 +120,7 @@ TEST_CASE("navier_stokes: the lamp of the order offers what mends it") {
 }
 
 TEST_CASE("navier_stokes: before and after of every stage are kept, of the velocity and of the smoke") {
-    Runner runner = start({{"scene", "smoke"}, {"resolution", "16"}, {"viscosity", "0.01"}});
+    Runner runner = start_navier_stokes_terms({{"scene", "smoke"}, {"resolution", "16"}, {"viscosity", "0.01"}});
     for (int k = 0; k < 3; ++k) runner.step();
     StepTrace trace;
     runner.trace_to(&trace);

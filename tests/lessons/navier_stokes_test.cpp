@@ -1,4 +1,6 @@
 // The Navier-Stokes lesson: its scenes against what is known of them, and its behaviour at the ends of its ranges.
+#include "readings.h"
+
 #include <pliant/lesson/runner.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -10,20 +12,15 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
 
-Runner start(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/navier_stokes"), parameters); }
-
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-
-std::vector<std::string> stage_names(const Runner& runner) {
-    std::vector<std::string> names;
-    for (const Stage* s : runner.stages()) names.emplace_back(s->name);
-    return names;
+Runner start_navier_stokes(const Runner::Assignments& parameters) {
+    return Runner(find_lesson("fluids/navier_stokes"), parameters);
 }
 
 std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
@@ -45,16 +42,16 @@ void check_laws(const Runner& runner) {
 
 TEST_CASE("navier_stokes: the stages run in the lecture's order, and only those that the scene needs") {
     using Names = std::vector<std::string>;
-    CHECK(stage_names(start({})) == Names{"external_forces", "advection", "viscosity", "projection"});
-    CHECK(stage_names(start({{"viscosity", "0"}})) == Names{"external_forces", "advection", "projection"});
-    CHECK(stage_names(start({{"stirring", "0"}})) == Names{"advection", "viscosity", "projection"});
-    CHECK(stage_names(start({{"scene", "cavity"}})) == Names{"advection", "viscosity", "projection"});
-    CHECK(stage_names(start({{"scene", "cavity"}, {"lid_speed", "0"}})) == Names{"advection", "projection"});
-    CHECK(stage_names(start({{"scene", "taylor_green"}, {"viscosity", "0"}})) == Names{"advection", "projection"});
+    CHECK(stage_names(start_navier_stokes({})) == Names{"external_forces", "advection", "viscosity", "projection"});
+    CHECK(stage_names(start_navier_stokes({{"viscosity", "0"}})) == Names{"external_forces", "advection", "projection"});
+    CHECK(stage_names(start_navier_stokes({{"stirring", "0"}})) == Names{"advection", "viscosity", "projection"});
+    CHECK(stage_names(start_navier_stokes({{"scene", "cavity"}})) == Names{"advection", "viscosity", "projection"});
+    CHECK(stage_names(start_navier_stokes({{"scene", "cavity"}, {"lid_speed", "0"}})) == Names{"advection", "projection"});
+    CHECK(stage_names(start_navier_stokes({{"scene", "taylor_green"}, {"viscosity", "0"}})) == Names{"advection", "projection"});
 }
 
 TEST_CASE("navier_stokes: a hand in the fluid is a force, until it lets go") {
-    Runner runner = start({{"stirring", "0"}, {"resolution", "32"}});
+    Runner runner = start_navier_stokes({{"stirring", "0"}, {"resolution", "32"}});
     runner.pull(Pull{-1, {0.25, 0.5, 0}, {0.5, 0.5, 0}});
     runner.step();
     CHECK(stage_names(runner).front() == "external_forces");
@@ -69,7 +66,7 @@ TEST_CASE("navier_stokes: a hand in the fluid is a force, until it lets go") {
 }
 
 TEST_CASE("navier_stokes: each stage does what it says to the fields") {
-    Runner runner = start({{"resolution", "32"}});
+    Runner runner = start_navier_stokes({{"resolution", "32"}});
     // The force acts near the stirrer alone; its divergence is what the projection gets.
     runner.run_to_stage("external_forces");
     const auto speed = [&](Index i, Index j) { return field(runner, "speed")[static_cast<std::size_t>(i + 32 * j)]; };
@@ -98,8 +95,8 @@ TEST_CASE("navier_stokes: each stage does what it says to the fields") {
 TEST_CASE("navier_stokes: divergence stays at the solver's tolerance and energy does not grow where nothing feeds it") {
     for (const char* scene : {"box", "cavity", "taylor_green"}) {
         INFO(scene);
-        Runner runner =
-            start({{"scene", scene}, {"resolution", "40"}, {"viscosity", "1e-3"}, {"time_step", "0.03"}, {"tolerance", "1e-6"}});
+        Runner runner = start_navier_stokes(
+            {{"scene", scene}, {"resolution", "40"}, {"viscosity", "1e-3"}, {"time_step", "0.03"}, {"tolerance", "1e-6"}});
         for (int k = 0; k < 60; ++k) {
             runner.step();
             check_laws(runner);
@@ -113,8 +110,8 @@ TEST_CASE("navier_stokes: divergence stays at the solver's tolerance and energy 
 
 TEST_CASE("navier_stokes: Taylor-Green vortices decay a little faster than exact, by the interpolation") {
     const auto excess = [](const char* resolution, const char* time_step) {
-        Runner runner =
-            start({{"scene", "taylor_green"}, {"viscosity", "0.01"}, {"resolution", resolution}, {"time_step", time_step}});
+        Runner runner = start_navier_stokes(
+            {{"scene", "taylor_green"}, {"viscosity", "0.01"}, {"resolution", resolution}, {"time_step", time_step}});
         while (runner.time() < 0.5 - 1e-9) runner.step();
         const Probe& energy = runner.lesson().probe("kinetic_energy");
         CHECK_THAT(runner.exact(energy).value(),
@@ -129,11 +126,11 @@ TEST_CASE("navier_stokes: Taylor-Green vortices decay a little faster than exact
 
 TEST_CASE("navier_stokes: what the advection adds to the viscosity is least with MacCormack's correction") {
     const auto excess = [](const char* scheme) {
-        Runner runner = start({{"scene", "taylor_green"},
-                               {"viscosity", "0.01"},
-                               {"resolution", "32"},
-                               {"time_step", "0.02"},
-                               {"advection", scheme}});
+        Runner runner = start_navier_stokes({{"scene", "taylor_green"},
+                                             {"viscosity", "0.01"},
+                                             {"resolution", "32"},
+                                             {"time_step", "0.02"},
+                                             {"advection", scheme}});
         while (runner.time() < 1 - 1e-9) runner.step();
         const Probe& energy = runner.lesson().probe("kinetic_energy");
         CHECK_THAT(runner.exact(energy).value(), WithinRel(0.25 * 0.20615299, 1e-7));
@@ -147,7 +144,8 @@ TEST_CASE("navier_stokes: what the advection adds to the viscosity is least with
 }
 
 TEST_CASE("navier_stokes: the scheme of advection can be changed on the way") {
-    Runner runner = start({{"resolution", "24"}}), other = start({{"resolution", "24"}, {"advection", "mac_cormack"}});
+    Runner runner = start_navier_stokes({{"resolution", "24"}}),
+           other = start_navier_stokes({{"resolution", "24"}, {"advection", "mac_cormack"}});
     for (int k = 0; k < 5; ++k) runner.step(), other.step();
     CHECK(state_hash(runner.lesson()) != state_hash(other.lesson()));
     const auto before = state_hash(runner.lesson());
@@ -162,7 +160,8 @@ TEST_CASE("navier_stokes: the scheme of advection can be changed on the way") {
 }
 
 TEST_CASE("navier_stokes: the exact energy follows a viscosity that is changed on the way") {
-    Runner runner = start({{"scene", "taylor_green"}, {"viscosity", "0.01"}, {"resolution", "16"}, {"time_step", "0.125"}});
+    Runner runner =
+        start_navier_stokes({{"scene", "taylor_green"}, {"viscosity", "0.01"}, {"resolution", "16"}, {"time_step", "0.125"}});
     runner.step();
     runner.assign("viscosity", 0.03);
     runner.step();
@@ -175,11 +174,11 @@ TEST_CASE("navier_stokes: the cavity at Re = 100 meets the published table, whic
         for (const char* scheme : {"semi_lagrangian", "monotone_cubic", "mac_cormack"}) {
             INFO(lid << " " << scheme);
             const bool fast = lid[0] == '-';
-            Runner runner = start({{"scene", "cavity"},
-                                   {"lid_speed", lid},
-                                   {"time_step", fast ? "0.025" : "0.05"},
-                                   {"resolution", "64"},
-                                   {"advection", scheme}});
+            Runner runner = start_navier_stokes({{"scene", "cavity"},
+                                                 {"lid_speed", lid},
+                                                 {"time_step", fast ? "0.025" : "0.05"},
+                                                 {"resolution", "64"},
+                                                 {"advection", scheme}});
             for (int k = 0; k < 500; ++k) runner.step();
             CHECK_THAT(value(runner, "reynolds_number"), WithinRel(100.0, 1e-12));
             // In units of the lid's speed: 0.011 with linear interpolation, 0.0075 with the methods of second order.
@@ -198,20 +197,21 @@ TEST_CASE("navier_stokes: the cavity at Re = 100 meets the published table, whic
 
 TEST_CASE("navier_stokes: the lecture's explicit stencil is refused beyond its limit, which is named") {
     CHECK_THROWS_WITH(
-        start({{"viscosity", "0.01"}, {"resolution", "64"}, {"viscosity_scheme", "explicit"}, {"time_step", "0.00611"}}),
+        start_navier_stokes(
+            {{"viscosity", "0.01"}, {"resolution", "64"}, {"viscosity_scheme", "explicit"}, {"time_step", "0.00611"}}),
         ContainsSubstring("time_step") && ContainsSubstring("0.006104 s") && ContainsSubstring("implicit"));
-    CHECK_THROWS_AS(start({{"viscosity", "1e6"}, {"viscosity_scheme", "explicit"}}), Refused);
+    CHECK_THROWS_AS(start_navier_stokes({{"viscosity", "1e6"}, {"viscosity_scheme", "explicit"}}), Refused);
     // Below it, both schemes agree to the order of the step.
     const Runner::Assignments vortices{
         {"scene", "taylor_green"}, {"viscosity", "0.01"}, {"resolution", "32"}, {"time_step", "0.005"}};
-    Runner implicit = start(vortices);
+    Runner implicit = start_navier_stokes(vortices);
     Runner::Assignments with_stencil = vortices;
     with_stencil.emplace_back("viscosity_scheme", "explicit");
-    Runner stencil = start(with_stencil);
+    Runner stencil = start_navier_stokes(with_stencil);
     for (int k = 0; k < 40; ++k) implicit.step(), stencil.step();
     CHECK_THAT(value(stencil, "kinetic_energy"), WithinRel(value(implicit, "kinetic_energy"), 0.01));
     CHECK(value(stencil, "kinetic_energy") < value(implicit, "kinetic_energy"));
-    CHECK_THROWS_AS(start({{"viscosity", "-1"}}), Refused);
+    CHECK_THROWS_AS(start_navier_stokes({{"viscosity", "-1"}}), Refused);
 }
 
 TEST_CASE("navier_stokes: the ends of every range stay finite") {
@@ -221,16 +221,16 @@ TEST_CASE("navier_stokes: the ends of every range stay finite") {
     const char* viscosity = GENERATE("0", "1e-6", "1e6");
     const char* time_step = GENERATE("1e-6", "10");
     INFO(scene << " " << scheme << " " << resolution << " " << viscosity << " " << time_step);
-    Runner runner = start({{"scene", scene},
-                           {"resolution", resolution},
-                           {"viscosity", viscosity},
-                           {"time_step", time_step},
-                           {"lid_speed", "1000"},
-                           {"inflow", "1000"},
-                           {"advection", scheme},
-                           {"body_force", "1e6"},
-                           {"buoyancy", "-1e6"},
-                           {"stirring", "1e6"}});
+    Runner runner = start_navier_stokes({{"scene", scene},
+                                         {"resolution", resolution},
+                                         {"viscosity", viscosity},
+                                         {"time_step", time_step},
+                                         {"lid_speed", "1000"},
+                                         {"inflow", "1000"},
+                                         {"advection", scheme},
+                                         {"body_force", "1e6"},
+                                         {"buoyancy", "-1e6"},
+                                         {"stirring", "1e6"}});
     for (int k = 0; k < 8; ++k) runner.step();
     for (const Field& f : runner.lesson().fields) CHECK(std::ranges::all_of(f.view(), [](Real x) { return std::isfinite(x); }));
     check_laws(runner);

@@ -1,4 +1,6 @@
 // Poisson's ratio: the narrowing of a cube by the law, by the estimate and by finite elements, and locking.
+#include "readings.h"
+
 #include <pliant/lesson/format.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/until.h>
@@ -10,6 +12,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -21,14 +24,6 @@ Runner run_cube(const Runner::Assignments& assignments) {
     advance(runner, Until::at_rest());
     return runner;
 }
-
-Real measured(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-Real exact(const Runner& runner, std::string_view probe) { return runner.exact(runner.lesson().probe(probe)).value(); }
-
-const Assumption& assumption(const Runner& runner, std::string_view name) {
-    return *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);
-}
-bool holds(const Assumption& a) { return a.value() <= a.limit(); }
 
 // What small steps must give: each narrows the width that is left by nu times its own strain.
 Real narrowed_in_steps(Real nu, Real strain, int steps) {
@@ -44,9 +39,9 @@ Real narrowed_in_steps(Real nu, Real strain, int steps) {
 
 TEST_CASE("poisson: the law and the estimate at nu = 0.3 and half as much again", "[poisson]") {
     const Runner runner = run_cube({});
-    CHECK_THAT(measured(runner, "transverse_exact"), WithinAbs(0.114532507, 1e-9));
-    CHECK_THAT(measured(runner, "transverse_linear"), WithinAbs(0.15, 1e-12));
-    CHECK_THAT(measured(runner, "strain"), WithinAbs(0.5, 1e-12));
+    CHECK_THAT(value(runner, "transverse_exact"), WithinAbs(0.114532507, 1e-9));
+    CHECK_THAT(value(runner, "transverse_linear"), WithinAbs(0.15, 1e-12));
+    CHECK_THAT(value(runner, "strain"), WithinAbs(0.5, 1e-12));
     CHECK_THAT(exact(runner, "volume_ratio"), WithinAbs(std::pow(1.5, 0.4), 1e-12));
 }
 
@@ -61,26 +56,26 @@ TEST_CASE("poisson: finite elements do what the method says, on every mesh, to r
                                     {"increments", std::to_string(steps)},
                                     {"resolution", cells}});
     const Real narrowing = narrowed_in_steps(nu, strain, steps);
-    CHECK_THAT(measured(runner, "transverse_fem"), WithinAbs(narrowing, 1e-9));
-    CHECK_THAT(measured(runner, "volume_ratio"), WithinRel((1 + strain) * (1 - narrowing) * (1 - narrowing), 1e-8));
+    CHECK_THAT(value(runner, "transverse_fem"), WithinAbs(narrowing, 1e-9));
+    CHECK_THAT(value(runner, "volume_ratio"), WithinRel((1 + strain) * (1 - narrowing) * (1 - narrowing), 1e-8));
 }
 
 TEST_CASE("poisson: small steps tend to the law with order 1, and one linear step is the estimate", "[poisson]") {
     Real last = 0;
     for (const int steps : {10, 20, 40, 80}) {
-        const Real error = measured(run_cube({{"increments", std::to_string(steps)}}), "transverse_error");
+        const Real error = value(run_cube({{"increments", std::to_string(steps)}}), "transverse_error");
         if (last > 0) CHECK_THAT(std::log2(last / error), WithinAbs(1, 0.05));
         last = error;
     }
     const Runner linear = run_cube({{"method", "linear"}});
-    CHECK_THAT(measured(linear, "transverse_fem"), WithinAbs(0.15, 1e-12));
+    CHECK_THAT(value(linear, "transverse_fem"), WithinAbs(0.15, 1e-12));
 }
 
 TEST_CASE("poisson: the volume is kept at one half and only there; a negative ratio widens the cube", "[poisson]") {
     CHECK_THAT(exact(run_cube({{"poisson_ratio", "0.4999999"}}), "volume_ratio"), WithinAbs(1, 1e-6));
     CHECK(exact(run_cube({{"poisson_ratio", "0.3"}}), "volume_ratio") > 1.15);
-    CHECK(measured(run_cube({{"poisson_ratio", "-0.5"}}), "transverse_fem") < -0.1);
-    CHECK_THAT(measured(run_cube({{"poisson_ratio", "0"}}), "transverse_fem"), WithinAbs(0, 1e-13));
+    CHECK(value(run_cube({{"poisson_ratio", "-0.5"}}), "transverse_fem") < -0.1);
+    CHECK_THAT(value(run_cube({{"poisson_ratio", "0"}}), "transverse_fem"), WithinAbs(0, 1e-13));
     CHECK_THAT(exact(run_cube({{"poisson_ratio", "0"}}), "transverse_fem"), WithinAbs(0, 1e-15));
 }
 
@@ -88,7 +83,7 @@ TEST_CASE("poisson: where the estimate is off by 1 % and 5 %", "[poisson]") {
     const char* nu = GENERATE("0.3", "-0.5", "0", "0.49");
     const Runner runner = run_cube({{"poisson_ratio", nu}});
     for (const auto& [probe, share] : {std::pair{"strain_off_by_1_percent", 0.01}, std::pair{"strain_off_by_5_percent", 0.05}}) {
-        const Real strain = measured(runner, probe), ratio = std::stod(nu);
+        const Real strain = value(runner, probe), ratio = std::stod(nu);
         const Real law = ratio == 0 ? std::log1p(strain) : 1 - std::pow(1 + strain, -ratio);
         CHECK_THAT((ratio == 0 ? strain : ratio * strain) / law - 1, WithinAbs(share, 1e-9));
         // To first order the estimate is off by (1 + nu) / 2 of the strain.
@@ -106,11 +101,11 @@ TEST_CASE("poisson: Cook's membrane locks as an independent package finds", "[po
         const auto at = [nu](const char* cells) {
             return run_cube({{"scene", "bending"}, {"poisson_ratio", nu}, {"membrane_cells", cells}});
         };
-        CHECK_THAT(measured(at("4"), "deflection"), WithinRel(coarse, 1e-3));
-        CHECK_THAT(measured(at("8"), "deflection"), WithinRel(fine, 1e-3));
+        CHECK_THAT(value(at("4"), "deflection"), WithinRel(coarse, 1e-3));
+        CHECK_THAT(value(at("8"), "deflection"), WithinRel(fine, 1e-3));
     }
     const Runner locked = run_cube({{"scene", "bending"}, {"poisson_ratio", "0.4999"}});
-    CHECK(measured(locked, "times_too_stiff") > 3);
+    CHECK(value(locked, "times_too_stiff") > 3);
     CHECK_THAT(exact(locked, "deflection"), WithinAbs(18.46, 1e-9));
     CHECK(!holds(assumption(locked, "no locking")));
     // The parabola between the converged values meets those that it was not made from.

@@ -1,4 +1,6 @@
 // The projection lesson: what it leaves of known fields, on both grids, and what it says when there is no solution.
+#include "readings.h"
+
 #include <pliant/fluids/collocated.h>
 #include <pliant/lesson/format.h>
 #include <pliant/study/claims.h>
@@ -14,6 +16,7 @@
 #include <fmt/format.h>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -28,8 +31,6 @@ Runner done(const Runner::Assignments& assignments) {
     runner.step();
     return runner;
 }
-
-Real measured(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
 
 std::vector<Real> numbers(const Runner& runner, std::string_view field) {
     const auto view = runner.lesson().field(field).view();
@@ -47,11 +48,11 @@ TEST_CASE("projection: every field and solver is freed of its divergence, withou
         for (const std::string& solver : solvers) {
             const Runner runner = done({{"field", field}, {"solver", solver}, {"tolerance", "1e-9"}, {"resolution", "17"}});
             INFO(field << " " << solver);
-            CHECK(measured(runner, "max_divergence") <= 1.01e-9 * measured(runner, "max_divergence_before"));
+            CHECK(value(runner, "max_divergence") <= 1.01e-9 * value(runner, "max_divergence_before"));
             for (std::size_t k = 0; k < runner.lesson().conserved.size(); ++k) CHECK(runner.holds(k) != Holds::no);
             if (std::string_view(field) == "through_flow") continue;
-            CHECK(measured(runner, "kinetic_energy") <= measured(runner, "kinetic_energy_before"));
-            CHECK(std::abs(measured(runner, "orthogonality")) < 1e-12);
+            CHECK(value(runner, "kinetic_energy") <= value(runner, "kinetic_energy_before"));
+            CHECK(std::abs(value(runner, "orthogonality")) < 1e-12);
         }
     }
 }
@@ -70,7 +71,7 @@ TEST_CASE("projection: all solvers end at the same velocity", "[projection]") {
 
 TEST_CASE("projection: a gradient is taken out whole, and its pressure is the potential", "[projection]") {
     const Runner runner = done({{"field", "gradient"}, {"tolerance", "1e-11"}, {"resolution", "32"}, {"time_step", "0.5"}});
-    CHECK(measured(runner, "energy_left") < 1e-20);
+    CHECK(value(runner, "energy_left") < 1e-20);
     // ũ = U sin 2πx cos 2πy is ∇φ with φ = −U/(2π) cos 2πx cos 2πy; sampled differences are those of φ times (πΔx)/sin(πΔx).
     const std::vector<Real> p = numbers(runner, "pressure");
     const Real dx = 1.0 / 32, scale = pi * dx / std::sin(pi * dx) / (2 * pi);
@@ -83,14 +84,14 @@ TEST_CASE("projection: a gradient is taken out whole, and its pressure is the po
 TEST_CASE("projection: the pressure is inverse to the time step, and the velocity does not know it", "[projection]") {
     const Runner whole = done({{"time_step", "1"}, {"tolerance", "1e-11"}}),
                  half = done({{"time_step", "0.5"}, {"tolerance", "1e-11"}});
-    CHECK_THAT(measured(half, "cell_pressure"), WithinRel(2 * measured(whole, "cell_pressure"), 1e-9));
-    CHECK_THAT(measured(half, "kinetic_energy"), WithinRel(measured(whole, "kinetic_energy"), 1e-12));
+    CHECK_THAT(value(half, "cell_pressure"), WithinRel(2 * value(whole, "cell_pressure"), 1e-9));
+    CHECK_THAT(value(half, "kinetic_energy"), WithinRel(value(whole, "kinetic_energy"), 1e-12));
 }
 
 TEST_CASE("projection: pressure is low where the field flows apart and high where it runs together", "[projection]") {
     const Runner runner = done({{"field", "source_sink"}, {"cell_x", "0.3"}, {"cell_y", "0.5"}});
-    CHECK(measured(runner, "cell_pressure") < -0.1);
-    CHECK(measured(done({{"field", "source_sink"}, {"cell_x", "0.7"}, {"cell_y", "0.5"}}), "cell_pressure") > 0.1);
+    CHECK(value(runner, "cell_pressure") < -0.1);
+    CHECK(value(done({{"field", "source_sink"}, {"cell_x", "0.7"}, {"cell_y", "0.5"}}), "cell_pressure") > 0.1);
 }
 
 TEST_CASE("projection: gradient and solenoidal part add up to what was given", "[projection]") {
@@ -119,10 +120,10 @@ TEST_CASE("projection: a checkerboard survives on the collocated grid alone", "[
     Runner::Assignments collocated = board;
     collocated.emplace_back("grid", "collocated");
     const Runner on_faces = done(board), in_cells = done(collocated);
-    CHECK(measured(on_faces, "energy_left") < 1e-20);
-    CHECK(measured(in_cells, "energy_left") == 1);
-    CHECK(measured(on_faces, "null_dimension") == 1);
-    CHECK(measured(in_cells, "null_dimension") == 4);
+    CHECK(value(on_faces, "energy_left") < 1e-20);
+    CHECK(value(in_cells, "energy_left") == 1);
+    CHECK(value(on_faces, "null_dimension") == 1);
+    CHECK(value(in_cells, "null_dimension") == 4);
     // The lamp of what the grid does not see, and what mends it.
     const auto& lamp =
         *std::ranges::find(in_cells.lesson().assumptions, "pressures that the grid does not see", &Assumption::name);
@@ -142,7 +143,7 @@ TEST_CASE("projection: a checkerboard of the pressure is felt by the staggered g
         CHECK_THAT(q[1] - p[1], WithinAbs(-0.5, 1e-12));
         const std::vector<Real> u = numbers(plain, "velocity"), v = numbers(disturbed, "velocity");
         const bool seen = std::string_view(grid) == "staggered";
-        CHECK((measured(disturbed, "kinetic_energy") > 100 * measured(plain, "kinetic_energy")) == seen);
+        CHECK((value(disturbed, "kinetic_energy") > 100 * value(plain, "kinetic_energy")) == seen);
         for (std::size_t k = 0; k < u.size() && !seen; ++k) REQUIRE_THAT(v[k], WithinAbs(u[k], 1e-12));
         // The laws say so.
         for (std::size_t k = 0; k < disturbed.lesson().conserved.size(); ++k) CHECK((disturbed.holds(k) == Holds::no) == seen);
@@ -152,22 +153,22 @@ TEST_CASE("projection: a checkerboard of the pressure is felt by the staggered g
 TEST_CASE("projection: one pass of the stage is one pass of the solver", "[projection]") {
     Runner runner = lesson({{"solver", "incomplete_cholesky"}, {"resolution", "40"}});
     runner.run_to_stage("divergence");
-    Real last = measured(runner, "max_divergence_before");
+    Real last = value(runner, "max_divergence_before");
     for (int k = 1; k <= 5; ++k) {
         runner.step_pass();
-        CHECK(measured(runner, "iterations") == k);
-        CHECK(measured(runner, "max_divergence") < 3 * last);
-        last = measured(runner, "max_divergence");
+        CHECK(value(runner, "iterations") == k);
+        CHECK(value(runner, "max_divergence") < 3 * last);
+        last = value(runner, "max_divergence");
     }
     Curve curve;
     residual(runner).sample(curve);
     REQUIRE(curve.value.size() == 5);
-    CHECK_THAT(curve.value[4], WithinRel(last / measured(runner, "max_divergence_before"), 1e-12));
+    CHECK_THAT(curve.value[4], WithinRel(last / value(runner, "max_divergence_before"), 1e-12));
     // Back by a pass, and forward again.
     REQUIRE(runner.pass_back());
-    CHECK(measured(runner, "iterations") == 4);
+    CHECK(value(runner, "iterations") == 4);
     runner.step();
-    CHECK(measured(runner, "max_divergence") <= 1.01e-6 * measured(runner, "max_divergence_before"));
+    CHECK(value(runner, "max_divergence") <= 1.01e-6 * value(runner, "max_divergence_before"));
 }
 
 TEST_CASE("projection: the other solvers stand beside the chosen one", "[projection]") {
@@ -183,7 +184,7 @@ TEST_CASE("projection: the other solvers stand beside the chosen one", "[project
     Curve chosen;
     line.sample(chosen);
     CHECK(passes[1] == 0);  // drawn as "now"
-    CHECK(static_cast<Real>(chosen.value.size()) == measured(runner, "iterations"));
+    CHECK(static_cast<Real>(chosen.value.size()) == value(runner, "iterations"));
     CHECK(passes[0] > 3 * passes[2]);
     CHECK(passes[2] > 2 * passes[3]);
     CHECK(chosen.value.size() > 3 * passes[2]);
@@ -193,7 +194,7 @@ TEST_CASE("projection: the collocated grid has one solver and one curve", "[proj
     const Runner runner = done({{"grid", "collocated"}, {"field", "random"}, {"resolution", "20"}});
     Curve curve, other;
     residual(runner).sample(curve);
-    CHECK(static_cast<Real>(curve.value.size()) == measured(runner, "iterations"));
+    CHECK(static_cast<Real>(curve.value.size()) == value(runner, "iterations"));
     CHECK(curve.value.size() > 10);
     CHECK(curve.value.back() <= 1e-6);
     for (const CompareCurve& c : residual(runner).others) {
@@ -204,7 +205,7 @@ TEST_CASE("projection: the collocated grid has one solver and one curve", "[proj
 
 TEST_CASE("projection: walls that do not balance stop the run with the net flux and a way out", "[projection]") {
     Runner runner = lesson({{"field", "through_flow"}, {"outflow", "0.75"}, {"speed", "2"}});
-    CHECK_THAT(measured(runner, "net_inflow"), WithinRel(0.5, 1e-12));
+    CHECK_THAT(value(runner, "net_inflow"), WithinRel(0.5, 1e-12));
     CHECK_THROWS_WITH(runner.step(), ContainsSubstring("net 0.5 m^2/s"));
     REQUIRE(runner.failure());
     CHECK(runner.failure()->stage == "pressure");
@@ -232,14 +233,14 @@ TEST_CASE("projection: nothing to solve is solved at once", "[projection]") {
     for (const char* obstacle : {"all_solid", "one_cell"}) {
         const Runner runner = done({{"field", "random"}, {"obstacle", obstacle}, {"resolution", "9"}});
         INFO(obstacle);
-        CHECK(measured(runner, "iterations") == 0);
-        CHECK(measured(runner, "kinetic_energy") == 0);
-        CHECK(measured(runner, "max_divergence") == 0);
+        CHECK(value(runner, "iterations") == 0);
+        CHECK(value(runner, "kinetic_energy") == 0);
+        CHECK(value(runner, "max_divergence") == 0);
         for (const Real p : numbers(runner, "pressure")) CHECK(p == 0);
     }
     // Two rooms: a constant of the pressure for each.
     const Runner rooms = done({{"field", "random"}, {"obstacle", "two_rooms"}, {"resolution", "9"}});
-    CHECK(measured(rooms, "null_dimension") == 2);
+    CHECK(value(rooms, "null_dimension") == 2);
     const std::vector<Real> p = numbers(rooms, "pressure");
     Real left = 0, right = 0;
     for (std::size_t c = 0; c < p.size(); ++c) (c % 9 < 4 ? left : right) += p[c];

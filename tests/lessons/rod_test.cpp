@@ -1,4 +1,5 @@
 // The rod: its statics, modes and waves against closed forms.
+#include "readings.h"
 #include "why_checks.h"
 
 #include <pliant/lesson/format.h>
@@ -17,6 +18,7 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -24,21 +26,15 @@ using std::numbers::pi;
 
 namespace {
 
-Runner start(const Runner::Assignments& parameters) { return Runner(find_lesson("mesh/rod"), parameters); }
+Runner start_rod(const Runner::Assignments& parameters) { return Runner(find_lesson("mesh/rod"), parameters); }
 
 Runner after(Index steps, const Runner::Assignments& parameters) {
-    Runner runner = start(parameters);
+    Runner runner = start_rod(parameters);
     for (Index k = 0; k < steps; ++k) runner.step();
     return runner;
 }
 
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-Real exact(const Runner& runner, std::string_view probe) { return runner.exact(runner.lesson().probe(probe)).value(); }
 Real error(const Runner& runner, std::string_view probe) { return std::abs(value(runner, probe) - exact(runner, probe)); }
-
-const Assumption& assumption(const Runner& runner, std::string_view name) {
-    return *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);
-}
 
 const Line& line(const Runner& runner, std::string_view name) {
     return *std::ranges::find(runner.lesson().lines, name, &Line::name);
@@ -80,10 +76,10 @@ TEST_CASE("rod: springs picked by hand hang the further the more there are", "[r
         CHECK_THAT(value(runner, "chain_axial_stiffness"), WithinRel(150 / N, 1e-12));
         check_laws(runner);
     }
-    const Runner runner = start({{"spring_rule", "constant"}, {"segments", "20"}});
+    const Runner runner = start_rod({{"spring_rule", "constant"}, {"segments", "20"}});
     const Assumption& own = assumption(runner, "rod_of_its_own");
     CHECK(own.value() > own.limit());
-    Runner mended = start({{"spring_rule", "constant"}, {"segments", "20"}});
+    Runner mended = start_rod({{"spring_rule", "constant"}, {"segments", "20"}});
     mended.assign(own.fix()->assign);
     CHECK(assumption(mended, "rod_of_its_own").value() <= own.limit());
 }
@@ -142,7 +138,7 @@ TEST_CASE("rod: a mode swings with the frequency of the catalogue", "[rod]") {
     }
     // The long waves of a fine chain are those of the rod, of order 1 in 1/N.
     const auto off = [](const char* n) {
-        const Runner fine = start({{"scene", "wave"}, {"segments", n}});
+        const Runner fine = start_rod({{"scene", "wave"}, {"segments", n}});
         return 1 - value(fine, "frequency_chain") / value(fine, "frequency_continuum");
     };
     CHECK_THAT(off("100") / off("200"), WithinRel(2, 0.01));
@@ -188,7 +184,7 @@ TEST_CASE("rod: a pulse runs with c, and comes back from a free end as it went, 
 }
 
 TEST_CASE("rod: let go, it falls to twice its rest and returns; damped, it comes to rest", "[rod]") {
-    Runner runner = start({{"scene", "released"}, {"segments", "100"}, {"time_step", "1e-3"}});
+    Runner runner = start_rod({{"scene", "released"}, {"segments", "100"}, {"time_step", "1e-3"}});
     Real off = 0, lowest = 0;
     while (runner.time() < 0.9) {
         runner.step();
@@ -210,10 +206,10 @@ TEST_CASE("rod: the limit of stability is that of its fastest mode, on both side
     const char* damping = GENERATE("0", "0.01");
     const Runner::Assignments scene{
         {"scene", "free_end"}, {"segments", "12"}, {"scheme", scheme}, {"damping", damping}, {"amplitude", "1e-3"}};
-    const Real limit = assumption(start(scene), "stability").limit();
+    const Real limit = assumption(start_rod(scene), "stability").limit();
     INFO(scheme << " " << damping << " " << limit);
     const auto run = [&](Real part) {
-        Runner runner = start(scene);
+        Runner runner = start_rod(scene);
         runner.assign({{"time_step", format_exact(part * limit)}});
         for (int k = 0; k < 3000; ++k) runner.step();
         return value(runner, "energy");
@@ -224,7 +220,7 @@ TEST_CASE("rod: the limit of stability is that of its fastest mode, on both side
 
 TEST_CASE("rod: what is above the limit names it, and what the lamps offer mends", "[rod]") {
     const auto check = [](const Runner::Assignments& scene, std::string_view name) {
-        Runner runner = start(scene);
+        Runner runner = start_rod(scene);
         if (name == "not_turned_over") runner.step();
         const Assumption& broken = assumption(runner, name);
         INFO(name);
@@ -243,10 +239,10 @@ TEST_CASE("rod: what is above the limit names it, and what the lamps offer mends
     check({{"scene", "free_end"}, {"pulse_width", "0.02"}, {"amplitude", "0.001"}}, "pulse_resolved");
     check({{"scene", "free_end"}, {"pulse_width", "0.002"}, {"amplitude", "0.0001"}}, "pulse_resolved");
     check({{"scene", "free_end"}, {"amplitude", "0.5"}}, "not_turned_over");
-    CHECK_FALSE(assumption(start({{"scene", "wave"}, {"scheme", "newmark"}}), "stability").in_use());
-    CHECK_FALSE(assumption(start({}), "stability").in_use());
+    CHECK_FALSE(assumption(start_rod({{"scene", "wave"}, {"scheme", "newmark"}}), "stability").in_use());
+    CHECK_FALSE(assumption(start_rod({}), "stability").in_use());
 
-    Runner runner = start({{"scene", "free_end"}, {"time_step", "0.03"}});
+    Runner runner = start_rod({{"scene", "free_end"}, {"time_step", "0.03"}});
     CHECK_THROWS_AS(
         [&] {
             for (int k = 0; k < 500; ++k) runner.step();
@@ -256,7 +252,7 @@ TEST_CASE("rod: what is above the limit names it, and what the lamps offer mends
     CHECK_THAT(runner.failure()->limit, ContainsSubstring("stability limit of 22.6 ms") && ContainsSubstring("implicit_euler"));
     const auto fix = runner.lesson().fix(*runner.failure());
     REQUIRE(fix);
-    Runner mended = start({{"scene", "free_end"}});
+    Runner mended = start_rod({{"scene", "free_end"}});
     mended.assign(fix->assign);
     for (int k = 0; k < 500; ++k) mended.step();
     check_laws(mended);
@@ -299,7 +295,7 @@ TEST_CASE("why rod: every number is explained in every scene, with both rules", 
     const char* rule = GENERATE("derived", "constant");
     const auto look = [&](Runner::Assignments more, Index steps) {
         more.insert(more.end(), {{"spring_rule", rule}, {"segments", "5"}});
-        Runner runner = start(more);
+        Runner runner = start_rod(more);
         check_every_stage(runner, fmt::format("rod {} {}", rule, more.front().second), steps, 1);
     };
     look({{"scene", "hanging"}}, 1);
@@ -312,6 +308,7 @@ TEST_CASE("why rod: every number is explained in every scene, with both rules", 
 
 TEST_CASE("why rod: every scheme is explained", "[rod][why]") {
     const SchemeInfo& scheme = schemes()[static_cast<std::size_t>(GENERATE(Catch::Generators::range(0, 8)))];
-    Runner runner = start({{"scene", "released"}, {"damping", "0.01"}, {"segments", "4"}, {"scheme", std::string(scheme.key)}});
+    Runner runner =
+        start_rod({{"scene", "released"}, {"damping", "0.01"}, {"segments", "4"}, {"scheme", std::string(scheme.key)}});
     check_every_stage(runner, fmt::format("rod {}", scheme.key), 3, 1);
 }

@@ -1,4 +1,6 @@
 // Loaded bodies against force over area, change over length, and the force on a plane.
+#include "readings.h"
+
 #include <pliant/lesson/runner.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -8,6 +10,7 @@
 #include <numbers>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -18,8 +21,6 @@ Runner loaded(Runner::Assignments parameters) {
     runner.step();
     return runner;
 }
-
-Real value(const Runner& runner, std::string_view probe) { return *runner.value(runner.lesson().probe(probe)); }
 
 }  // namespace
 

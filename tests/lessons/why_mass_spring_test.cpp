@@ -1,9 +1,11 @@
 // Explanations of falling, bouncing and pulled blocks, and the fixes of what goes wrong with them.
+#include "readings.h"
 #include "why_checks.h"
 
 #include <pliant/lesson/scene_file.h>
 
 using namespace pliant;
+using namespace pliant::test;
 
 namespace {
 
@@ -36,12 +38,6 @@ void apply(Runner& runner, const Fix& fix) {
     for (const auto& [key, value] : fix.assign) assign.emplace_back(key, value);
     runner.assign(assign);
 }
-
-const Assumption& assumption(const Runner& runner, std::string_view name) {
-    return *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);
-}
-
-bool holds(const Assumption& a) { return a.value() <= a.limit(); }
 
 }  // namespace
 

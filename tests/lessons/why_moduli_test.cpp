@@ -1,7 +1,9 @@
 // Explanations of the virtual material tests, and the fixes of what goes wrong with them.
+#include "readings.h"
 #include "why_checks.h"
 
 using namespace pliant;
+using namespace pliant::test;
 
 namespace {
 
@@ -9,12 +11,6 @@ Runner specimen(Runner::Assignments parameters) {
     parameters.insert(parameters.begin(), {{"resolution", "2"}, {"load_levels", "3"}});
     return Runner(find_lesson("elasticity/moduli"), parameters);
 }
-
-const Assumption& assumption(const Runner& runner, std::string_view name) {
-    return *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);
-}
-
-bool holds(const Assumption& a) { return a.value() <= a.limit(); }
 
 }  // namespace
 

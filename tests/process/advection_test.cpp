@@ -10,8 +10,6 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2;
-
 // A column of the table of probes, step by step.
 std::vector<double> column(const std::filesystem::path& table, const std::string& name) {
     std::ifstream file(table);

@@ -7,16 +7,14 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2, diverged = 3;
-
-const Arguments run{"run", "mesh/cloth", "--steps", "20", "--set", "nodes=9"};
+const Arguments cloth_run{"run", "mesh/cloth", "--steps", "20", "--set", "nodes=9"};
 
 const std::vector<std::string> steel{"k_structural=1e12", "mass=1e-3", "time_step=1e-2"};
 
 }  // namespace
 
 TEST_CASE("cloth of steel threads: implicit is finite, explicit is stopped with its limit", "[process]") {
-    Arguments stiff = with(run, steel);
+    Arguments stiff = with(cloth_run, steel);
     const Json result = json_of(stiff);
     CHECK(result["steps"] == 20);
     CHECK(std::isfinite(result["probes"]["imbalance"]["value"].get<double>()));
@@ -33,7 +31,7 @@ TEST_CASE("cloth of steel threads: implicit is finite, explicit is stopped with 
 TEST_CASE("cloth in steps of ten seconds is finite in every scene", "[process]") {
     for (const char* scene : {"hanging_corners", "hanging_edge", "drape", "flag", "pedestal"}) {
         INFO(scene);
-        const Json result = json_of(with(run, {"time_step=10", std::string("scene=") + scene}));
+        const Json result = json_of(with(cloth_run, {"time_step=10", std::string("scene=") + scene}));
         CHECK(result["time"] == 200);
     }
 }
@@ -41,7 +39,7 @@ TEST_CASE("cloth in steps of ten seconds is finite in every scene", "[process]")
 TEST_CASE("cloth in a hurricane of 10 km/s is finite or stopped in words", "[process]") {
     for (const char* scene : {"scene=flag", "scene=drape"})
         for (const char* scheme : {"scheme=implicit_euler", "scheme=semi_implicit_euler"}) {
-            const Outcome outcome = call(with(run, {"wind=1e4", scene, scheme}));
+            const Outcome outcome = call(with(cloth_run, {"wind=1e4", scene, scheme}));
             INFO(scene << " " << scheme << "\n" << outcome.err);
             CHECK((outcome.exit_code == 0 || outcome.exit_code == diverged));
             if (outcome.exit_code == diverged) CHECK(contains(outcome.err, "beyond the bound"));
@@ -57,8 +55,8 @@ TEST_CASE("cloth of four nodes, without springs, on a sphere of no size", "[proc
                                                      {"scene=drape", "sphere_radius=0"},
                                                      {"scene=pedestal", "sphere_radius=5"},
                                                      {"strain_limiting=on", "strain_limit=0"}})
-        CHECK(json_of(with(run, settings))["steps"] == 20);
-    const Outcome too_large = call(with(run, {"nodes=64", "linear_solver=direct"}));
+        CHECK(json_of(with(cloth_run, settings))["steps"] == 20);
+    const Outcome too_large = call(with(cloth_run, {"nodes=64", "linear_solver=direct"}));
     CHECK(too_large.exit_code == refused);
     CHECK(contains(too_large.err, "conjugate_gradients"));
 }

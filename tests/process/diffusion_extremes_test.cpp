@@ -7,9 +7,7 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2, diverged = 3;
-
-const Arguments run{"run", "fluids/diffusion", "--steps", "20"};
+const Arguments diffusion_run{"run", "fluids/diffusion", "--steps", "20"};
 
 // Δt = rΔx²/ν: with ν = 1e6 m²/s and a step of 1 s on 32 cells of a metre, r = 1e6 · 32².
 const std::vector<std::string> thick{"viscosity=1e6", "diffusion_number=1.024e9", "start=step"};
@@ -24,7 +22,7 @@ std::vector<std::string> joined(std::vector<std::string> settings, const std::ve
 TEST_CASE("diffusion without viscosity leaves everything as it is", "[process]") {
     for (const char* scheme : {"scheme=explicit", "scheme=implicit"})
         for (const char* dimension : {"dimension=1", "dimension=2"}) {
-            const Json result = json_of(with(run, {"viscosity=0", "start=step", scheme, dimension}));
+            const Json result = json_of(with(diffusion_run, {"viscosity=0", "start=step", scheme, dimension}));
             CHECK(result["probes"]["max"]["value"] == 1);
             CHECK(result["probes"]["min"]["value"] == 0);
             CHECK(result["time"] == 20);
@@ -33,12 +31,12 @@ TEST_CASE("diffusion without viscosity leaves everything as it is", "[process]")
 
 TEST_CASE("diffusion with a huge viscosity: implicit is finite and even, and tells its iterations", "[process]") {
     for (const char* dimension : {"dimension=1", "dimension=2"}) {
-        const Json probes = json_of(with(run, joined(thick, {"scheme=implicit", dimension})))["probes"];
+        const Json probes = json_of(with(diffusion_run, joined(thick, {"scheme=implicit", dimension})))["probes"];
         CHECK(std::abs(probes["max"]["value"].get<double>() - 0.5) < 1e-6);
         CHECK(std::abs(probes["min"]["value"].get<double>() - 0.5) < 1e-6);
         CHECK(probes["solver_iterations"]["value"].is_number());
-        const Json walls =
-            json_of(with(run, joined(thick, {"scheme=implicit", dimension, "boundary=fixed", "wall_high=0"})))["probes"];
+        const Json walls = json_of(
+            with(diffusion_run, joined(thick, {"scheme=implicit", dimension, "boundary=fixed", "wall_high=0"})))["probes"];
         CHECK(std::abs(walls["max"]["value"].get<double>()) < 1e-6);
     }
 }
@@ -47,7 +45,7 @@ TEST_CASE("diffusion with a huge viscosity: explicit is stopped, with the limit 
     for (const auto& [dimension, limit] : {std::pair{"dimension=1", "1/2 in 1D"}, {"dimension=2", "1/4 in 2D"}})
         for (const std::vector<std::string>& scene :
              {joined(thick, {dimension}), std::vector<std::string>{"start=random", "diffusion_number=1", dimension}}) {
-            Arguments asked = with(run, scene);
+            Arguments asked = with(diffusion_run, scene);
             asked.push_back("--json");
             const Outcome outcome = call(asked);
             INFO(sentence(asked) << "\n" << outcome.err);
@@ -68,7 +66,7 @@ TEST_CASE("diffusion refuses what is none", "[process]") {
                                        {"resolution=1", "resolution"},
                                        {"viscosity=1e-300", "viscosity"},
                                        {"dimension=3", "dimension"}}) {
-        const Outcome outcome = call(with(run, {setting}));
+        const Outcome outcome = call(with(diffusion_run, {setting}));
         INFO(setting << "\n" << outcome.err);
         CHECK(outcome.exit_code == refused);
         CHECK(outcome.out.empty());

@@ -8,8 +8,6 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int diverged = 3;
-
 // Forward Euler grows without bound on springs without damping, whatever the time step; with this one within a few steps.
 const Arguments blow_up{"run",   "mesh/mass_spring", "--set",   "integrator=explicit_euler",
                         "--set", "time_step=0.05",   "--steps", "2000"};

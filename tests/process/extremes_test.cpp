@@ -8,8 +8,6 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2, diverged = 3;
-
 const Json* parameter_named(const Json& parameters, const std::string& key) {
     for (const Json& p : parameters)
         if (p["key"] == key) return &p;
@@ -26,10 +24,7 @@ bool accepts(const Json& parameter, double value) {
 void check_finite(const Outcome& outcome) {
     REQUIRE(outcome.exit_code == 0);
     const Json run = Json::parse(outcome.out);
-    for (const auto& [name, probe] : run["probes"].items()) {
-        INFO(name);
-        CHECK((probe["value"].is_null() || std::isfinite(probe["value"].get<double>())));
-    }
+    pliant::test::check_finite(run);
     for (const auto& [name, assumption] : run["assumptions"].items()) {
         INFO(name);
         CHECK_FALSE(assumption["value"].is_null());

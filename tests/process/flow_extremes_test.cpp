@@ -7,19 +7,8 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2, diverged = 3;
-
 Arguments flow(const std::vector<std::string>& settings, const char* steps = "10") {
     return with({"run", "fluids/navier_stokes", "--steps", steps, "--json"}, settings);
-}
-
-double value(const Json& run, const std::string& probe) { return run["probes"][probe]["value"].get<double>(); }
-
-void check_finite(const Json& run) {
-    for (const auto& [name, probe] : run["probes"].items()) {
-        INFO(name);
-        CHECK((probe["value"].is_null() || std::isfinite(probe["value"].get<double>())));
-    }
 }
 
 Json finite_run(const std::vector<std::string>& settings, const char* steps = "10") {

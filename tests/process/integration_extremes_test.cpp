@@ -8,20 +8,16 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2, diverged = 3;
-
-Arguments run(const std::string& steps, const std::vector<std::string>& settings) {
+Arguments integrate(const std::string& steps, const std::vector<std::string>& settings) {
     return with({"run", "time/integration", "--steps", steps}, settings);
 }
 
 Json probes_after(const std::string& steps, const std::vector<std::string>& settings) {
-    return json_of(run(steps, settings))["probes"];
+    return json_of(integrate(steps, settings));
 }
-double value(const Json& probes, const char* name) { return probes[name]["value"].get<double>(); }
-
 // The limit that the run's failure names.
 std::string stopped(const std::string& steps, const std::vector<std::string>& settings) {
-    Arguments asked = run(steps, settings);
+    Arguments asked = integrate(steps, settings);
     asked.push_back("--json");
     const Outcome outcome = call(asked);
     INFO(sentence(asked) << "\n" << outcome.err);
@@ -40,7 +36,7 @@ TEST_CASE("explicit Euler without damping is stopped, with the growth by name", 
         CHECK(contains(limit, "damping_ratio"));
     }
     // Before it has grown that far the report says so.
-    const std::string report = output_of(run("100", {"scheme=explicit_euler"}));
+    const std::string report = output_of(integrate("100", {"scheme=explicit_euler"}));
     CHECK(contains(report, "BROKEN"));
 }
 
@@ -85,7 +81,7 @@ TEST_CASE("implicit Euler is finite at every step, and loses what theory says", 
 
 TEST_CASE("a pendulum whose Newton iterations do not suffice is not accepted", "[process]") {
     const Outcome outcome =
-        call(run("3", {"system=pendulum", "x0=6", "scheme=implicit_euler", "time_step=0.5", "newton_iterations=2"}));
+        call(integrate("3", {"system=pendulum", "x0=6", "scheme=implicit_euler", "time_step=0.5", "newton_iterations=2"}));
     INFO(outcome.err);
     CHECK(outcome.exit_code == diverged);
     CHECK(contains(outcome.err, "after 2 iterations"));
@@ -118,7 +114,7 @@ TEST_CASE("time integration: no steps, tiny steps, no spring, and what is none",
     const Json none = probes_after("0", {"x0=0.3", "v0=-0.7"});
     CHECK(none["x"]["value"] == 0.3);
     CHECK(none["v"]["value"] == -0.7);
-    const Json tiny = json_of(run("100000", {"time_step=1e-6"}));
+    const Json tiny = json_of(integrate("100000", {"time_step=1e-6"}));
     CHECK(std::abs(tiny["time"].get<double>() - 0.1) < 1e-9);
     for (const char* scheme : {"scheme=explicit_euler", "scheme=bdf2", "scheme=newmark"}) {
         const Json free = probes_after("10", {"omega=0", "v0=2", scheme});
@@ -131,7 +127,7 @@ TEST_CASE("time integration: no steps, tiny steps, no spring, and what is none",
                                        {"stiffness_ratio=0", "stiffness_ratio"},
                                        {"newton_iterations=0", "newton_iterations"},
                                        {"scheme=euler", "scheme"}}) {
-        const Outcome outcome = call(run("1", {setting}));
+        const Outcome outcome = call(integrate("1", {setting}));
         INFO(setting << "\n" << outcome.err);
         CHECK(outcome.exit_code == refused);
         CHECK(contains(outcome.err, std::string(key) + " = "));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 namespace pliant::test {
 
 using Json = nlohmann::ordered_json;
+
+// Exit codes, as README lists them.
+inline constexpr int refused = 2, diverged = 3, machine_lacks = 4;
 
 // None of these needs a display, so none is given one unless it is in the environment asked for.
 inline Outcome call(const Arguments& arguments, const Environment& more = {}) {
@@ -66,6 +70,17 @@ inline Arguments with(Arguments run, const std::vector<std::string>& settings) {
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// Of a probe in what `run --json` printed.
+inline double value(const Json& run, const std::string& probe) { return run["probes"][probe]["value"].get<double>(); }
+
+// No probe of it is other than a number or undefined.
+inline void check_finite(const Json& run) {
+    for (const auto& [name, probe] : run["probes"].items()) {
+        INFO(name);
+        CHECK((probe["value"].is_null() || std::isfinite(probe["value"].get<double>())));
+    }
+}
 
 // What a run found, without what it cost.
 inline Json without_cost(Json run) {

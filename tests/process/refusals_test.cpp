@@ -12,7 +12,6 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2, machine_lacks = 4;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The message of a call that has to be refused, and which says all of `words`.

@@ -8,9 +8,7 @@ using namespace pliant::test;
 
 namespace {
 
-constexpr int refused = 2, diverged = 3;
-
-const Arguments run{"run", "mesh/mass_spring", "--steps", "100"};
+const Arguments springs_run{"run", "mesh/mass_spring", "--steps", "100"};
 const std::vector<std::string> small{"cells_x=2", "cells_y=2", "cells_z=2"};
 
 std::vector<std::string> joined(std::vector<std::string> settings, const std::vector<std::string>& more) {
@@ -19,7 +17,7 @@ std::vector<std::string> joined(std::vector<std::string> settings, const std::ve
 }
 
 Outcome outcome_of(const std::vector<std::string>& settings) {
-    Arguments asked = with(run, settings);
+    Arguments asked = with(springs_run, settings);
     asked.push_back("--json");
     return call(asked);
 }
@@ -32,7 +30,8 @@ TEST_CASE("springs: rest length 0 and twice the distance stay finite with every 
     for (const char* scale : {"rest_length_scale=0", "rest_length_scale=2"})
         for (const char* integrator :
              {"integrator=semi_implicit_euler", "integrator=implicit_euler", "integrator=runge_kutta_4"}) {
-            const Json result = json_of(with(run, joined(small, {"scene=spin", scale, integrator, "damping_mode=projected"})));
+            const Json result =
+                json_of(with(springs_run, joined(small, {"scene=spin", scale, integrator, "damping_mode=projected"})));
             CHECK(std::isfinite(probe(result, "energy")));
             CHECK(std::abs(probe(result, "momentum")) < 1e-9);
         }
@@ -59,13 +58,13 @@ TEST_CASE("springs of 1e12 N/m on a gram: semi-implicit Euler is stopped with it
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == diverged);
     CHECK(contains(outcome.err, "stability limit"));
-    const Json result = json_of(with(run, joined(stiff, {"integrator=implicit_euler"})));
+    const Json result = json_of(with(springs_run, joined(stiff, {"integrator=implicit_euler"})));
     CHECK(probe(result, "stretch") < 1e-3);
 }
 
 TEST_CASE("structural springs alone: finite in motion, and the static test reports the mechanisms", "[process]") {
     const std::vector<std::string> edges = joined(small, {"k_shear=0", "k_bending=0"});
-    CHECK(std::isfinite(probe(json_of(with(run, edges)), "energy")));
+    CHECK(std::isfinite(probe(json_of(with(springs_run, edges)), "energy")));
     for (const char* test : {"test=stretch", "test=shear", "test=bend"}) {
         const Outcome outcome = outcome_of(joined(edges, {"scene=stretch_test", test}));
         INFO(outcome.err);
@@ -76,11 +75,13 @@ TEST_CASE("structural springs alone: finite in motion, and the static test repor
 }
 
 TEST_CASE("springs: every node held, no spring at all, and a single spring are finite", "[process]") {
-    const Json held = json_of(with(run, {"lattice=chain", "scene=hang", "support=side", "integrator=implicit_euler"}));
+    const Json held = json_of(with(springs_run, {"lattice=chain", "scene=hang", "support=side", "integrator=implicit_euler"}));
     CHECK(probe(held, "kinetic_energy") == 0);
-    const Json loose = json_of(with(run, joined(small, {"k_structural=0", "k_shear=0", "k_bending=0", "drop_height=100"})));
+    const Json loose =
+        json_of(with(springs_run, joined(small, {"k_structural=0", "k_shear=0", "k_bending=0", "drop_height=100"})));
     CHECK(std::abs(probe(loose, "height") - loose["probes"]["height"]["exact"].get<double>()) < 1e-3);
-    const Json single = json_of(with(run, {"lattice=chain", "cells_y=1", "scene=swing", "k_bending=0", "damping_mode=none"}));
+    const Json single =
+        json_of(with(springs_run, {"lattice=chain", "cells_y=1", "scene=swing", "k_bending=0", "damping_mode=none"}));
     CHECK(std::abs(probe(single, "energy")) < 1);
 }
 

@@ -1,4 +1,6 @@
 // The atlas in the lab: knobs, a map that is made beside the run, and a click on a cell.
+#include "parameters.h"
+
 #include <pliant/math/error.h>
 
 #include <pliant/study/stability_report.h>
@@ -22,6 +24,7 @@
 #include <thread>
 
 using namespace pliant;
+using namespace pliant::test;
 using namespace pliant::viewer;
 using namespace std::chrono_literals;
 using Catch::Matchers::ContainsSubstring;
@@ -46,8 +49,6 @@ bool wait_for(Atlas& atlas, const Session& session) {
 }
 
 void ask_for_little(Atlas& atlas) { atlas.cells = 8, atlas.steps = 50; }
-
-Real wanted(const Session& s, const char* key) { return s.runner().wanted(s.lesson().parameter(key)); }
 
 }  // namespace
 

@@ -1,12 +1,14 @@
 // What is said of a run that broke down, and what the fix does.
 #include "app/session.h"
 #include "app/summary.h"
+#include "parameters.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace pliant;
+using namespace pliant::test;
 using namespace pliant::viewer;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinRel;
@@ -63,8 +65,6 @@ Session growing(const Runner::Assignments& assignments) {
 void play(Session& session) {
     for (int frame = 0; frame < 60 && session.playing; ++frame) session.update(0.1, 1e9);
 }
-
-Real wanted(const Session& session, std::string_view key) { return session.runner().wanted(session.lesson().parameter(key)); }
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 // What the lab does, without a picture: time, undo, colours, steps back and scenes that are refused.
 #include "app/session.h"
+#include "parameters.h"
 #include "walker.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -19,8 +20,6 @@ using Told = Session::Message::Kind;
 
 namespace {
 
-const Parameter& parameter(const Session& session, std::string_view key) { return session.lesson().parameter(key); }
-Real value(const Session& session, std::string_view key) { return session.runner().wanted(parameter(session, key)); }
 Real x_of(const Session& session) { return *session.lesson().probe("x").value(); }
 
 }  // namespace
@@ -150,15 +149,15 @@ TEST_CASE("undo goes back one change after another, a whole drag at a time", "[s
     session.assign(parameter(session, "start"), 0.5);
     CHECK(session.can_undo());
     session.undo();
-    CHECK(value(session, "start") == 0);
+    CHECK(wanted(session, "start") == 0);
     CHECK(x_of(session) == 0);
     session.undo();
-    CHECK(value(session, "speed") == 2);
+    CHECK(wanted(session, "speed") == 2);
     session.undo();
-    CHECK(value(session, "speed") == 1);
+    CHECK(wanted(session, "speed") == 1);
     CHECK_FALSE(session.can_undo());
     session.undo();
-    CHECK(value(session, "speed") == 1);
+    CHECK(wanted(session, "speed") == 1);
 }
 
 TEST_CASE("a refused value changes nothing and is not undone", "[session]") {
@@ -168,7 +167,7 @@ TEST_CASE("a refused value changes nothing and is not undone", "[session]") {
     REQUIRE(session.message());
     CHECK(session.message()->kind == Told::refused);
     CHECK_THAT(session.message()->text, ContainsSubstring("speed"));
-    CHECK(value(session, "speed") == 1);
+    CHECK(wanted(session, "speed") == 1);
     CHECK(session.runner().place() == Place{1, 0});
     CHECK_FALSE(session.can_undo());
     session.assign(parameter(session, "speed"), 2);
@@ -178,16 +177,16 @@ TEST_CASE("a refused value changes nothing and is not undone", "[session]") {
 TEST_CASE("the default of a parameter can be restored and that undone", "[session]") {
     Session session = walking({{"speed", "7"}});
     session.restore_default(parameter(session, "speed"));
-    CHECK(value(session, "speed") == 1);
+    CHECK(wanted(session, "speed") == 1);
     session.undo();
-    CHECK(value(session, "speed") == 7);
+    CHECK(wanted(session, "speed") == 7);
 }
 
 TEST_CASE("a live change inside a step waits for the next one, a rebuilding one restarts", "[session]") {
     Session session = walking();
     session.step_stage();
     session.assign(parameter(session, "speed"), 5);
-    CHECK(value(session, "speed") == 5);
+    CHECK(wanted(session, "speed") == 5);
     session.step();
     CHECK_THAT(x_of(session), WithinAbs(0.001, 1e-15));
     session.step();
@@ -256,7 +255,7 @@ TEST_CASE("parameters that do not go together are refused with the scene as it w
     session.step();
     CHECK_THROWS_AS(session.open(walker, {{"speed", "200000"}}), Refused);
     CHECK(session.runner().place() == Place{1, 0});
-    CHECK(value(session, "speed") == 1);
+    CHECK(wanted(session, "speed") == 1);
 }
 
 TEST_CASE("a scene saved from a session opens as the same run", "[session]") {

@@ -1,4 +1,6 @@
 // Closed forms of the flow between two plates, and the solver against them.
+#include "channel_grid.h"
+
 #include <pliant/fluids/channel_flow.h>
 #include <pliant/fluids/diffusion.h>
 #include <pliant/fluids/forces.h>
@@ -6,23 +8,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-
-namespace {
-
-// A channel of 4 × n cells between y = 0 and y = 1, periodic along x, whose upper plate moves.
-StaggeredGrid<2> channel(Index n, Real plate_speed) {
-    StaggeredGridInfo<2> info;
-    info.cells = {4, n};
-    info.dx = Real(1) / static_cast<Real>(n);
-    info.periodic = {true, false};
-    for (Wall<2>& wall : info.walls[1]) wall.slip = Slip::none;
-    info.walls[1][1].velocity = {plate_speed, 0};
-    return StaggeredGrid<2>(info);
-}
-
-}  // namespace
 
 TEST_CASE("channel flow: the start of Couette's flow has the tabulated values", "[fluids]") {
     CHECK_THAT(couette_start_up(0.5, 1, 1, 0.1 * 0.2), WithinAbs(0.01241933, 5e-9));

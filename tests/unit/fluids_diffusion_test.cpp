@@ -1,4 +1,6 @@
 // Diffusion and viscosity against their Fourier factors and closed forms.
+#include "channel_grid.h"
+
 #include <pliant/fluids/diffusion.h>
 #include <pliant/math/error.h>
 
@@ -10,6 +12,7 @@
 #include <type_traits>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -58,17 +61,6 @@ void check_factors(const Lattice<Dim>& lattice, std::type_identity_t<Counts<Dim>
     q = before;
     diffusion.implicit_step(q, r, {1e-13, 1000});
     CHECK((q - before / (1 + lambda)).template lpNorm<Eigen::Infinity>() < 1e-11);
-}
-
-// Channel of height 1 along axis 0 with a lid that moves at `lid`; both walls stick.
-StaggeredGrid<2> channel(Index cells_across, Real lid) {
-    StaggeredGridInfo<2> info;
-    info.cells = {4, cells_across};
-    info.dx = 1 / static_cast<Real>(cells_across);
-    info.periodic = {true, false};
-    info.walls[1][0].slip = info.walls[1][1].slip = Slip::none;
-    info.walls[1][1].velocity = {lid, 0};
-    return StaggeredGrid<2>(info);
 }
 
 // u at half the height of the channel: between the two middle rows of an even number.

@@ -15,7 +15,7 @@ using Catch::Approx;
 
 namespace {
 
-constexpr Real pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <int Dim, class Distance>
 void set(LevelSet<Dim>& surface, const StaggeredGrid<Dim>& grid, Distance&& phi) {

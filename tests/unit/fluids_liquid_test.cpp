@@ -18,7 +18,8 @@ using Catch::Approx;
 
 namespace {
 
-constexpr Real pi = std::numbers::pi, g = 9.81;
+using std::numbers::pi;
+constexpr Real g = 9.81;
 const Vec<2> down{0, -g};
 
 LiquidSettings precise(SurfaceCondition condition = SurfaceCondition::at_surface) {

@@ -5,9 +5,9 @@
 #include <pliant/fluids/multigrid.h>
 #include <pliant/fluids/pressure_gradient.h>
 #include <pliant/fluids/projection.h>
+#include <pliant/math/dense_matrix.h>
 #include <pliant/math/error.h>
 
-#include <Eigen/Eigenvalues>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -156,10 +156,10 @@ TEST_CASE("the Laplacian of a staggered periodic grid has the constant as its on
         matrix.col(c) = column;
     }
     CHECK((matrix - matrix.transpose()).isZero(0));
-    const Eigen::SelfAdjointEigenSolver<MatX> solver(matrix);
-    CHECK((solver.eigenvalues().array().abs() < 1e-12).count() == 1);
+    const VecX values = dense_eigen(matrix).values;
+    CHECK((values.array().abs() < 1e-12).count() == 1);
     CHECK((matrix * VecX::Ones(64)).isZero(0));
-    CHECK_THAT(solver.eigenvalues()[63], WithinRel(8.0, 1e-12));  // the checkerboard is the stiffest, not a null vector
+    CHECK_THAT(values[63], WithinRel(8.0, 1e-12));  // the checkerboard is the stiffest, not a null vector
 }
 
 TEST_CASE("the V-cycle is symmetric and positive", "[fluids][projection]") {

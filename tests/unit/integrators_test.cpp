@@ -4,12 +4,12 @@
 
 #include <pliant/math/error.h>
 
-#include <Eigen/Eigenvalues>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -25,9 +25,7 @@ constexpr Scheme one_step_schemes[] = {Scheme::explicit_euler,  Scheme::semi_imp
                                        Scheme::velocity_verlet, Scheme::runge_kutta_4,       Scheme::implicit_midpoint,
                                        Scheme::newmark};
 
-Real radius(Scheme scheme, Real omega, Real zeta, Real dt) {
-    return SpringOscillator(omega, zeta).step_matrix(scheme, dt).eigenvalues().cwiseAbs().maxCoeff();
-}
+Real radius(Scheme scheme, Real omega, Real zeta, Real dt) { return SpringOscillator(omega, zeta).spectral_radius(scheme, dt); }
 
 // Distance of the state (x, v/omega) from the exact undamped one at t = 1 s, released at x = 1 m.
 Real state_error(Scheme scheme, Real omega, int steps) {
@@ -104,8 +102,8 @@ TEST_CASE("amplitude after 1000 steps at omega dt = 0.1", "[integrators]") {
 
 TEST_CASE("semi-implicit Euler oscillates at sin(w' dt/2) = w dt/2", "[integrators]") {
     const Real omega = 10, dt = 0.05;
-    const auto eigenvalues = SpringOscillator(omega, 0).step_matrix(Scheme::semi_implicit_euler, dt).eigenvalues().eval();
-    const Real measured = std::abs(std::arg(eigenvalues[0])) / dt;
+    const std::complex<Real> factor = SpringOscillator(omega, 0).step_factors(Scheme::semi_implicit_euler, dt)[0];
+    const Real measured = std::abs(std::arg(factor)) / dt;
     CHECK_THAT(measured / omega, WithinAbs(1.0107210, 5e-8));
     CHECK_THAT(std::sin(measured * dt / 2), WithinRel(omega * dt / 2, 1e-12));
 }

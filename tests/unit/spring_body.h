@@ -5,6 +5,8 @@
 #include <pliant/solids/springs_system.h>
 #include <pliant/time/time_integrator.h>
 
+#include <array>
+#include <complex>
 #include <utility>
 
 namespace pliant::test {
@@ -73,6 +75,16 @@ public:
         }
         return matrix;
     }
+
+    // What one step multiplies its two eigenvectors with, the larger one first: the roots of λ² − tr λ + det.
+    std::array<std::complex<Real>, 2> step_factors(Scheme scheme, Real dt) {
+        const Mat<2> A = step_matrix(scheme, dt);
+        const Real middle = 0.5 * (A(0, 0) + A(1, 1)), half = 0.5 * (A(0, 0) - A(1, 1));
+        const std::complex<Real> root = std::sqrt(std::complex<Real>(half * half + A(0, 1) * A(1, 0)));
+        const std::complex<Real> larger = middle < 0 ? middle - root : middle + root;
+        return {larger, middle < 0 ? middle + root : middle - root};
+    }
+    Real spectral_radius(Scheme scheme, Real dt) { return std::abs(step_factors(scheme, dt)[0]); }
 };
 
 }  // namespace pliant::test

@@ -1,4 +1,6 @@
 // Whole plots, drawn on a canvas that only takes notes.
+#include "special_numbers.h"
+
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -13,11 +15,11 @@
 #include <vector>
 
 using namespace pliant;
+using namespace pliant::test;
 using namespace pliant::viewer;
 
 namespace {
 
-constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 constexpr Rgba8 undrawn{};
 
 class Notes final : public Canvas {

@@ -1,4 +1,6 @@
 // The intervals that the axes of a plot show.
+#include "special_numbers.h"
+
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
@@ -10,13 +12,12 @@
 #include <vector>
 
 using namespace pliant;
+using namespace pliant::test;
 using namespace pliant::viewer;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-namespace {
-constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
-}
+namespace {}
 
 TEST_CASE("The range of data leaves out what cannot be shown") {
     const std::vector<Real> values{3, not_a_number, -2, infinity, -infinity, 0, 1e301};

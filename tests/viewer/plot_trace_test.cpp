@@ -1,4 +1,6 @@
 // Curves as pixels.
+#include "special_numbers.h"
+
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -11,11 +13,10 @@
 #include <vector>
 
 using namespace pliant;
+using namespace pliant::test;
 using namespace pliant::viewer;
 
 namespace {
-
-constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
 
 // An area of 400 x 100 px that shows x from 0 to 4 and y from 0 to 1, growing upward.
 const AxisMap x_map({0, 4}, AxisScale::linear, 0, 400), y_map({0, 1}, AxisScale::linear, 100, 0);

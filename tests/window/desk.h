@@ -183,4 +183,9 @@ private:
     std::unique_ptr<Child> lab_;
 };
 
+inline void pause(Desk& desk) {
+    desk.key("space");
+    REQUIRE(desk.becomes("playing", false));
+}
+
 }  // namespace pliant::test

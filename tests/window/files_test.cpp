@@ -5,11 +5,6 @@ using namespace pliant::test;
 
 namespace {
 
-void pause(Desk& desk) {
-    desk.key("space");
-    REQUIRE(desk.becomes("playing", false));
-}
-
 bool asks(Desk& desk) {
     return desk.becomes([](const Json& s) { return s["dialog"] != ""; });
 }

@@ -9,11 +9,6 @@ namespace {
 
 long step_of(const Json& state) { return state["step"]; }
 
-void pause(Desk& desk) {
-    desk.key("space");
-    REQUIRE(desk.becomes("playing", false));
-}
-
 }  // namespace
 
 TEST_CASE("the lab opens on a lesson that moves, and Space pauses it", "[window]") {

@@ -7,11 +7,6 @@ using namespace pliant::test;
 
 namespace {
 
-void pause(Desk& desk) {
-    desk.key("space");
-    REQUIRE(desk.becomes("playing", false));
-}
-
 // Takes hold of something that can be pulled, and gives the place.
 Spot grip_of(Desk& desk) {
     for (const double down : {0.5, 0.4, 0.6, 0.7, 0.3})

@@ -42,7 +42,7 @@ std::optional<Real> ErrorSeries::latest() const {
 }
 
 ErrorSeries error_against_exact(const Recorder& recorder, std::size_t probe, bool is_static) {
-    const Series& series = recorder.series(probe);
+    const pliant::Series& series = recorder.series(probe);
     return {places_of(recorder, is_static), relative_errors(series.value, series.exact)};
 }
 

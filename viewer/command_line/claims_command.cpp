@@ -12,7 +12,7 @@
 namespace pliant::viewer {
 namespace {
 
-void print(const std::string& text) {
+void print_at_once(const std::string& text) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
 }
@@ -52,14 +52,14 @@ int claims(const ClaimsOptions& o) {
     const bool table = !o.json && !o.markdown;
     const Progress progress(list.size());
     std::vector<ClaimResult> results;
-    if (table) print(claims_head());
+    if (table) print_at_once(claims_head());
     for (std::size_t i = 0; i < list.size(); ++i) {
         progress.measuring(i, *list[i]);
         results.push_back(measured(*list[i]));
         progress.clear();
-        if (table) print(claims_row(results.back()));
+        if (table) print_at_once(claims_row(results.back()));
     }
-    print(o.json ? claims_json(results) : o.markdown ? claims_markdown(results) : claims_tail(results));
+    print_at_once(o.json ? claims_json(results) : o.markdown ? claims_markdown(results) : claims_tail(results));
     if (const std::string text = fallen(results); !text.empty()) throw CheckFailed(text);
     return 0;
 }

@@ -10,19 +10,19 @@
 namespace pliant::viewer {
 namespace {
 
-using Place = std::array<Real, 3>;
+using Corner = std::array<Real, 3>;
 
 }  // namespace
 
 FieldProfile field_profile(const Lesson& lesson, const Scene& scene, On on, std::span<const Real> rows, int axis,
                            std::array<Real, 2> across) {
-    std::map<Index, Place> places;
-    for (const auto& [row, p] : places_of(scene, on)) places.emplace(row, Place{p[0], p[1], p[2]});
+    std::map<Index, Corner> places;
+    for (const auto& [row, p] : places_of(scene, on)) places.emplace(row, Corner{p[0], p[1], p[2]});
     FieldProfile profile;
     if (places.empty()) return profile;
 
     // The box of the things themselves, and a spacing typical of them.
-    Place low, high;
+    Corner low, high;
     low.fill(std::numeric_limits<Real>::max()), high.fill(std::numeric_limits<Real>::lowest());
     for (const auto& [row, p] : places)
         for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
@@ -32,7 +32,7 @@ FieldProfile field_profile(const Lesson& lesson, const Scene& scene, On on, std:
         volume *= std::max(high[static_cast<std::size_t>(k)] - low[static_cast<std::size_t>(k)], 1e-300);
     const Real spacing = std::pow(volume / static_cast<Real>(places.size()), 1.0 / dim);
 
-    const auto distance = [&](const Place& p) {
+    const auto distance = [&](const Corner& p) {
         Real sum = 0;
         std::size_t next = 0;
         for (int k = 0; k < dim; ++k) {

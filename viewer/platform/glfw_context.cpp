@@ -18,7 +18,7 @@
 namespace pliant::viewer {
 namespace {
 
-[[noreturn]] void lacks(const std::string& what) {
+[[noreturn]] void window_lacks(const std::string& what) {
     const char* reason = nullptr;
 #if !defined(__EMSCRIPTEN__)
     glfwGetError(&reason);
@@ -31,7 +31,7 @@ class GlfwContext final : public Context {
 public:
     GlfwContext(Size size, const std::string& title) {
         glfwSetErrorCallback(nullptr);
-        if (!glfwInit()) lacks("No window can be opened here: there is no display");
+        if (!glfwInit()) window_lacks("No window can be opened here: there is no display");
         try {
             open(size, title);
         } catch (...) {
@@ -87,7 +87,7 @@ private:
     void open(Size size, const std::string& title) {
         set_hints();
         window_ = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
-        if (!window_) lacks("No window with OpenGL 3.3 can be opened");
+        if (!window_) window_lacks("No window with OpenGL 3.3 can be opened");
         glfwSetWindowUserPointer(window_, this);
         glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
             auto& files = self(window).dropped_;

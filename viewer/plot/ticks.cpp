@@ -11,7 +11,7 @@ namespace pliant::viewer {
 namespace {
 
 // Ends of an axis count as reached within this part of a step.
-constexpr Real rounding = 1e-6;
+constexpr Real rounding_of_ticks = 1e-6;
 // Numbers with more digits than this are counted from an offset instead.
 constexpr int most_digits = 5;
 
@@ -45,11 +45,11 @@ struct Multiples {
 
 Multiples multiples_in(Range range, int most) {
     Real step = nice_step(range.span(), most);
-    Multiples found{std::ceil(range.lo / step - rounding), std::floor(range.hi / step + rounding), step};
+    Multiples found{std::ceil(range.lo / step - rounding_of_ticks), std::floor(range.hi / step + rounding_of_ticks), step};
     // One more than the count of steps may fit.
     while (found.last - found.first + 1 > most) {
         step = nice_step(step * 1.5, 1);
-        found = {std::ceil(range.lo / step - rounding), std::floor(range.hi / step + rounding), step};
+        found = {std::ceil(range.lo / step - rounding_of_ticks), std::floor(range.hi / step + rounding_of_ticks), step};
     }
     return found;
 }
@@ -87,8 +87,10 @@ std::string log_text(int factor, int exponent, bool written_out) {
 
 Ticks log_ticks(Range range, int most, std::string_view unit) {
     const Real lo = std::log10(range.lo), hi = std::log10(range.hi);
-    const int first = static_cast<int>(std::floor(lo + rounding)), last = static_cast<int>(std::floor(hi + rounding));
-    const int decades = static_cast<int>(std::floor(hi + rounding)) - static_cast<int>(std::ceil(lo - rounding)) + 1;
+    const int first = static_cast<int>(std::floor(lo + rounding_of_ticks)),
+              last = static_cast<int>(std::floor(hi + rounding_of_ticks));
+    const int decades =
+        static_cast<int>(std::floor(hi + rounding_of_ticks)) - static_cast<int>(std::ceil(lo - rounding_of_ticks)) + 1;
     int stride = 1;
     while ((decades + stride - 1) / stride > most) ++stride;
     // Which of 2 to 9 are numbered too, by how much room there is.
@@ -102,7 +104,7 @@ Ticks log_ticks(Range range, int most, std::string_view unit) {
         const bool numbered = ((exponent % stride) + stride) % stride == 0;
         for (int factor = 1; factor <= (stride == 1 ? 9 : 1); ++factor) {
             const Real place = exponent + std::log10(factor);
-            if (place < lo - rounding || place > hi + rounding) continue;
+            if (place < lo - rounding_of_ticks || place > hi + rounding_of_ticks) continue;
             const bool text = numbered && (factor == 1 || (twos_and_fives && (factor == 2 || factor == 5)));
             result.ticks.push_back({factor * std::pow(10.0, exponent), text ? log_text(factor, exponent, written_out) : ""});
         }

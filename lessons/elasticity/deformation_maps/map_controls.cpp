@@ -5,8 +5,6 @@
 namespace pliant {
 namespace {
 
-constexpr Real degree = std::numbers::pi / 180;
-
 // "F11" and "F₁₁" of each entry, row by row.
 constexpr std::array<std::string_view, 9> entry_keys{"F11", "F12", "F13", "F21", "F22", "F23", "F31", "F32", "F33"};
 constexpr std::array<std::string_view, 9> entry_symbols{"F₁₁", "F₁₂", "F₁₃", "F₂₁", "F₂₂", "F₂₃", "F₃₁", "F₃₂", "F₃₃"};
@@ -124,11 +122,11 @@ int MapControls::turning_axis() const {
 }
 
 DeformationMap MapControls::map() const {
-    DeformationMap m{.kind = kind_, .angle = angle_ * degree, .axis = turning_axis(), .shear = shear_};
+    DeformationMap m{.kind = kind_, .angle = angle_ * one_degree, .axis = turning_axis(), .shear = shear_};
     for (std::size_t k = 0; k < 3; ++k) m.stretches[static_cast<Index>(k)] = stretches_[k];
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) m.gradient(i, j) = entry(i, j);
-    if (!bending_.empty()) m.curvature = bending_[0], m.twist = bending_[1] * degree;
+    if (!bending_.empty()) m.curvature = bending_[0], m.twist = bending_[1] * one_degree;
     for (std::size_t k = 0; k < shift_.size(); ++k) m.translation[static_cast<Index>(k)] = shift_[k];
     return m;
 }

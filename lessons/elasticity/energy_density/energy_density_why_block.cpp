@@ -12,8 +12,6 @@
 namespace pliant::energies {
 namespace {
 
-using linear_body::axis;
-
 // The displacements of the corners of all tetrahedra about some nodes, as inputs, and the force on a component of these nodes
 // that follows from them.
 struct Patch {
@@ -37,8 +35,7 @@ Patch patch_about(const StretchedBlock& block, const std::vector<Index>& nodes, 
     patch.tetrahedra = elements.size();
     for (const Index n : around)
         for (int c = 0; c < 3; ++c)
-            patch.inputs.push_back(
-                Input::now(fmt::format("u{}_{}", axis[static_cast<std::size_t>(c)], n), "displacement", first_row + n, c));
+            patch.inputs.push_back(Input::now(fmt::format("u{}_{}", axis_name(c), n), "displacement", first_row + n, c));
     patch.force = [&block, elements, wanted, component,
                    order = std::vector<Index>(around.begin(), around.end())](std::span<const Real> x) {
         const SimplexMesh<3>& m = block.mesh();

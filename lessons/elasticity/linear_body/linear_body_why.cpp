@@ -8,9 +8,7 @@
 namespace pliant::linear_body {
 namespace {
 
-std::string displacement_of(Index node, Index component) {
-    return fmt::format("u{}_{}", axis[static_cast<std::size_t>(component)], node);
-}
+std::string displacement_of(Index node, Index component) { return fmt::format("u{}_{}", axis_name(component), node); }
 
 // The row of K x, with its diagonal or without, appended as pairs of an entry and an unknown: the stiffest first, since entries
 // that cancel but for rounding say little.
@@ -22,7 +20,7 @@ void append_row(std::vector<Input>& inputs, const RowOfEquations& e, bool with_d
     std::ranges::stable_sort(entries, std::ranges::greater(), [](const auto& entry) { return std::abs(entry.first); });
     for (const auto& [value, row] : entries) {
         const Index node = row / Dim, component = row % Dim;
-        const std::string place = fmt::format("{}_{}", axis[static_cast<std::size_t>(component)], node);
+        const std::string place = fmt::format("{}_{}", axis_name(component), node);
         inputs.push_back(Input::constant(fmt::format("K{}", place), value, "N/m", "entry of the stiffness matrix"));
         inputs.push_back(
             Input::now(fmt::format("{}{}", e.unknown, place), e.field, e.first_row + node, static_cast<int>(component)));
@@ -37,12 +35,12 @@ Real products(std::span<const Real> x) {
 
 Input element_force(const SimplexMesh<3>& mesh, const Hooke& hooke, Index element, int corner, int component) {
     const std::string symbol = fmt::format("F_{}", element);
-    const char row = axis[static_cast<std::size_t>(component)];
+    const char* row = axis_name(component);
     Explanation e{.formula = fmt::format("{0} = V (σ_{1}x ∂N/∂x + σ_{1}y ∂N/∂y + σ_{1}z ∂N/∂z)", symbol, row),
                   .inputs = {Input::constant("V", mesh.volumes()[element], "m³", "volume of the element")},
                   .evaluate = [](std::span<const Real> x) { return x[0] * products(x.subspan(1)); }};
     for (int c = 0; c < 3; ++c) {
-        const char column = axis[static_cast<std::size_t>(c)];
+        const char* column = axis_name(c);
         e.inputs.push_back(Input::part(fmt::format("σ_{}{}", row, column), "Pa", hooke.why_stress(element, component, c, true)));
         e.inputs.push_back(Input::constant(fmt::format("∂N/∂{}", column), mesh.gradients(element)(c, corner), "1/m",
                                            "slope of the node's shape function"));
@@ -100,12 +98,12 @@ Explanation why_residual(const StaticProblem<3>& problem, Index node, int compon
 
 Explanation why_strain(const SimplexMesh<3>& mesh, Index element, int row, int column) {
     const auto g = mesh.gradients(element);
-    const char r = axis[static_cast<std::size_t>(row)], c = axis[static_cast<std::size_t>(column)];
+    const char *r = axis_name(row), *c = axis_name(column);
     const bool normal = row == column;
     std::vector<std::pair<Input, Input>> terms;
     const auto add = [&](int corner, int along, int component) {
         const Index node = mesh.simplices()(corner, element);
-        const char letter = axis[static_cast<std::size_t>(along)];
+        const char* letter = axis_name(along);
         terms.emplace_back(
             Input::constant(normal ? fmt::format("∂N_{}/∂{}", node, letter) : fmt::format("½ ∂N_{}/∂{}", node, letter),
                             (normal ? 1 : 0.5) * g(along, corner), "1/m", "slope of the corner's shape function"),
@@ -122,11 +120,11 @@ Explanation why_strain(const SimplexMesh<3>& mesh, Index element, int row, int c
 
 Explanation Hooke::why_stress(Index element, int row, int column, bool from_displacement) const {
     const auto strain = [&](int i, int j) {
-        const std::string symbol = fmt::format("ε_{}{}", axis[static_cast<std::size_t>(i)], axis[static_cast<std::size_t>(j)]);
+        const std::string symbol = fmt::format("ε_{}{}", axis_name(i), axis_name(j));
         return from_displacement ? Input::part(symbol, "", why_strain(*mesh, element, i, j))
                                  : Input::now(symbol, "strain", element, 3 * i + j);
     };
-    const std::string name{axis[static_cast<std::size_t>(row)], axis[static_cast<std::size_t>(column)]};
+    const std::string name = std::string(axis_name(row)) + axis_name(column);
     if (row != column)
         return {.formula = fmt::format("σ_{0} = 2 μ ε_{0}", name),
                 .inputs = {mu, strain(row, column)},

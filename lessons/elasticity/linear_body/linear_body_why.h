@@ -9,8 +9,6 @@
 
 namespace pliant::linear_body {
 
-inline constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
 // Row `row` of K x = b, solved for its own unknown: x_a = (b_a − Σ K_ab x_b) / K_aa. The unknowns are the numbers of a field
 // whose rows begin with the nodes' at `first_row`.
 struct RowOfEquations {

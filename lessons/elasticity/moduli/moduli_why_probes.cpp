@@ -11,8 +11,6 @@
 namespace pliant::moduli {
 namespace {
 
-using linear_body::axis;
-
 Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 3, static_cast<Index>(x.size() / 3)}; }
 
 }  // namespace
@@ -64,7 +62,7 @@ Explanation ModuliLesson::why_lengthening(std::string_view symbol, std::string_v
             terms.emplace_back(Input::constant(fmt::format("w_{}", node), weight, "", "share of the face's area"),
                                Input::now(fmt::format("u_{}", node), "displacement", node, component));
         return Input::part(fmt::format("ū_{}", end), "m",
-                           weighted_sum(fmt::format("ū_{} = Σ w u_{}", end, axis[static_cast<std::size_t>(component)]), terms));
+                           weighted_sum(fmt::format("ū_{} = Σ w u_{}", end, axis_name(component)), terms));
     };
     return {.formula = fmt::format("{} = (ū_max − ū_min) / {}", symbol, over.info.symbol),
             .inputs = {mean("max"), mean("min"), Input::of(over)},
@@ -89,7 +87,7 @@ Explanation ModuliLesson::why_volume_change(std::string_view symbol) const {
     for (Index n = 0; n < mesh.node_count(); ++n)
         for (int c = 0; c < 3; ++c)
             if (std::abs(weight(c, n)) > rounding) {
-                const char letter = axis[static_cast<std::size_t>(c)];
+                const char* letter = axis_name(c);
                 terms.emplace_back(Input::constant(fmt::format("A{}_{}/V", letter, n), weight(c, n), "1/m",
                                                    "share of the surface, over the volume"),
                                    Input::now(fmt::format("u{}_{}", letter, n), "displacement", n, c));
@@ -134,8 +132,7 @@ Explanation ModuliLesson::why_strain_energy() const {
     const SimplexMesh<3>& mesh = specimen_->mesh();
     Explanation e{.formula = "E = ½ λ Σ V tr(ε)² + μ Σ V ε:ε", .inputs = {hooke().lambda, hooke().mu}, .evaluate = {}};
     for (Index n = 0; n < mesh.node_count(); ++n)
-        for (int c = 0; c < 3; ++c)
-            e.inputs.push_back(Input::now(fmt::format("u{}_{}", axis[static_cast<std::size_t>(c)], n), "displacement", n, c));
+        for (int c = 0; c < 3; ++c) e.inputs.push_back(Input::now(fmt::format("u{}_{}", axis_name(c), n), "displacement", n, c));
     // Σ V tr(ε)² and Σ V ε:ε.
     const auto sums = [&mesh](std::span<const Real> x) {
         const Points<3> u = points(x.subspan(2));

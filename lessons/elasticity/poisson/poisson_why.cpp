@@ -14,11 +14,7 @@
 #include <cmath>
 
 namespace pliant::poisson {
-namespace {
-
-using linear_body::axis;
-
-}  // namespace
+namespace {}  // namespace
 
 // A stretch that is over changes nothing.
 std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
@@ -54,8 +50,7 @@ Explanation PoissonLesson::why_volume(Index element) const {
     for (int a = 0; a < 4; ++a)
         for (int c = 0; c < 3; ++c) {
             const Index node = mesh.simplices()(a, element);
-            e.inputs.push_back(
-                Input::now(fmt::format("u{}_{}", axis[static_cast<std::size_t>(c)], node), "displacement", node, c));
+            e.inputs.push_back(Input::now(fmt::format("u{}_{}", axis_name(c), node), "displacement", node, c));
         }
     const Eigen::Matrix<Real, 3, 4> gradients = mesh.gradients(element);
     const auto F = [gradients](std::span<const Real> x) -> Mat<3> {

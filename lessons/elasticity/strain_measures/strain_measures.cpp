@@ -8,7 +8,6 @@
 namespace pliant::strain_measures {
 namespace {
 
-constexpr Real degree = std::numbers::pi / 180;
 constexpr Index samples = 72;  // directions around the circle, 5° apart
 
 }  // namespace
@@ -61,7 +60,7 @@ Mat<3> StrainMeasuresLesson::slope_after(Real angle) const {
 }
 
 Vec<3> StrainMeasuresLesson::direction() const {
-    const Real a = v_angle * degree, e = v_elevation * degree;
+    const Real a = v_angle * one_degree, e = v_elevation * one_degree;
     return {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
 }
 
@@ -131,7 +130,7 @@ void StrainMeasuresLesson::declare_stages() {
 }
 
 void StrainMeasuresLesson::deform() {
-    const Mat<3> H = slope_after(turn * degree);
+    const Mat<3> H = slope_after(turn * one_degree);
     Eigen::Map<RowMajor>(slope_.data()) = H;
     Eigen::Map<RowMajor>(deformation_.data()) =
         turn == 0 ? map_.deformation_gradient(Vec<3>::Zero()) : Mat<3>(Mat<3>::Identity() + H);
@@ -159,7 +158,7 @@ void StrainMeasuresLesson::apply_hooke() {
 // The head of v, moved about the middle of the circle.
 std::vector<std::pair<std::string, Real>> StrainMeasuresLesson::dragged(const Pull& pull) const {
     if (pull.index != 0 || pull.to.head<2>().norm() == 0) return {};
-    return {{"v_angle", std::atan2(pull.to[1], pull.to[0]) / degree}};
+    return {{"v_angle", std::atan2(pull.to[1], pull.to[0]) / one_degree}};
 }
 
 const Registration<StrainMeasuresLesson> registration{

@@ -4,8 +4,8 @@
 #include <pliant/continuum/deformation_map.h>
 #include <pliant/continuum/moduli.h>
 #include <pliant/lesson/runner.h>
+#include <pliant/math/small_eigen.h>
 #include <pliant/study/claims.h>
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include "strain_cost.h"
@@ -20,7 +20,6 @@ namespace pliant::strain_measures {
 namespace {
 
 constexpr int tries = 1000;
-constexpr Real degree = std::numbers::pi / 180;
 
 class Draw {
 public:
@@ -33,9 +32,7 @@ public:
     }
     Mat<3> rotation() { return Eigen::AngleAxis<Real>(std::numbers::pi * number(), direction()).toRotationMatrix(); }
     // Any orthogonal matrix, proper or not.
-    Mat<3> orthogonal() {
-        return Mat<3>(matrix().householderQr().householderQ()) * Vec<3>(1, 1, number() < 0 ? -1 : 1).asDiagonal();
-    }
+    Mat<3> orthogonal() { return orthogonal_part(matrix()) * Vec<3>(1, 1, number() < 0 ? -1 : 1).asDiagonal(); }
 
 private:
     std::mt19937_64 engine_{23};
@@ -54,7 +51,7 @@ Finding rotations() {
     for (int k = 0; k < tries; ++k) {
         const Mat<3> F = Mat<3>::Identity() + 0.3 * draw.matrix(), Q = draw.rotation();
         const auto green = [](const Mat<3>& G) { return green_strain<3>(displacement_gradient<3>(G)); };
-        const auto values = [](const Mat<3>& E) { return Vec<3>(Eigen::SelfAdjointEigenSolver<Mat<3>>(E).eigenvalues()); };
+        const auto values = [](const Mat<3>& E) { return symmetric_eigenvalues<3>(E); };
         after = std::max(after, largest(green(Q * F) - green(F)));
         before = std::max(before, largest(green(F * Q) - green(F)));
         principal = std::max(principal, (values(green(F * Q)) - values(green(F))).cwiseAbs().maxCoeff());
@@ -65,7 +62,7 @@ Finding rotations() {
     for (int angle = -180; angle <= 180; angle += 3) {
         runner.assign("angle", angle);
         runner.step();
-        const Real foretold = std::cos(angle * degree) - 1;
+        const Real foretold = std::cos(angle * one_degree) - 1;
         off = std::max({off, std::abs(strain("cauchy_11") - foretold), std::abs(strain("cauchy_22") - foretold)});
         along_axis = std::max(along_axis, std::abs(strain("cauchy_33")));
     }
@@ -121,7 +118,7 @@ Finding cost() {
     const Real green = nanoseconds(given, [](const Mat<3>&H) { return green_strain<3>(H); }),
                cauchy = nanoseconds(given, [](const Mat<3>&H) { return cauchy_strain<3>(H); });
     const OperationCounts counted = count_operations();
-    const Real one_percent = reached_at(0.01), angle = std::acos(1 - one_percent) / degree;
+    const Real one_percent = reached_at(0.01), angle = std::acos(1 - one_percent) / one_degree;
     return {
         .figure = green / cauchy,
         .verdict = held(green > cauchy && counted.green > counted.cauchy, Verdict::qualified),

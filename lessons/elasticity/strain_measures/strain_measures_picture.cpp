@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
 #include <pliant/lesson/format.h>
-#include <Eigen/Eigenvalues>
+#include <pliant/math/small_eigen.h>
 
 #include "strain_measures.h"
 
@@ -12,8 +12,6 @@
 
 namespace pliant::strain_measures {
 namespace {
-
-using Symmetric = Eigen::SelfAdjointEigenSolver<Mat<2>>;
 
 Position at(const Vec<2>& p) { return position(p[0], p[1]); }
 Vec<2> seen(const Vec<3>& v) { return v.head<2>(); }
@@ -34,11 +32,11 @@ LineMarks closed_curve(const Vec<2>& middle, const Mat<2>& A, Ink ink, float wid
 // The ellipse of a symmetric tensor: in each principal direction as far as its principal value; arrows point outward where it is
 // positive and inward where it is negative.
 void draw_ellipse(Scene& scene, const Vec<2>& middle, Real scale, const Mat<2>& tensor, Ink ink) {
-    const Symmetric eigen(tensor);
+    const SymmetricEigen<2> eigen = symmetric_eigen<2>(tensor);
     scene.lines.push_back(closed_curve(middle, scale * tensor, ink, 2.5f));
     for (int k = 0; k < 2; ++k) {
-        const Real value = eigen.eigenvalues()[k];
-        const Vec<2> end = scale * std::abs(value) * eigen.eigenvectors().col(k);
+        const Real value = eigen.values[k];
+        const Vec<2> end = scale * std::abs(value) * eigen.vectors.col(k);
         if (scale * std::abs(value) < 1e-3 * scale) continue;
         for (const Real side : {-1.0, 1.0}) {
             ArrowMarks arrow{.from = {at(middle)}, .to = {at(middle + side * end)}, .ink = ink, .width = 2};
@@ -67,7 +65,7 @@ typename Derived::PlainObject plain(const Eigen::MatrixBase<Derived>& m, Real si
 }
 
 std::string principal_values(const Mat<2>& tensor) {
-    const Vec<2> values = Symmetric(tensor).eigenvalues();
+    const Vec<2> values = symmetric_eigenvalues<2>(tensor);
     const auto text = [](Real x) { return format_quantity(std::abs(x) < 5e-13 ? 0 : x, "", 3); };
     return fmt::format("{}, {}", text(values[1]), text(values[0]));
 }
@@ -127,7 +125,7 @@ void StrainMeasuresLesson::draw_ellipses(Scene& scene) const {
     const Real r = reach(), size = 0.32 * r, across = 2.05 * r;
     const Mat<2> C = of(C_).topLeftCorner<2, 2>(), green = of(green_).topLeftCorner<2, 2>(),
                  small = of(cauchy_).topLeftCorner<2, 2>();
-    const auto largest = [](const Mat<2>& m) { return Symmetric(m).eigenvalues().cwiseAbs().maxCoeff(); };
+    const auto largest = [](const Mat<2>& m) { return symmetric_eigenvalues<2>(m).cwiseAbs().maxCoeff(); };
     const Real strains = std::max({largest(green), largest(small), Real{1e-6}}), squares = std::max(largest(C), Real{1});
     const auto one = [&](Real up, std::string_view name, const Mat<2>& tensor, Real scale, Ink ink) {
         const Vec<2> middle(across, up);

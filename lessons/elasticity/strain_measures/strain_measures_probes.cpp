@@ -9,11 +9,7 @@
 #include <numbers>
 
 namespace pliant::strain_measures {
-namespace {
-
-constexpr Real degree = std::numbers::pi / 180;
-
-}  // namespace
+namespace {}  // namespace
 
 void StrainMeasuresLesson::declare_probes() {
     const auto count = [this](std::string_view name, std::string_view help, Index OperationCounts::*of) {
@@ -105,7 +101,7 @@ void StrainMeasuresLesson::declare_components() {
         [this]() -> std::optional<Mat<3>> {
             const bool turned = map_.kind == MapKind::rotation && map_.axis == 2;
             if (!turned && map_.kind != MapKind::translation) return std::nullopt;
-            const Real spurious = std::cos(turn * degree + (turned ? map_.angle : 0)) - 1;
+            const Real spurious = std::cos(turn * one_degree + (turned ? map_.angle : 0)) - 1;
             return Mat<3>(Vec<3>(spurious, spurious, 0).asDiagonal());
         });
     add(C, C_, "", "of the right Cauchy–Green tensor C = FᵀF", "right_cauchy_green", [this] { return exact_C(); });

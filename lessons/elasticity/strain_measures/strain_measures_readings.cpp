@@ -12,9 +12,8 @@
 namespace pliant::strain_measures {
 namespace {
 
-constexpr Real degree = std::numbers::pi / 180;
 // No accepted parameters come near it.
-constexpr Real largest = 1e12, largest_stress = 1e40;
+constexpr Real largest_number = 1e12, largest_stress = 1e40;
 
 }  // namespace
 
@@ -39,7 +38,7 @@ void StrainMeasuresLesson::declare_fields() {
         vector("deformed_direction", "v′", deformed_v_, "what F makes of it"),
         tensor("stress_green", "σ", stress_green_, "Hooke's law of Green's strain: the second Piola–Kirchhoff stress", "Pa"),
         tensor("stress_cauchy", "σ", stress_cauchy_, "Hooke's law of Cauchy's strain", "Pa")};
-    for (Field& field : fields) field.bound = [stress = !field.unit.empty()] { return stress ? largest_stress : largest; };
+    for (Field& field : fields) field.bound = [stress = !field.unit.empty()] { return stress ? largest_stress : largest_number; };
 }
 
 void StrainMeasuresLesson::declare_state() {
@@ -76,13 +75,13 @@ void StrainMeasuresLesson::declare_lines() {
                  curve.position.clear(), curve.value.clear();
                  for (int angle = -180; angle <= 180; angle += 5) {
                      curve.position.push_back(angle);
-                     curve.value.push_back(pliant::cauchy_strain<3>(slope_after(angle * degree))(0, 0));
+                     curve.value.push_back(pliant::cauchy_strain<3>(slope_after(angle * one_degree))(0, 0));
                  }
              },
          .reference =
              [this](Curve& curve) {
                  const Real now = std::remainder(Real(turn), 360), green = pliant::green_strain<3>(slope_after(0))(0, 0);
-                 const Real small = pliant::cauchy_strain<3>(slope_after(now * degree))(0, 0);
+                 const Real small = pliant::cauchy_strain<3>(slope_after(now * one_degree))(0, 0);
                  curve.position = {-180, now, now, now, 180};
                  curve.value = {green, green, small, green, green};
              },

@@ -13,19 +13,15 @@
 namespace pliant::strain_measures {
 namespace {
 
-constexpr std::array<const char*, 3> axis{"x", "y", "z"};
-
 // v^T A v of the tensor, with the direction as the field has it now, after `first`, which is added.
 Explanation quadratic(std::string_view left, Real first, const char* name, std::string_view field,
                       std::function<Real(Real)> outer, std::string_view outer_text) {
     std::vector<Input> inputs = why::all_entries(name, field, 0);
-    for (int i = 0; i < 3; ++i)
-        inputs.push_back(Input::now(fmt::format("v_{}", axis[static_cast<std::size_t>(i)]), "direction", 0, i));
+    for (int i = 0; i < 3; ++i) inputs.push_back(Input::now(fmt::format("v_{}", axis_name(i)), "direction", 0, i));
     std::string sum;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            sum += fmt::format("{}v_{} {} v_{}", i + j ? " + " : "", axis[static_cast<std::size_t>(i)], why::entry(name, i, j),
-                               axis[static_cast<std::size_t>(j)]);
+            sum += fmt::format("{}v_{} {} v_{}", i + j ? " + " : "", axis_name(i), why::entry(name, i, j), axis_name(j));
     const auto value = [](std::span<const Real> x) {
         const Vec<3> v(x[9], x[10], x[11]);
         return v.dot(why::matrix(x.first(9)) * v);
@@ -39,8 +35,7 @@ Explanation squared_length(std::string_view left, const char* symbol, std::strin
     Explanation e{.formula = fmt::format("{0} = {1}_x² + {1}_y² + {1}_z²", left, symbol),
                   .inputs = {},
                   .evaluate = [](std::span<const Real> x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }};
-    for (int i = 0; i < 3; ++i)
-        e.inputs.push_back(Input::now(fmt::format("{}_{}", symbol, axis[static_cast<std::size_t>(i)]), field, 0, i));
+    for (int i = 0; i < 3; ++i) e.inputs.push_back(Input::now(fmt::format("{}_{}", symbol, axis_name(i)), field, 0, i));
     return e;
 }
 
@@ -118,9 +113,8 @@ Explanation StrainMeasuresLesson::why_stretch(const Question& q) const {
         std::vector<std::pair<Input, Input>> terms;
         for (int j = 0; j < 3; ++j)
             terms.emplace_back(why::entry_now("F", "deformation_gradient", 0, i, j),
-                               Input::now(fmt::format("v_{}", axis[static_cast<std::size_t>(j)]), "direction", 0, j));
-        return weighted_sum(
-            fmt::format("v'_{0} = F_{1}1 v_x + F_{1}2 v_y + F_{1}3 v_z", axis[static_cast<std::size_t>(i)], i + 1), terms);
+                               Input::now(fmt::format("v_{}", axis_name(j)), "direction", 0, j));
+        return weighted_sum(fmt::format("v'_{0} = F_{1}1 v_x + F_{1}2 v_y + F_{1}3 v_z", axis_name(i), i + 1), terms);
     }
     std::vector<Input> inputs = sampled_inputs(q.index);
     if (q.field == "stretch") {

@@ -12,11 +12,7 @@
 namespace pliant::stress_strain {
 namespace {
 
-using linear_body::axis;
-
-std::string name(int row, int column) {
-    return fmt::format("{}{}", axis[static_cast<std::size_t>(row)], axis[static_cast<std::size_t>(column)]);
-}
+std::string name(int row, int column) { return fmt::format("{}{}", axis_name(row), axis_name(column)); }
 
 }  // namespace
 
@@ -46,18 +42,18 @@ Explanation StressStrainLesson::why_load(const Question& q) const {
     for (int j = 0; j < 3; ++j) {
         const Real share = body_->loaded_area()(j, q.index);
         if (stress(q.component, j) == 0 || share == 0) continue;
-        terms.emplace_back(applied_stress_input(q.component, j),
-                           Input::constant(fmt::format("A_{}", axis[static_cast<std::size_t>(j)]), share, "m²",
-                                           "the node's share of the loaded faces, outward"));
+        terms.emplace_back(
+            applied_stress_input(q.component, j),
+            Input::constant(fmt::format("A_{}", axis_name(j)), share, "m²", "the node's share of the loaded faces, outward"));
     }
     if (terms.empty()) return fixed_value("f = 0: no load acts here", 0);
-    return weighted_sum(fmt::format("f_{0} = Σ σ_{0}j A_j", axis[static_cast<std::size_t>(q.component)]), terms);
+    return weighted_sum(fmt::format("f_{0} = Σ σ_{0}j A_j", axis_name(q.component)), terms);
 }
 
 // ---------------------------------------------------------------------------------------------------------------- cut
 
 Input StressStrainLesson::normal_input(int k) const {
-    const std::string symbol = fmt::format("n_{}", axis[static_cast<std::size_t>(k)]);
+    const std::string symbol = fmt::format("n_{}", axis_name(k));
     return Input::part(symbol, "",
                        {.formula = fmt::format("{} = {}(θ)", symbol, k == 0 ? "cos" : "sin"),
                         .inputs = {Input::of(angle)},
@@ -68,7 +64,7 @@ Input StressStrainLesson::normal_input(int k) const {
 }
 
 Explanation StressStrainLesson::why_traction(const Question& q) const {
-    const char i = axis[static_cast<std::size_t>(q.component)];
+    const char* i = axis_name(q.component);
     const auto now = [&](std::string symbol, std::string_view field, int component) {
         return Input::now(std::move(symbol), field, q.index, component);
     };

@@ -47,8 +47,6 @@ Explanation limited(Input forward, Input old, Input returned, Input low, Input h
             [](Values v) { return std::min(std::max(v[0] + (v[1] - v[2]) / 2, v[3]), v[4]); }};
 }
 
-std::string axis_name(int axis) { return axis == 0 ? "x" : "y"; }
-
 }  // namespace
 
 Input AdvectionLesson::step() const {
@@ -142,7 +140,7 @@ Explanation AdvectionLesson::moved_into_box(Explanation why, Real free, Real pla
 
 // How far the departure place is beyond the lower sample, in cells.
 Input AdvectionLesson::why_fraction(Index cell, int axis, Index sample) const {
-    const std::string symbol = axis == 0 ? "s" : "t", place = axis_name(axis) + "_d";
+    const std::string symbol = axis == 0 ? "s" : "t", place = std::string(axis_name(axis)) + "_d";
     return Input::part(symbol, "",
                        {fmt::format("{} = {} / Δx − c", symbol, place),
                         {Input::now(place, "departure", cell, axis), Input::constant("Δx", dx(), "m", "edge of a cell"),

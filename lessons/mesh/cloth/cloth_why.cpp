@@ -9,8 +9,6 @@
 namespace pliant::cloth {
 namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
 using springs::append_ends, springs::difference, springs::length_between, springs::other_end, springs::rest_length;
 
 // The sum over the springs of a node.
@@ -55,7 +53,7 @@ Explanation ClothLesson::why_spring_force(Index node, int component) const {
 
 Explanation ClothLesson::why_spring_on_node(Index s, Index node, int component) const {
     const Index other = other_end(sheet_->springs(), s, node);
-    const char letter = axis[static_cast<std::size_t>(component)];
+    const char* letter = axis_name(component);
     return {.formula = fmt::format("f_{1} = k (|x_ij| − l) ({0}_j − {0}_i) / |x_ij|", letter, other),
             .inputs = {stiffness_of_spring(s), length_between(Input::now, other, node), rest_length(sheet_->springs(), s),
                        Input::now(fmt::format("{}_j", letter), "position", other, component),
@@ -100,7 +98,7 @@ Explanation ClothLesson::why_damping_force(Index node, int component, Reading di
 
 Explanation ClothLesson::why_damper_on_node(Index s, Index node, int component, Reading direction_at) const {
     const Index other = other_end(sheet_->springs(), s, node);
-    const char letter = axis[static_cast<std::size_t>(component)];
+    const char* letter = axis_name(component);
     if (damping_mode == SpringDamping::naive)
         return {.formula = fmt::format("fᵈ_{1} = kᵈ (v{0}_j − v{0}_i)", letter, other),
                 .inputs = {damping_of_spring(s), Input::now(fmt::format("v{}_j", letter), "velocity", other, component),
@@ -130,11 +128,11 @@ Explanation ClothLesson::why_external_force(Index node, int component) const {
     const bool pulled_here = pulled() && load_.pull.node == node;
     if (falls) e.inputs = {node_mass(), Input::of(gravity)};
     if (pulled_here) {
-        const char letter = axis[static_cast<std::size_t>(component)];
+        const char* letter = axis_name(component);
         e.inputs.push_back(Input::of(pull_stiffness));
         e.inputs.push_back(
             Input::constant(fmt::format("{}_hand", letter), load_.pull.target[component], "m", "where the hand pulls to"));
-        e.inputs.push_back(Input::now(std::string(1, letter), "position", node, component));
+        e.inputs.push_back(Input::now(letter, "position", node, component));
         e.formula = fmt::format("fᵉ = {0}kₕ ({1}_hand − {1})", falls ? "− m g + " : "", letter);
     } else if (falls) {
         e.formula = "fᵉ = − m g";

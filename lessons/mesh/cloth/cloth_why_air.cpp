@@ -8,18 +8,14 @@
 #include <numbers>
 
 namespace pliant::cloth {
-namespace {
-
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
-}  // namespace
+namespace {}  // namespace
 
 Explanation ClothLesson::why_wind_stage(const Question& q) const {
     return q.field == "wind_drag" ? why_drag(q.index, q.component / 3, q.component % 3) : why_wind_force(q.index, q.component);
 }
 
 Input ClothLesson::wind_component(int component) const {
-    const std::string symbol = fmt::format("w_{}", axis[static_cast<std::size_t>(component)]);
+    const std::string symbol = fmt::format("w_{}", axis_name(component));
     const int along = setting == Setting::flag ? 0 : 2;
     if (component == along)
         return Input::part(
@@ -45,7 +41,7 @@ Explanation ClothLesson::why_drag(Index node, int row, int column) const {
         if (std::ranges::find(corners, node) == corners.end()) continue;
         Explanation e{
             .formula = fmt::format("C_{} = ρ c |u · A| A_{} A_{} / (6 |A|²), A = ½ (b − a) × (c − a), u = w − (vᵃ + vᵇ + vᶜ) / 3",
-                                   t, axis[static_cast<std::size_t>(row)], axis[static_cast<std::size_t>(column)]),
+                                   t, axis_name(row), axis_name(column)),
             .inputs = {Input::constant("ρ", Air{}.density, "kg/m³", "density of the air"), Input::of(air_drag)},
             .evaluate = {}};
         for (int c = 0; c < 3; ++c) e.inputs.push_back(wind_component(c));
@@ -53,8 +49,7 @@ Explanation ClothLesson::why_drag(Index node, int row, int column) const {
             for (const Index corner : corners)
                 for (int c = 0; c < 3; ++c)
                     e.inputs.push_back(
-                        Input::now(fmt::format("{}{}_{}", field[0] == 'v' ? "v" : "", axis[static_cast<std::size_t>(c)], corner),
-                                   field, corner, c));
+                        Input::now(fmt::format("{}{}_{}", field[0] == 'v' ? "v" : "", axis_name(c), corner), field, corner, c));
         const auto share = [row, column](std::span<const Real> x) {
             const Air air{.velocity = {x[2], x[3], x[4]}, .density = x[0], .drag = x[1]};
             return triangle_drag(air, Eigen::Map<const Mat<3>>(x.data() + 5), Eigen::Map<const Mat<3>>(x.data() + 14))(row,
@@ -75,7 +70,7 @@ Explanation ClothLesson::why_drag(Index node, int row, int column) const {
 Explanation ClothLesson::why_wind_force(Index node, int component) const {
     Explanation e{.formula = "fʷ = ", .inputs = {}, .evaluate = {}};
     for (int c = 0; c < 3; ++c) {
-        const char letter = axis[static_cast<std::size_t>(c)];
+        const char* letter = axis_name(c);
         e.formula += fmt::format("{0}C_{1} (w_{1} − v_{1})", c ? " + " : "", letter);
         e.inputs.push_back(Input::now(fmt::format("C_{}", letter), "wind_drag", node, 3 * component + c));
         e.inputs.push_back(wind_component(c));

@@ -9,9 +9,7 @@
 namespace pliant::cloth {
 namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
-std::string of_axis(const char* symbol, int c) { return fmt::format("{}_{}", symbol, axis[static_cast<std::size_t>(c)]); }
+std::string of_axis(const char* symbol, int c) { return fmt::format("{}_{}", symbol, axis_name(c)); }
 
 Vec<3> vec(std::span<const Real> x, std::size_t first) { return {x[first], x[first + 1], x[first + 2]}; }
 
@@ -36,15 +34,14 @@ const NodePlane<3>* ClothLesson::plane_of(Index node) const {
 }
 
 Explanation ClothLesson::why_plane_force(const NodePlane<3>& plane, int component) const {
-    Explanation e{.formula = fmt::format("fⁿ = k (o − n_x x − n_y y − n_z z) n_{}", axis[static_cast<std::size_t>(component)]),
+    Explanation e{.formula = fmt::format("fⁿ = k (o − n_x x − n_y y − n_z z) n_{}", axis_name(component)),
                   .inputs = {Input::constant("k", plane.stiffness, "N/m", "of the plane that the node rests on"),
                              Input::constant("o", plane.offset, "m", "of the plane from the origin")},
                   .evaluate = [component](std::span<const Real> x) {
                       return x[0] * (x[1] - vec(x, 2).dot(vec(x, 5))) * x[2 + static_cast<std::size_t>(component)];
                   }};
     append_constants(e.inputs, "n", plane.normal, "", frozen_normal);
-    for (int c = 0; c < 3; ++c)
-        e.inputs.push_back(Input::now(std::string(1, axis[static_cast<std::size_t>(c)]), "position", plane.node, c));
+    for (int c = 0; c < 3; ++c) e.inputs.push_back(Input::now(axis_name(c), "position", plane.node, c));
     return e;
 }
 
@@ -63,7 +60,7 @@ Explanation ClothLesson::why_friction(const NodePlane<3>& plane, int component) 
         const Vec<3> n = vec(x, 3), v = vec(x, 6);
         return fmt::format("{} · {} / max({:.6g}, {})", as_factor(x[0]), as_factor(x[1]), (v - n.dot(v) * n).norm(), x[2]);
     };
-    const char letter = axis[static_cast<std::size_t>(component)];
+    const char* letter = axis_name(component);
     Explanation e{.formula = fmt::format("fᵗ = − b (v_{0} − n_{0} (n_x v_x + n_y v_y + n_z v_z))", letter),
                   .inputs = {Input::part("b", "N s/m", std::move(drag))},
                   .evaluate = [component](std::span<const Real> x) {
@@ -127,7 +124,7 @@ std::optional<Explanation> ClothLesson::why_contact(const Question& q) const {
     const auto component = static_cast<Index>(q.component);
     if (q.field == "position") {
         if (!touch.inside) return std::nullopt;
-        const char letter = axis[static_cast<std::size_t>(q.component)];
+        const char* letter = axis_name(q.component);
         Explanation e{.formula = fmt::format("x′ = c_{0} + R (x_{0} − c_{0}) / |x − c|: onto the surface", letter),
                       .inputs = {Input::of(sphere_radius)},
                       .evaluate = [component](std::span<const Real> x) {
@@ -172,8 +169,7 @@ Explanation ClothLesson::why_pressed(Index node) const {
                       .evaluate = [](std::span<const Real> x) { return x[0] * (x[1] - vec(x, 2).dot(vec(x, 5))); }};
         append_constants(e.inputs, "n", plane.normal, "", frozen_normal);
         for (int c = 0; c < 3; ++c)
-            e.inputs.push_back(Input::constant(std::string(1, axis[static_cast<std::size_t>(c)]),
-                                               solver()->position()[3 * node + c], "m",
+            e.inputs.push_back(Input::constant(axis_name(c), solver()->position()[3 * node + c], "m",
                                                "where the integration has left the node"));
         return e;
     }

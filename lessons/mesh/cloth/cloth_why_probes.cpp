@@ -13,13 +13,10 @@
 namespace pliant::cloth {
 namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
 // Every number of a nodal vector, node by node.
 void append_all(std::vector<Input>& inputs, std::string_view symbol, std::string_view field, Index nodes) {
     for (Index n = 0; n < nodes; ++n)
-        for (int c = 0; c < 3; ++c)
-            inputs.push_back(Input::now(fmt::format("{}{}_{}", symbol, axis[static_cast<std::size_t>(c)], n), field, n, c));
+        for (int c = 0; c < 3; ++c) inputs.push_back(Input::now(fmt::format("{}{}_{}", symbol, axis_name(c), n), field, n, c));
 }
 
 Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 3, static_cast<Index>(x.size() / 3)}; }
@@ -57,10 +54,10 @@ Explanation ClothLesson::why_hand_energy() const {
                          return 0.5 * x[0] * Vec<3>(x[1] - x[2], x[3] - x[4], x[5] - x[6]).squaredNorm();
                      }};
     for (int c = 0; c < 3; ++c) {
-        const char letter = axis[static_cast<std::size_t>(c)];
+        const char* letter = axis_name(c);
         hand.inputs.push_back(
             Input::constant(fmt::format("{}_hand", letter), load_.pull.target[c], "m", "where the hand pulls to"));
-        hand.inputs.push_back(Input::now(std::string(1, letter), "position", load_.pull.node, c));
+        hand.inputs.push_back(Input::now(letter, "position", load_.pull.node, c));
     }
     return hand;
 }
@@ -135,8 +132,7 @@ Explanation ClothLesson::why_largest_stretch() const {
                   .inputs = {Input::constant("l", springs.rest_length()[most], "m", "rest length of the spring")},
                   .evaluate = {}};
     for (const Index node : {j, i})
-        for (int c = 0; c < 3; ++c)
-            e.inputs.push_back(Input::now(fmt::format("{}_{}", axis[static_cast<std::size_t>(c)], node), "position", node, c));
+        for (int c = 0; c < 3; ++c) e.inputs.push_back(Input::now(fmt::format("{}_{}", axis_name(c), node), "position", node, c));
     const auto length = [](std::span<const Real> x) { return Vec<3>(x[1] - x[4], x[2] - x[5], x[3] - x[6]).norm(); };
     e.evaluate = [length](std::span<const Real> x) { return std::max(Real{0}, length(x) / x[0] - 1); };
     e.substitute = [length](std::span<const Real> x) {

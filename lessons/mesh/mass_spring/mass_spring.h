@@ -19,6 +19,8 @@ namespace pliant::mass_spring {
 enum class Setting { drop, hang, spin, swing, stretch_test };
 enum class Support { top, side, both };
 
+inline constexpr int up = 1;  // the component against gravity
+
 // Strains below this are rounding.
 inline constexpr Real strain_rounding = 1e-12;
 

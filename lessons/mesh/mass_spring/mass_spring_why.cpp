@@ -9,9 +9,7 @@
 namespace pliant::mass_spring {
 namespace {
 
-constexpr std::array<char, 3> axis{'x', 'y', 'z'};
-
-std::string named(char letter, std::string_view index) { return fmt::format("{}_{}", letter, index); }
+std::string named(const char* letter, std::string_view index) { return fmt::format("{}_{}", letter, index); }
 
 using springs::append_ends, springs::difference, springs::length_between, springs::other_end, springs::rest_length;
 
@@ -54,7 +52,7 @@ Explanation MassSpringLesson::why_spring_force(Index node, int component) const 
 
 Explanation MassSpringLesson::why_spring_on_node(Index s, Index node, int component) const {
     const Index other = other_end(block_->springs(), s, node);
-    const char letter = axis[static_cast<std::size_t>(component)];
+    const char* letter = axis_name(component);
     return {.formula = fmt::format("f_{1} = k (|x_ij| − l) ({0}_j − {0}_i) / |x_ij|", letter, other),
             .inputs = {stiffness_of_spring(s), length_between(Input::now, other, node), rest_length(block_->springs(), s),
                        Input::now(named(letter, "j"), "position", other, component),
@@ -94,7 +92,7 @@ Explanation MassSpringLesson::why_damping_force(Index node, int component, Readi
 
 Explanation MassSpringLesson::why_damper_on_node(Index s, Index node, int component, Reading direction_at) const {
     const Index other = other_end(block_->springs(), s, node);
-    const char letter = axis[static_cast<std::size_t>(component)];
+    const char* letter = axis_name(component);
     if (damping_mode == SpringDamping::naive)
         return {.formula = fmt::format("fᵈ_{1} = kᵈ (v{0}_j − v{0}_i)", letter, other),
                 .inputs = {Input::of(damping), Input::now(fmt::format("v{}_j", letter), "velocity", other, component),
@@ -124,10 +122,10 @@ Explanation MassSpringLesson::why_external_force(Index node, int component) cons
     const bool pulled_here = load_.pull.active() && load_.pull.node == node;
     if (falls) e.inputs = {node_mass(), Input::of(gravity)};
     if (pulled_here) {
-        const char letter = axis[static_cast<std::size_t>(component)];
+        const char* letter = axis_name(component);
         e.inputs.push_back(Input::of(pull_stiffness));
         e.inputs.push_back(Input::constant(named(letter, "hand"), load_.pull.target[component], "m", "where the hand pulls to"));
-        e.inputs.push_back(Input::now(std::string(1, letter), "position", node, component));
+        e.inputs.push_back(Input::now(letter, "position", node, component));
         e.formula = fmt::format("fᵉ = {0}kₕ ({1}_hand − {1})", falls ? "− m g + " : "", letter);
     } else if (falls) {
         e.formula = "fᵉ = − m g";

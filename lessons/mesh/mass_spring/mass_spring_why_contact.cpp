@@ -7,11 +7,7 @@
 #include <cmath>
 
 namespace pliant::mass_spring {
-namespace {
-
-constexpr int up = 1;
-
-}  // namespace
+namespace {}  // namespace
 
 // Nothing, where the stage has left the number as it was.
 std::optional<Explanation> MassSpringLesson::why_contact(const Question& q) const {

@@ -9,8 +9,6 @@
 namespace pliant::mass_spring {
 namespace {
 
-constexpr int up = 1;
-
 Explanation drifted(const Parameter& dt, Index node, int component, bool with_new_velocity) {
     return {.formula = with_new_velocity ? "x′ = x + Δt v′" : "x′ = x + Δt v",
             .inputs = {Input::before("x", "position", node, component), Input::of(dt),

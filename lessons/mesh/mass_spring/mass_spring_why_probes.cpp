@@ -12,13 +12,10 @@
 namespace pliant::mass_spring {
 namespace {
 
-constexpr std::array<const char*, 3> axis{"x", "y", "z"};
-
 // Every number of a nodal vector, node by node.
 void append_all(std::vector<Input>& inputs, std::string_view symbol, std::string_view field, Index nodes) {
     for (Index n = 0; n < nodes; ++n)
-        for (int c = 0; c < 3; ++c)
-            inputs.push_back(Input::now(fmt::format("{}{}_{}", symbol, axis[static_cast<std::size_t>(c)], n), field, n, c));
+        for (int c = 0; c < 3; ++c) inputs.push_back(Input::now(fmt::format("{}{}_{}", symbol, axis_name(c), n), field, n, c));
 }
 
 Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 3, static_cast<Index>(x.size() / 3)}; }
@@ -29,8 +26,7 @@ Explanation length_of(std::string_view symbol, std::string_view unit, const std:
                   .inputs = {},
                   .evaluate = [](std::span<const Real> x) { return Vec<3>(x[0], x[1], x[2]).norm(); }};
     for (int c = 0; c < 3; ++c)
-        e.inputs.push_back(
-            Input::part(fmt::format("{}_{}", symbol, axis[static_cast<std::size_t>(c)]), std::string(unit), component(c)));
+        e.inputs.push_back(Input::part(fmt::format("{}_{}", symbol, axis_name(c)), std::string(unit), component(c)));
     return e;
 }
 
@@ -73,7 +69,7 @@ Explanation MassSpringLesson::why_energy() const {
                          return 0.5 * x[0] * Vec<3>(x[1] - x[2], x[3] - x[4], x[5] - x[6]).squaredNorm();
                      }};
     for (int c = 0; c < 3; ++c) {
-        const char* letter = axis[static_cast<std::size_t>(c)];
+        const char* letter = axis_name(c);
         hand.inputs.push_back(
             Input::constant(fmt::format("{}_hand", letter), load_.pull.target[c], "m", "where the hand pulls to"));
         hand.inputs.push_back(Input::now(letter, "position", load_.pull.node, c));
@@ -132,7 +128,7 @@ Explanation MassSpringLesson::why_gravitational_energy() const {
 
 Explanation MassSpringLesson::why_momentum() const {
     return length_of("p", "kg m/s", [this](int c) {
-        const char* letter = axis[static_cast<std::size_t>(c)];
+        const char* letter = axis_name(c);
         Explanation e{.formula = fmt::format("p_{0} = m Σ v_{0}", letter), .inputs = {node_mass()}, .evaluate = {}};
         for (Index n = 0; n < velocity_.cols(); ++n)
             e.inputs.push_back(Input::now(fmt::format("v{}_{}", letter, n), "velocity", n, c));
@@ -149,8 +145,7 @@ Explanation MassSpringLesson::why_momentum() const {
 Explanation MassSpringLesson::why_angular_momentum() const {
     return length_of("J", "kg m²/s", [this](int c) {
         const Index nodes = position_.cols();
-        Explanation e{.formula = fmt::format("J_{} = m Σ ((x − x_c) × (v − v_c))_{}", axis[static_cast<std::size_t>(c)],
-                                             axis[static_cast<std::size_t>(c)]),
+        Explanation e{.formula = fmt::format("J_{} = m Σ ((x − x_c) × (v − v_c))_{}", axis_name(c), axis_name(c)),
                       .inputs = {node_mass()},
                       .evaluate = {}};
         append_all(e.inputs, "", "position", nodes);
@@ -192,8 +187,7 @@ Explanation MassSpringLesson::why_stretch() const {
                   .inputs = {Input::constant("l", springs.rest_length()[most], "m", "rest length of the spring")},
                   .evaluate = {}};
     for (const Index node : {j, i})
-        for (int c = 0; c < 3; ++c)
-            e.inputs.push_back(Input::now(fmt::format("{}_{}", axis[static_cast<std::size_t>(c)], node), "position", node, c));
+        for (int c = 0; c < 3; ++c) e.inputs.push_back(Input::now(fmt::format("{}_{}", axis_name(c), node), "position", node, c));
     const auto length = [](std::span<const Real> x) { return Vec<3>(x[1] - x[4], x[2] - x[5], x[3] - x[6]).norm(); };
     e.evaluate = [length](std::span<const Real> x) {
         const Real strain_now = std::abs(length(x) / x[0] - 1);

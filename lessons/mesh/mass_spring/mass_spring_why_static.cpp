@@ -8,11 +8,7 @@
 #include <cmath>
 
 namespace pliant::mass_spring {
-namespace {
-
-constexpr std::array<const char*, 3> axis{"x", "y", "z"};
-
-}  // namespace
+namespace {}  // namespace
 
 Explanation MassSpringLesson::why_static(const Question& q) const {
     const Springs& springs = block_->springs();
@@ -42,7 +38,7 @@ Explanation MassSpringLesson::why_static(const Question& q) const {
                       return std::abs(strain) < strain_rounding ? Real{0} : strain;
                   }};
     for (int c = 0; c < 3; ++c) {
-        const char* letter = axis[static_cast<std::size_t>(c)];
+        const char* letter = axis_name(c);
         e.inputs.push_back(Input::constant(fmt::format("n_{}", letter), n[c], "", "direction of the spring at rest"));
         e.inputs.push_back(Input::now(fmt::format("{}_j", letter), "position", j, c));
         e.inputs.push_back(Input::now(fmt::format("{}_i", letter), "position", i, c));

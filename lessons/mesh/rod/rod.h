@@ -14,6 +14,9 @@
 
 namespace pliant::rod {
 
+// Nodes that can be told apart in the picture.
+inline constexpr Index most_ticks = 60;
+
 enum class Setting { hanging, released, wave, free_end, fixed_end };
 enum class Rule { derived, constant };
 

@@ -11,8 +11,7 @@
 namespace pliant::rod {
 namespace {
 
-constexpr Index most_ticks = 60;  // nodes that can be told apart
-constexpr int pieces = 48;        // of the continuum
+constexpr int pieces = 48;  // of the continuum
 
 }  // namespace
 

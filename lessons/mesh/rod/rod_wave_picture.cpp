@@ -13,7 +13,6 @@ namespace {
 
 // In lengths of the rod: where the rod lies below its curve, and how tall a displacement of the amplitude is drawn.
 constexpr Real rod_low = -0.33, tall = 0.11, map_top = -0.5, map_low = -1.0;
-constexpr Index most_ticks = 60;
 
 }  // namespace
 

@@ -10,8 +10,7 @@ namespace {
 
 using Values = std::span<const Real>;
 
-constexpr std::array<const char*, 2> axis{"x", "y"};
-const char* letter(int component) { return axis[static_cast<std::size_t>(component)]; }
+const char* letter(int component) { return axis_name(component); }
 
 // The two coordinates of the ends of a segment: x_j, x_i, y_j, y_i.
 std::vector<Input> ends_of(std::string_view field, std::string_view mark, Index j, Index i) {

@@ -1,15 +1,14 @@
 #include "mesh/springs/spring_why.h"
 
-#include <fmt/format.h>
+#include <pliant/lesson/array.h>
 
-#include <array>
+#include <fmt/format.h>
 
 namespace pliant::springs {
 
 void append_ends(std::vector<Input>& inputs, Reading at, std::string_view field, std::string_view before, Index j, Index i) {
-    constexpr std::array<char, 3> axis{'x', 'y', 'z'};
     for (int c = 0; c < 3; ++c) {
-        const char letter = axis[static_cast<std::size_t>(c)];
+        const char* letter = axis_name(c);
         inputs.push_back(at(fmt::format("{}{}_j", before, letter), field, j, c));
         inputs.push_back(at(fmt::format("{}{}_i", before, letter), field, i, c));
     }
