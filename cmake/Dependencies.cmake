@@ -3,16 +3,21 @@
 include(FetchContent)
 set(PLIANT_DEPS_DIR ${PROJECT_SOURCE_DIR}/.deps)
 
+# pliant_fetch(PACKAGE REPOSITORY TAG)
+function(pliant_fetch package repository tag)
+  set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # the settings below and of the caller hold in older projects too
+  set(BUILD_TESTING OFF)
+  FetchContent_Declare(${package} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW ON)
+  FetchContent_MakeAvailable(${package})
+  set_property(GLOBAL APPEND PROPERTY PLIANT_FETCHED ${package})
+endfunction()
+
 # pliant_find_or_fetch(PACKAGE TARGET REPOSITORY TAG [VERSION])
 function(pliant_find_or_fetch package target repository tag)
   find_package(${package} ${ARGN} CONFIG QUIET)
   if(NOT TARGET ${target})
     message(STATUS "${package}: not on this system, building ${tag}")
-    set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # the settings below and of the caller hold in older projects too
-    set(BUILD_TESTING OFF)
-    FetchContent_Declare(${package} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW ON)
-    FetchContent_MakeAvailable(${package})
-    set_property(GLOBAL APPEND PROPERTY PLIANT_FETCHED ${package})
+    pliant_fetch(${package} ${repository} ${tag})
   endif()
 endfunction()
 
@@ -32,6 +37,8 @@ pliant_find_or_fetch(Eigen3 Eigen3::Eigen https://gitlab.com/libeigen/eigen.git 
 pliant_find_or_fetch(fmt fmt::fmt https://github.com/fmtlib/fmt.git 9.1.0)
 pliant_find_or_fetch(nlohmann_json nlohmann_json::nlohmann_json https://github.com/nlohmann/json.git v3.11.2 3.11)
 find_package(ZLIB REQUIRED)
+find_package(Threads REQUIRED)
+include(ThreadDependencies)
 
 if(PLIANT_BUILD_VIEWER)
   include(GraphicsDependencies)

@@ -2,11 +2,13 @@
 # PLIANT_INSTALLABLE tells the tests whether there is anything to install.
 get_property(fetched GLOBAL PROPERTY PLIANT_FETCHED)
 set(PLIANT_INSTALLABLE ON CACHE INTERNAL "")
-if("Eigen3" IN_LIST fetched OR "fmt" IN_LIST fetched OR "nlohmann_json" IN_LIST fetched)
-  message(STATUS "install: left out, for an installed pliant::core needs Eigen, fmt and nlohmann_json installed too")
-  set(PLIANT_INSTALLABLE OFF CACHE INTERNAL "")
-  return()
-endif()
+foreach(package Eigen3 fmt nlohmann_json TBB)
+  if(package IN_LIST fetched)
+    message(STATUS "install: left out, for an installed pliant::core needs ${package} installed too")
+    set(PLIANT_INSTALLABLE OFF CACHE INTERNAL "")
+    return()
+  endif()
+endforeach()
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -38,7 +38,7 @@ logged() {
 # ---- Packages of the distribution, as "why: package package ..." ----
 run_packages=(
     "compiler and build tools: g++ cmake ninja-build xz-utils"
-    "numbers, text and the command line: libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev zlib1g-dev"
+    "numbers, threads, text and the command line: libeigen3-dev libtbb-dev libfmt-dev nlohmann-json3-dev libcli11-dev zlib1g-dev"
     "windows and pictures: libglfw3-dev libosmesa6-dev libegl-dev libgl-dev libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri"
     "picture files, GL functions and letters: libpng-dev libgif-dev python3-glad fonts-dejavu-core"
 )

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <pliant/fluids/diffusion.h>
 #include <pliant/math/error.h>
+#include <pliant/math/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,12 +51,14 @@ void Diffusion<Dim>::rate_of_change(const VecX& q, Real r, VecX& out) const {
 template <int Dim>
 void Diffusion<Dim>::explicit_step(VecX& q, Real r) {
     rate_of_change(q, r, residual_);
-    q += residual_;
+    parallel_parts(q.size(), 1, [&](Index first, Index last, int) {
+        q.segment(first, last - first) += residual_.segment(first, last - first);
+    });
 }
 
 template <int Dim>
 Real Diffusion<Dim>::magnitude(const VecX& q) const {
-    return std::max(q.norm(), largest_wall_value_ * std::sqrt(static_cast<Real>(q.size())));
+    return std::max(std::sqrt(parallel_square(q)), largest_wall_value_ * std::sqrt(static_cast<Real>(q.size())));
 }
 
 template <int Dim>
@@ -66,8 +69,10 @@ void Diffusion<Dim>::begin_implicit(const VecX& q, Real r, const DiffusionSettin
     r_ = r;
     iterations_ = 0;
     rate_of_change(q, r, residual_);
-    direction_ = residual_;
-    square_ = residual_.squaredNorm();
+    parallel_parts(q.size(), 1, [&](Index first, Index last, int) {
+        direction_.segment(first, last - first) = residual_.segment(first, last - first);
+    });
+    square_ = parallel_square(residual_);
     if (!std::isfinite(square_)) give_up(0, square_, target_);
 }
 
@@ -77,12 +82,19 @@ void Diffusion<Dim>::iterate(VecX& q) {
     if (iterations_ == max_iterations_) give_up(iterations_, residual_norm(), target_);
     const Real curvature = laplacian_.apply(direction_, 1, r_, product_);
     zero_held(product_);
-    const Real alpha = square_ / curvature;
-    q += alpha * direction_;
-    residual_ -= alpha * product_;
-    const Real last = square_;
-    square_ = residual_.squaredNorm();
-    direction_ = residual_ + (square_ / last) * direction_;
+    const Real alpha = square_ / curvature, before = square_;
+    square_ = parallel_sum(q.size(), [&](Index first, Index last) {
+        const Index n = last - first;
+        q.segment(first, n) += alpha * direction_.segment(first, n);
+        auto left = residual_.segment(first, n);
+        left -= alpha * product_.segment(first, n);
+        return left.squaredNorm();
+    });
+    const Real beta = square_ / before;
+    parallel_parts(q.size(), 1, [&](Index first, Index last, int) {
+        auto d = direction_.segment(first, last - first);
+        d = residual_.segment(first, last - first) + beta * d;
+    });
     ++iterations_;
     if (!std::isfinite(square_)) give_up(iterations_, square_, target_);
 }

@@ -38,7 +38,7 @@ void add_jet(const StaggeredGrid<Dim>& grid, FaceField<Dim>& velocity, Real dt, 
         const Lattice<Dim>& faces = grid.faces(a);
         const bool walled = !grid.periodic(a);
         const Index first = walled && a == 0 ? 1 : 0, end = faces.count[0] - first;
-        for_each_row(faces, [&](Index start, const Counts<Dim>& at) {
+        parallel_for_each_row(faces, [&](Index start, const Counts<Dim>& at, int) {
             // A row on a wall is closed, and most rows are out of reach.
             if (walled && a != 0 && (at[a] == 0 || at[a] == faces.count[a] - 1)) return;
             const GridPlace<Dim> place = faces.place(at);

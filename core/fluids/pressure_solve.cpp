@@ -34,30 +34,35 @@ void PressureSolve::begin(const PressureEquation& equation, Real dt, Real roundi
         failure.what = "the divergence of the velocity is not finite";
         throw Diverged(failure);
     }
-    const Real largest = residual_.lpNorm<Eigen::Infinity>();
+    const Real largest = parallel_max_norm(residual_);
     scalars_.setZero();
     scalars_[step] = dt;
     scalars_[initial] = largest;
     scalars_[target] = std::max(settings_.tolerance * largest, rounding);
-    residual_ *= -dx_ * dx_ / dt;
-    direction_.setZero();
+    const Real scale = -dx_ * dx_ / dt;
+    parallel_parts(residual_.size(), 1, [&](Index first, Index last, int) {
+        residual_.segment(first, last - first) *= scale;
+        direction_.segment(first, last - first).setZero();
+    });
     if (largest <= rounding)
         pressure_.setZero();
     else
         start_from_last_pressure(equation);
-    measure();
+    measure(parallel_max_norm(residual_));
 }
 
 // Of all multiples of the last pressure, takes the one nearest to the solution in the energy norm, α = b·p / p·Ap. It never
 // starts farther away than p = 0.
 void PressureSolve::start_from_last_pressure(const PressureEquation& equation) {
     const Real energy = equation.multiply(pressure_, product_);
-    const Real factor = energy > 0 ? residual_.dot(pressure_) / energy : 0;
-    pressure_ *= factor;
-    residual_ -= factor * product_;
+    const Real factor = energy > 0 ? parallel_dot(residual_, pressure_) / energy : 0;
+    parallel_parts(pressure_.size(), 1, [&](Index first, Index last, int) {
+        pressure_.segment(first, last - first) *= factor;
+        residual_.segment(first, last - first) -= factor * product_.segment(first, last - first);
+    });
 }
 
-void PressureSolve::measure() { scalars_[remaining] = parallel_max_norm(residual_) * scalars_[step] / (dx_ * dx_); }
+void PressureSolve::measure(Real largest_residual) { scalars_[remaining] = largest_residual * scalars_[step] / (dx_ * dx_); }
 
 void PressureSolve::iterate(const PressureEquation& equation) {
     if (converged()) return;
@@ -66,9 +71,7 @@ void PressureSolve::iterate(const PressureEquation& equation) {
     const Index cells = pressure_.size();
     // The next direction: the preconditioned residual, made conjugate to the directions before.
     equation.precondition(residual_, z_);
-    const Real r_dot_z = parallel_sum(cells, [&](Index first, Index last) {
-        return residual_.segment(first, last - first).dot(z_.segment(first, last - first));
-    });
+    const Real r_dot_z = parallel_dot(residual_, z_);
     if (!(r_dot_z > 0)) give_up("the pressure solver stagnated");
     const Real beta = scalars_[residual_dot_z] > 0 ? r_dot_z / scalars_[residual_dot_z] : 0;
     parallel_parts(cells, 1, [&](Index first, Index last, int) {
@@ -80,15 +83,18 @@ void PressureSolve::iterate(const PressureEquation& equation) {
     const Real curvature = equation.multiply(direction_, product_);
     if (!(curvature > 0)) give_up("the pressure solver stagnated");
     const Real alpha = r_dot_z / curvature;
-    parallel_parts(cells, 1, [&](Index first, Index last, int) {
+    const auto go_along = [&](Index first, Index last) {
         const Index n = last - first;
         pressure_.segment(first, n) += alpha * direction_.segment(first, n);
-        residual_.segment(first, n) -= alpha * product_.segment(first, n);
-    });
+        auto left = residual_.segment(first, n);
+        left -= alpha * product_.segment(first, n);
+        return left.cwiseAbs().maxCoeff();
+    };
+    const Real largest = parallel_reduction(cells, 0, go_along, [](Real a, Real b) { return std::max(a, b); });
     equation.remove_unseen(pressure_);
     scalars_[residual_dot_z] = r_dot_z;
     scalars_[passes] += 1;
-    measure();
+    measure(largest);
 }
 
 void PressureSolve::give_up(const char* why) const {

@@ -58,7 +58,7 @@ private:
     enum Scalar : Index { step, initial, target, remaining, residual_dot_z, passes, scalar_count };
 
     void start_from_last_pressure(const PressureEquation& equation);
-    void measure();
+    void measure(Real largest_residual);
     [[noreturn]] void give_up(const char* why) const;
 
     Real dx_;

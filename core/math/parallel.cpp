@@ -1,6 +1,11 @@
 #include <pliant/math/error.h>
 #include <pliant/math/parallel.h>
 
+#if PLIANT_HAVE_TBB
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#endif
+
 #include <atomic>
 
 namespace pliant {
@@ -19,12 +24,24 @@ int threads() { return serial ? 1 : allowed.load(); }
 SerialHere::SerialHere() { ++serial; }
 SerialHere::~SerialHere() { --serial; }
 
-namespace detail {
+#if PLIANT_HAVE_TBB
 
-void run_in_threads(int count, void (*task)(void*, int), void* data) {
-#pragma omp parallel for schedule(static, 1) num_threads(count)
+int most_threads() { return oneapi::tbb::info::default_concurrency(); }
+
+void detail::run_in_threads(int count, void (*task)(void*, int), void* data) {
+    using namespace oneapi::tbb;
+    parallel_for(
+        0, count, [task, data](int k) { task(data, k); }, simple_partitioner{});
+}
+
+#else
+
+int most_threads() { return 1; }
+
+void detail::run_in_threads(int count, void (*task)(void*, int), void* data) {
     for (int k = 0; k < count; ++k) task(data, k);
 }
 
-}  // namespace detail
+#endif
+
 }  // namespace pliant

@@ -1,15 +1,21 @@
-// Loops over cells in several threads. What they compute does not depend on how many there are.
+// Loops over cells, and jobs, in several threads. What they compute does not depend on how many there are. The threads are
+// those of oneTBB: they sleep while there is nothing to do, and whoever is free takes the next part, so that a thread that gets
+// no core holds nobody up.
 #pragma once
 #include <pliant/math/types.h>
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace pliant {
 
-// How many threads long loops may use; 1 at first. Throws Refused for less than 1. Without OpenMP there is only one.
+// How many threads long loops may use; 1 at first. Throws Refused for less than 1.
 void set_threads(int count);
 int threads();  // 1 where SerialHere says so
+
+// How many can work at once: one on each core; without oneTBB a single one, whatever is asked for.
+int most_threads();
 
 // While one lives, loops of this thread run in it alone: it is one of several that each do work of their own.
 class SerialHere {
@@ -21,14 +27,25 @@ public:
 };
 
 namespace detail {
-// task(data, k) for every k below count, each in a thread of its own.
+// task(data, k) for every k below count, in any order, as many at once as there are threads. The tasks must not throw.
 void run_in_threads(int count, void (*task)(void*, int), void* data);
 
 constexpr Index least_work = 8192;  // numbers, below which a second thread costs more than it saves
 }  // namespace detail
 
-// body(first, last, thread) over consecutive parts of [0, count), one per thread; a single part where count · work, the numbers
-// that are touched, is small. The parts must not write to the same places, and not throw.
+// job(k) for every k below count, as many at once as there are threads. Loops in a job stay in its thread. It must not throw.
+template <class Job>
+void parallel_jobs(int count, Job&& job) {
+    const auto run = [](void* data, int k) {
+        const SerialHere serial;
+        (*static_cast<std::remove_reference_t<Job>*>(data))(k);
+    };
+    detail::run_in_threads(count, run, &job);
+}
+
+// body(first, last, part) over consecutive parts of [0, count), one for each thread that is allowed; a single part where
+// count · work, the numbers that are touched, is small. No two of them have the same number at once, so that each may have a
+// buffer of its own. They must not write to the same places, and not throw.
 template <class Body>
 void parallel_parts(Index count, Index work, Body&& body) {
     const auto parts = static_cast<int>(count * work < detail::least_work ? 1 : std::min<Index>(threads(), count));
@@ -63,6 +80,18 @@ Real parallel_reduction(Index count, Real start, Part&& part, Join&& join) {
 template <class Part>
 Real parallel_sum(Index count, Part&& part) {
     return parallel_reduction(count, 0, part, [](Real a, Real b) { return a + b; });
+}
+
+template <class Vector>
+Real parallel_dot(const Vector& x, const Vector& y) {
+    return parallel_sum(
+        x.size(), [&](Index first, Index last) { return x.segment(first, last - first).dot(y.segment(first, last - first)); });
+}
+
+// Σ x².
+template <class Vector>
+Real parallel_square(const Vector& x) {
+    return parallel_dot(x, x);
 }
 
 // Largest magnitude.

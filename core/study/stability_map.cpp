@@ -10,8 +10,6 @@
 #include <limits>
 #include <mutex>
 #include <numbers>
-#include <system_error>
-#include <thread>
 
 namespace pliant {
 namespace {
@@ -116,7 +114,7 @@ public:
         : map_(map), progress_(progress), stop_(stop), total_(static_cast<Index>(map.cells.size())) {}
 
     void take_part() {
-        const SerialHere serial;
+        if (next_ >= total_) return;
         try {
             CellRunner runner(map_.order, stop_);
             for (Index k = next_++; k < total_ && !stop_.stop_requested(); k = next_++) {
@@ -196,16 +194,8 @@ StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgre
     }
     map.cells.resize(order.across.values.size() * order.up.values.size());
     Work work(map, progress, stop);
-    {
-        std::vector<std::jthread> others;
-        const auto most = static_cast<int>(std::min<std::size_t>(map.cells.size(), 256));
-        try {
-            for (int k = 1; k < std::min(jobs, most); ++k) others.emplace_back([&work] { work.take_part(); });
-        } catch (const std::system_error&) {
-            // The threads that the system has to give do all of it.
-        }
-        work.take_part();
-    }
+    const auto most = static_cast<int>(std::min<std::size_t>(map.cells.size(), 256));
+    parallel_jobs(std::min(jobs, most), [&work](int) { work.take_part(); });
     map.complete = work.finish();
     if (!map.complete) map.cells.clear();
     return map;

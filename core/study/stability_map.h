@@ -57,8 +57,8 @@ void check_order(const MapOrder& order);
 // Called after each cell, one call at a time, in any of the threads.
 using MapProgress = std::function<void(Index done, Index total)>;
 
-// Runs every cell, `jobs` at a time, each thread with a Runner of its own. The result is the same to the bit for any number of
-// jobs. A stop that is asked for ends it after the steps that are being made. Throws as check_order does.
+// Runs every cell, at most `jobs` at a time, each of which has a Runner of its own. The result is the same to the bit for any
+// number of jobs. A stop that is asked for ends it after the steps that are being made. Throws as check_order does.
 StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgress& progress = {}, std::stop_token stop = {});
 
 }  // namespace pliant

@@ -3,13 +3,15 @@
 
 #include <pliant/fluids/advection.h>
 #include <pliant/fluids/projection.h>
+#include <pliant/math/background.h>
 #include <pliant/math/error.h>
 #include <pliant/math/parallel.h>
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <atomic>
 #include <cmath>
-#include <numeric>
+#include <vector>
 
 using namespace pliant;
 using namespace pliant::test;
@@ -53,11 +55,17 @@ TEST_CASE("every part of a loop is done once, in any number of threads", "[paral
     for (const int count : {1, 2, 3, 8}) {
         const Threads threads(count);
         std::vector<int> done(100'003, 0);
-        parallel_parts(static_cast<Index>(done.size()), 1, [&](Index first, Index last, int thread) {
-            CHECK((thread >= 0 && thread < count));
+        std::vector<std::atomic<int>> parts(8);
+        std::atomic<bool> out_of_range = false;
+        parallel_parts(static_cast<Index>(done.size()), 1, [&](Index first, Index last, int part) {
+            if (part < 0 || part >= count) return void(out_of_range = true);
+            ++parts[static_cast<std::size_t>(part)];
             for (Index i = first; i < last; ++i) ++done[static_cast<std::size_t>(i)];
         });
+        INFO(count << " threads");
+        CHECK_FALSE(out_of_range);
         CHECK(std::ranges::all_of(done, [](int n) { return n == 1; }));
+        for (std::size_t k = 0; k < parts.size(); ++k) CHECK(parts[k] == (k < static_cast<std::size_t>(count) ? 1 : 0));
     }
     parallel_parts(0, 1, [](Index first, Index last, int) { CHECK(first == last); });
     CHECK_THROWS_AS(set_threads(0), Refused);
@@ -93,4 +101,50 @@ TEST_CASE("a thread that works beside others keeps its loops to itself", "[paral
         CHECK(threads() == 1);
     }
     CHECK(threads() == 3);
+}
+
+TEST_CASE("every job is done once, and its loops stay in its thread", "[parallel]") {
+    const Threads three(3);
+    std::vector<std::atomic<int>> done(40), inner(40);
+    parallel_jobs(40, [&](int k) {
+        ++done[static_cast<std::size_t>(k)];
+        parallel_parts(1'000'000, 1, [&](Index, Index, int) { ++inner[static_cast<std::size_t>(k)]; });
+    });
+    CHECK(std::ranges::all_of(done, [](const auto& n) { return n == 1; }));
+    CHECK(std::ranges::all_of(inner, [](const auto& n) { return n == 1; }));
+    CHECK(threads() == 3);
+    CHECK(most_threads() >= 1);
+}
+
+TEST_CASE("work in the background gives its result, or what it threw", "[parallel]") {
+    Background<int> seven([](const std::stop_token&) { return 7; });
+    CHECK(seven.take() == 7);
+    CHECK_FALSE(seven.done());
+    Background<int> refused([](const std::stop_token&) -> int { throw Refused("No mesh."); });
+    CHECK_THROWS_AS(refused.take(), Refused);
+}
+
+TEST_CASE("work in the background goes on until it is done, asked to stop, or its owner goes", "[parallel]") {
+    std::atomic<bool> go = false, ended = false;
+    Background<bool> waits([&](const std::stop_token&) {
+        go.wait(false);
+        return true;
+    });
+    CHECK_FALSE(waits.done());
+    go = true;
+    go.notify_all();
+    CHECK(waits.take());
+
+    const auto until_stopped = [&](const std::stop_token& stop) {
+        while (!stop.stop_requested()) std::this_thread::yield();
+        ended = true;
+        return false;
+    };
+    Background<bool> endless(until_stopped);
+    CHECK_FALSE(endless.done());
+    endless.ask_to_stop();
+    CHECK_FALSE(endless.take());
+    CHECK(ended.exchange(false));
+    { const Background<bool> left(until_stopped); }
+    CHECK(ended);
 }

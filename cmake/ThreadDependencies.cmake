@@ -1,0 +1,41 @@
+# oneTBB, for loops and studies in several threads. They are an extra: with PLIANT_THREADS off, and where it is neither installed
+# nor to be had, everything runs in one. Sets PLIANT_HAVE_TBB.
+option(PLIANT_THREADS "Loops and studies in several threads, by oneTBB" ON)
+
+function(pliant_find_tbb)
+  # The thread sanitizer has to see into it: one of our own is built for it.
+  if(NOT PLIANT_SANITIZE MATCHES "thread")
+    find_package(TBB CONFIG QUIET)
+  endif()
+  if(TARGET TBB::tbb)
+    return()
+  endif()
+  if(EXISTS ${PLIANT_DEPS_DIR}/onetbb/CMakeLists.txt)
+    set(FETCHCONTENT_SOURCE_DIR_TBB ${PLIANT_DEPS_DIR}/onetbb)
+  endif()
+  set(repository https://github.com/oneapi-src/oneTBB.git)
+  set(tag v2021.8.0)
+  find_package(Git QUIET)
+  if(NOT FETCHCONTENT_SOURCE_DIR_TBB AND GIT_EXECUTABLE)
+    execute_process(
+      COMMAND ${GIT_EXECUTABLE} ls-remote --exit-code ${repository} ${tag}
+      RESULT_VARIABLE unreachable OUTPUT_QUIET ERROR_QUIET TIMEOUT 60)
+  endif()
+  if(FETCHCONTENT_SOURCE_DIR_TBB OR unreachable EQUAL 0)
+    message(STATUS "TBB: building ${tag}")
+    set(TBB_TEST OFF)
+    set(TBB_STRICT OFF)
+    set(TBBMALLOC_BUILD OFF)
+    pliant_fetch(TBB ${repository} ${tag})
+  endif()
+endfunction()
+
+if(PLIANT_THREADS)
+  pliant_find_tbb()
+endif()
+if(TARGET TBB::tbb)
+  set(PLIANT_HAVE_TBB ON)
+else()
+  set(PLIANT_HAVE_TBB OFF)
+  message(STATUS "TBB: not on this system or switched off: loops and studies run in one thread")
+endif()
