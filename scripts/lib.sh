@@ -42,7 +42,7 @@ run_packages=(
     "windows and pictures: libglfw3-dev libosmesa6-dev libegl-dev libgl-dev libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri"
     "picture files, GL functions and letters: libpng-dev libgif-dev python3-glad fonts-dejavu-core"
 )
-test_packages=("a screen, a mouse and a second locale for the tests: xvfb xdotool locales")
+test_packages=("a screen, a mouse and a second locale for the tests: xvfb xdotool x11-xkb-utils locales")
 bench_packages=("the benchmarks: libbenchmark-dev")
 fuzz_packages=("the fuzzers: clang libclang-rt-dev")
 format_packages=("formatting: clang-format")

@@ -193,8 +193,7 @@ TEST_CASE("the next lesson, opened by its key in the deck, leaves the deck", "[l
     b.lab.open_deck();
     b.frames(2);
     REQUIRE(b.lab.in_deck());
-    ImGui::GetIO().AddKeyEvent(ImGuiKey_RightBracket, true);
-    ImGui::GetIO().AddKeyEvent(ImGuiKey_RightBracket, false);
+    ImGui::GetIO().AddInputCharacter(']');
     b.frames(3);
     CHECK(b.lab.session().entry().info.id != "mesh/mass_spring");
     CHECK(b.lab.state().layout == Layout::lab);

@@ -124,8 +124,9 @@ void Monkey::press_key() {
     }
     const auto table = key_bindings();
     const KeyBinding& b = table[static_cast<std::size_t>(upto(static_cast<int>(table.size())))];
-    if (b.key == ImGuiKey_None || (held && b.key == ImGuiKey_Space)) return note("no key");
+    if ((b.key == ImGuiKey_None && !b.character) || (held && b.key == ImGuiKey_Space)) return note("no key");
     note(fmt::format("key {} ({})", b.keys, b.meaning));
+    if (b.character) return ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(b.character));
     send_key(static_cast<ImGuiKey>(b.key), b.ctrl, b.shift);
 }
 

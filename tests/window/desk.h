@@ -28,18 +28,19 @@ inline bool on_path(const std::string& program) {
 }
 
 inline void need_screen_and_mouse() {
-    for (const char* program : {"Xvfb", "xdotool"})
-        if (!on_path(program)) SKIP(program << " is not installed: apt-get install xvfb xdotool");
+    for (const char* program : {"Xvfb", "xdotool", "setxkbmap"})
+        if (!on_path(program)) SKIP(program << " is not installed: apt-get install xvfb xdotool x11-xkb-utils");
 }
 
-// A display that no one else has.
+// A display that no one else has; what is set on it stays when the last program leaves it.
 class Screen {
 public:
     explicit Screen(const Scratch& scratch) {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
         server_ = std::make_unique<Child>(
-            "Xvfb", Arguments{"-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24", "-nolisten", "tcp"},
+            "Xvfb",
+            Arguments{"-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"},
             scratch.path("xvfb.out"), scratch.path("xvfb.err"), Environment{}, std::vector<int>{ends[1]});
         close(ends[1]);
         const std::string number = line_from(ends[0]);
@@ -72,8 +73,9 @@ struct Spot {
 class Desk {
 public:
     // More of the command line: a command, if any, comes first. config: where the lab keeps its settings; a folder of this desk's
-    // own when not given.
-    explicit Desk(const Arguments& more = {}, const std::string& config = "") {
+    // own when not given. keyboard: its layout, "de" or "fr"; that of the US when not given.
+    explicit Desk(const Arguments& more = {}, const std::string& config = "", const std::string& keyboard = "us") {
+        REQUIRE(run_process("setxkbmap", {"-display", screen_.display(), keyboard}, {}, 20s).exit_code == 0);
         Arguments arguments = more;
         arguments.insert(arguments.end(), {"--size", "1280x800", "--state", state_path_});
         lab_ = std::make_unique<Child>(PLIANT_PROGRAM, arguments, scratch_.path("lab.out"), scratch_.path("lab.err"),

@@ -1,6 +1,8 @@
 #include "app/keys.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -8,14 +10,28 @@
 namespace pliant::viewer {
 namespace {
 
+// By what a key types, wherever a keyboard has it.
+constexpr KeyBinding typed(Action action, char character, bool repeats, std::string_view keys, std::string_view meaning) {
+    KeyBinding b{action, ImGuiKey_None, false, repeats, keys, meaning};
+    b.character = character;
+    return b;
+}
+
+// A function key in the place of another one, which takes more than one key on some keyboards; with Shift the other way.
+constexpr KeyBinding twin(Action action, ImGuiKey key, bool shift, bool repeats, std::string_view keys,
+                          std::string_view meaning) {
+    return {action, key, false, repeats, keys, meaning, Where::everywhere, shift};
+}
+
+// Letters and digits are those of the keyboard's language, or, where it has none, of their place on a US keyboard.
 constexpr std::array bindings{
     KeyBinding{Action::play, ImGuiKey_Space, false, false, "Space", "play or pause"},
-    KeyBinding{Action::step, ImGuiKey_Period, false, true, ".", "one step"},
-    KeyBinding{Action::step_back, ImGuiKey_Comma, false, true, ",", "one step back"},
-    KeyBinding{Action::stage, ImGuiKey_Slash, false, true, "/", "one stage"},
+    typed(Action::step, '.', true, ".", "one step"),
+    typed(Action::step_back, ',', true, ",", "one step back"),
+    typed(Action::stage, '/', true, "/", "one stage"),
     KeyBinding{Action::stage_back, ImGuiKey_M, false, true, "M", "one stage back"},
-    KeyBinding{Action::pass, ImGuiKey_Semicolon, false, true, ";", "one pass of an inner loop"},
-    KeyBinding{Action::pass_back, ImGuiKey_Apostrophe, false, true, "'", "one pass back"},
+    typed(Action::pass, ';', true, ";", "one pass of an inner loop"),
+    typed(Action::pass_back, '\'', true, "'", "one pass back"),
     KeyBinding{Action::stops, ImGuiKey_F9, false, false, "F9", "where the run stops by itself"},
     KeyBinding{Action::compare, ImGuiKey_V, false, false, "V", "stage: now, before, difference, side by side, swipe"},
     KeyBinding{Action::inspect, ImGuiKey_I, false, false, "I", "inspect a node, cell, ...: its numbers and why"},
@@ -24,8 +40,8 @@ constexpr std::array bindings{
     KeyBinding{Action::why_back, ImGuiKey_Backspace, false, false, "Backspace", "back to the question before",
                Where::outside_deck},
     KeyBinding{Action::reset, ImGuiKey_R, false, false, "R", "reset"},
-    KeyBinding{Action::previous_lesson, ImGuiKey_LeftBracket, false, false, "[", "lesson before"},
-    KeyBinding{Action::next_lesson, ImGuiKey_RightBracket, false, false, "]", "next lesson"},
+    typed(Action::previous_lesson, '[', false, "[", "lesson before"),
+    typed(Action::next_lesson, ']', false, "]", "next lesson"),
     KeyBinding{Action::find, ImGuiKey_F, false, false, "F", "find a lesson"},
     KeyBinding{Action::walkthrough_next, ImGuiKey_N, false, false, "N", "walkthrough: next"},
     KeyBinding{Action::walkthrough_back, ImGuiKey_B, false, false, "B", "walkthrough: back"},
@@ -74,6 +90,16 @@ constexpr std::array bindings{
     KeyBinding{Action::save_probes, ImGuiKey_None, false, false, "", "save what was measured, step by step, as CSV with units"},
     KeyBinding{Action::save_animation, ImGuiKey_None, false, false, "", "play on and save the picture of the scene as a GIF"},
     KeyBinding{Action::defaults, ImGuiKey_None, false, false, "", "set every parameter to its default value"},
+    twin(Action::step, ImGuiKey_F2, false, true, "F2", "one step"),
+    twin(Action::step_back, ImGuiKey_F2, true, true, "Shift F2", "one step back"),
+    twin(Action::stage, ImGuiKey_F3, false, true, "F3", "one stage"),
+    twin(Action::stage_back, ImGuiKey_F3, true, true, "Shift F3", "one stage back"),
+    twin(Action::pass, ImGuiKey_F4, false, true, "F4", "one pass of an inner loop"),
+    twin(Action::pass_back, ImGuiKey_F4, true, true, "Shift F4", "one pass back"),
+    twin(Action::next_lesson, ImGuiKey_F7, false, false, "F7", "next lesson"),
+    twin(Action::previous_lesson, ImGuiKey_F7, true, false, "Shift F7", "lesson before"),
+    twin(Action::larger, ImGuiKey_F8, false, false, "F8", "larger type and lines"),
+    twin(Action::smaller, ImGuiKey_F8, true, false, "Shift F8", "smaller type and lines"),
     KeyBinding{Action::menu, ImGuiKey_F10, false, false, "F10", "the menus; arrow keys go through them"},
     KeyBinding{Action::help, ImGuiKey_F1, false, false, "F1", "this table"},
 };
@@ -109,9 +135,30 @@ bool shift_tells(const KeyBinding& b) {
 }
 }  // namespace
 
-bool pressed(const KeyBinding& b) {
+namespace {
+bool is_modifier(ImGuiKey key) { return key >= ImGuiKey_LeftCtrl && key <= ImGuiKey_RightSuper; }
+
+// Keys are held, all of them for so long that what they type is a repetition.
+bool typing_repeats() {
+    bool any = false;
+    for (int k = ImGuiKey_NamedKey_BEGIN; k < ImGuiKey_GamepadStart; ++k) {
+        const auto key = static_cast<ImGuiKey>(k);
+        if (is_modifier(key) || !ImGui::IsKeyDown(key)) continue;
+        if (ImGui::GetKeyData(key)->DownDuration < ImGui::GetIO().KeyRepeatDelay) return false;
+        any = true;
+    }
+    return any;
+}
+
+int times_typed(const KeyBinding& b) {
+    if (!b.repeats && typing_repeats()) return 0;
+    const auto& characters = ImGui::GetIO().InputQueueCharacters;
+    return static_cast<int>(std::count(characters.begin(), characters.end(), static_cast<ImWchar>(b.character)));
+}
+
+bool key_pressed(const KeyBinding& b) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (b.key == ImGuiKey_None || io.WantTextInput) return false;
+    if (b.key == ImGuiKey_None || io.KeyAlt) return false;
     if (held(io.KeyCtrl, ImGuiKey_LeftCtrl, ImGuiKey_RightCtrl) != b.ctrl) return false;
     if (shift_tells(b) && held(io.KeyShift, ImGuiKey_LeftShift, ImGuiKey_RightShift) != b.shift) return false;
     // Space acts on the control that has the visible focus, if one has.
@@ -119,6 +166,56 @@ bool pressed(const KeyBinding& b) {
     // A control that was taken hold of by keys has the arrows, and Escape lets go of it.
     if ((b.where == Where::in_deck || b.where == Where::over_a_message) && ImGui::IsAnyItemActive()) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);
+}
+}  // namespace
+
+int presses(const KeyBinding& b) {
+    if (ImGui::GetIO().WantTextInput) return 0;
+    return b.character ? times_typed(b) : static_cast<int>(key_pressed(b));
+}
+
+std::vector<KeyRow> key_rows() {
+    std::vector<KeyRow> rows;
+    for (const KeyBinding& b : bindings) {
+        if (b.keys.empty()) continue;
+        const auto same = std::ranges::find(rows, b.meaning, &KeyRow::meaning);
+        if (same == rows.end())
+            rows.push_back({{b.keys}, b.meaning});
+        else
+            same->keys.push_back(b.keys);
+    }
+    rows.push_back({{"left drag"}, "pull the body; beside it, turn or move the picture"});
+    rows.push_back({{"right drag"}, "move the picture"});
+    rows.push_back({{"wheel"}, "zoom"});
+    rows.push_back({{"Ctrl+click"}, "type a slider's number; with keys, Enter on it"});
+    rows.push_back({{"double click"}, "a slider's default"});
+    return rows;
+}
+
+std::string KeyRow::text() const { return fmt::format("{}", fmt::join(keys, " or ")); }
+
+std::string keys_text() {
+    std::string text;
+    for (const KeyRow& row : key_rows()) text += fmt::format("  {:<24}{}\n", row.text(), row.meaning);
+    return text;
+}
+
+std::string keys_markdown() {
+    std::string text = R"(# Keys and mouse
+
+A sign, such as `/` or `]`, is what a key types, with Shift or AltGr as a keyboard needs; letters are those of its language.
+Where a sign is hard to reach, a function key does the same. `scripts/docs` makes this page from the table that the lab obeys
+and F1 shows.
+
+| keys | |
+|---|---|
+)";
+    for (const KeyRow& row : key_rows()) {
+        std::vector<std::string> keys;
+        for (const std::string_view key : row.keys) keys.push_back(fmt::format("`{}`", key));
+        text += fmt::format("| {} | {} |\n", fmt::join(keys, " or "), row.meaning);
+    }
+    return text;
 }
 
 }  // namespace pliant::viewer

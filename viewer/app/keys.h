@@ -1,7 +1,9 @@
 // The keys of the lab, in one table that feeds both the handler and the help.
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace pliant::viewer {
 
@@ -72,12 +74,13 @@ enum class Where { everywhere, outside_deck, in_deck, in_walkthrough, over_a_mes
 
 struct KeyBinding {
     Action action;
-    int key;  // ImGuiKey
+    int key;  // ImGuiKey; none where a character counts
     bool ctrl;
     bool repeats;                    // while the key is held
     std::string_view keys, meaning;  // no keys: in the menus only
     Where where = Where::everywhere;
     bool shift = false;
+    char character = 0;  // what is typed, on whatever key of a keyboard, with Shift or AltGr as it needs
 };
 
 // What the person is in, for the keys that depend on it.
@@ -89,15 +92,27 @@ struct KeyContext {
 std::span<const KeyBinding> key_bindings();
 const KeyBinding& binding(Action action);
 
-bool pressed(const KeyBinding& binding);
+// How often the key was pressed in this frame; never while a text is being typed.
+int presses(const KeyBinding& binding);
 
-// Calls `perform` for each action whose key was pressed in this frame, unless a text is being typed.
+// All keys and what the mouse does, for the help and the documentation: keys with one meaning stand together, ". or F2".
+struct KeyRow {
+    std::vector<std::string_view> keys;
+    std::string_view meaning;
+    std::string text() const;  // of the keys
+};
+std::vector<KeyRow> key_rows();
+std::string keys_text();
+std::string keys_markdown();  // docs/keys.md
+
+// Calls `perform` for each press of an action's key in this frame.
 void handle_keys(const KeyContext& context, const auto& perform) {
     int taken = 0;
     for (const KeyBinding& b : key_bindings()) {
-        if (!context.suits(b.where) || b.key == taken || !pressed(b)) continue;
-        if (b.where == Where::over_a_message) taken = b.key;
-        perform(b.action);
+        if (!context.suits(b.where) || (taken != 0 && b.key == taken)) continue;
+        const int times = presses(b);
+        if (times > 0 && b.where == Where::over_a_message) taken = b.key;
+        for (int i = 0; i < times; ++i) perform(b.action);
     }
 }
 

@@ -136,6 +136,10 @@ int dispatch(int argc, const char* const* argv) {
     list->add_flag("--json", json, "as JSON");
     list->callback([&] { action = [&] { return list_lessons(json); }; });
 
+    CLI::App* keys_command = app.add_subcommand("keys", "the keys of the lab, and what the mouse does");
+    keys_command->add_flag("--markdown", markdown, "as the page of the documentation");
+    keys_command->callback([&] { action = [&] { return list_keys(markdown); }; });
+
     CLI::App* describe_command = app.add_subcommand("describe", "parameters, stages, fields, probes and claims of a lesson");
     describe_command->add_option("lesson", lesson)->required();
     describe_command->add_flag("--json", json, "as JSON");

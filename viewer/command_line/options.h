@@ -64,6 +64,7 @@ Layout layout_from(const std::string& text);
 float ui_scale_from(float scale);
 
 int list_lessons(bool json);
+int list_keys(bool markdown);
 int describe(const std::string& lesson, bool json, bool markdown);
 int run(const RunOptions& options);
 struct WhyOptions {

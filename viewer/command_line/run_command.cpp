@@ -1,4 +1,4 @@
-// `pliant list`, `describe`, `run`, `share` and `walkthrough`: everything that needs no picture.
+// `pliant list`, `keys`, `describe`, `run`, `share` and `walkthrough`: everything that needs no picture.
 #include <pliant/lesson/file.h>
 #include <pliant/lesson/recorder.h>
 #include <pliant/lesson/report.h>
@@ -7,6 +7,7 @@
 #include <pliant/lesson/walkthrough.h>
 #include <pliant/study/lesson_page.h>
 
+#include "app/keys.h"
 #include "command_line/options.h"
 
 #include <fmt/format.h>
@@ -38,6 +39,11 @@ void print_slide(const WalkthroughPlayer& player, bool notes) {
 
 int list_lessons(bool json) {
     print(json ? list_json() : list_text());
+    return 0;
+}
+
+int list_keys(bool markdown) {
+    print(markdown ? keys_markdown() : keys_text());
     return 0;
 }
 

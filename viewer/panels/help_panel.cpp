@@ -2,24 +2,9 @@
 #include "panels/lab_state.h"
 
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace pliant::viewer {
-
-namespace {
-std::vector<std::pair<std::string_view, std::string_view>> help_rows() {
-    std::vector<std::pair<std::string_view, std::string_view>> rows;
-    for (const KeyBinding& b : key_bindings())
-        if (!b.keys.empty()) rows.emplace_back(b.keys, b.meaning);
-    rows.emplace_back("left drag", "pull the body; beside it, turn or move the picture");
-    rows.emplace_back("right drag", "move the picture");
-    rows.emplace_back("wheel", "zoom");
-    rows.emplace_back("Ctrl+click", "type a slider's number");
-    rows.emplace_back("double click", "a slider's default");
-    return rows;
-}
-}  // namespace
 
 void draw_help(LabState& lab) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -27,7 +12,7 @@ void draw_help(LabState& lab) {
     ImGui::Begin("Keys and mouse", &lab.help_shown,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse);
-    const auto rows = help_rows();
+    const std::vector<KeyRow> rows = key_rows();
     const std::size_t half = (rows.size() + 1) / 2;
     if (ImGui::BeginTable("keys", 4)) {
         const auto cell = [](std::string_view text) {
@@ -36,7 +21,7 @@ void draw_help(LabState& lab) {
         };
         for (std::size_t i = 0; i < half; ++i)
             for (const std::size_t row : {i, i + half})
-                if (row < rows.size()) cell(rows[row].first), cell(rows[row].second);
+                if (row < rows.size()) cell(rows[row].text()), cell(rows[row].meaning);
         ImGui::EndTable();
     }
     ImGui::TextDisabled("F1 closes this.");

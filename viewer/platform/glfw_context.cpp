@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "platform/gl_loader.h"
@@ -78,7 +79,13 @@ public:
     void cancel_close() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
     std::vector<std::string> take_dropped_files() override { return std::exchange(dropped_, {}); }
 
-    void gui_attach() override { ImGui_ImplGlfw_InitForOpenGL(window_, true); }
+    void gui_attach() override {
+        ImGui_ImplGlfw_InitForOpenGL(window_, true);
+        gui_key_ = glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int mods) {
+            self(window).gui_key_(window, key, scancode, action, mods);
+            note_sign(key, scancode, action);
+        });
+    }
     void gui_begin_frame(Real) override { ImGui_ImplGlfw_NewFrame(); }
     void gui_detach() override { ImGui_ImplGlfw_Shutdown(); }
 
@@ -95,6 +102,14 @@ private:
         });
         make_current();
         glfwSwapInterval(1);
+    }
+    // The backend of the GUI knows the + of a US keyboard alone; with Ctrl it types no character either.
+    static void note_sign(int key, int scancode, int action) {
+        const char* name = glfwGetKeyName(key, scancode);
+        if (!name || action == GLFW_REPEAT) return;
+        const std::string_view typed(name);
+        if (typed == "+") ImGui::GetIO().AddKeyEvent(ImGuiKey_Equal, action == GLFW_PRESS);
+        if (typed == "-") ImGui::GetIO().AddKeyEvent(ImGuiKey_Minus, action == GLFW_PRESS);
     }
     static void set_hints() {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -120,6 +135,7 @@ private:
     }
 
     GLFWwindow* window_ = nullptr;
+    GLFWkeyfun gui_key_ = nullptr;
     std::vector<std::string> dropped_;
 };
 
