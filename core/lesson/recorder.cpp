@@ -3,61 +3,67 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace pliant {
 namespace {
 
-constexpr Real gap = std::numeric_limits<Real>::quiet_NaN();
-
-std::string column(std::string_view name, std::string_view unit) {
-    return unit.empty() ? std::string(name) : fmt::format("{} [{}]", name, unit);
-}
-std::string cell(Real value) { return std::isfinite(value) ? format_exact(value) : ""; }
+std::string csv_reading(std::optional<Real> value) { return csv_cell(value.value_or(TimeSeries::undefined)); }
 
 }  // namespace
 
 void Recorder::clear() {
-    steps_.clear();
-    times_.clear();
     series_.clear();
+    last_.reset();
 }
 
 void Recorder::record(const Runner& runner) {
     const auto& probes = runner.lesson().probes;
-    series_.resize(probes.size());
-    // Forget what lies at or after this step.
-    const std::size_t keep = static_cast<std::size_t>(std::ranges::lower_bound(steps_, runner.place().step) - steps_.begin());
-    steps_.resize(keep);
-    times_.resize(keep);
-    for (Series& s : series_) s.value.resize(keep), s.exact.resize(std::min(keep, s.exact.size()));
+    for (std::size_t i = series_.size(); i < probes.size(); ++i) series_.emplace_back(static_cast<bool>(probes[i].exact));
+    is_static_ = runner.is_static();
+    last_ = runner.place().step;
+    const Real at = is_static_ ? static_cast<Real>(*last_) : runner.time();
+    for (std::size_t i = 0; i < probes.size(); ++i)
+        series_[i].add(*last_, at, runner.value(probes[i]).value_or(TimeSeries::undefined),
+                       runner.exact(probes[i]).value_or(TimeSeries::undefined));
+}
 
-    steps_.push_back(runner.place().step);
-    times_.push_back(runner.time());
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-        series_[i].value.push_back(runner.value(probes[i]).value_or(gap));
-        if (probes[i].exact) series_[i].exact.push_back(runner.exact(probes[i]).value_or(gap));
+void Recorder::watch(std::size_t probe, const std::optional<Interval>& part) {
+    if (probe < series_.size()) series_[probe].watch(part);
+}
+
+std::size_t Recorder::bytes() const {
+    std::size_t sum = 0;
+    for (const TimeSeries& s : series_) sum += s.bytes();
+    return sum;
+}
+
+std::size_t Recorder::cap() const {
+    std::size_t sum = 0;
+    for (const TimeSeries& s : series_) sum += s.cap();
+    return sum;
+}
+
+std::string csv_header(const Lesson& lesson) {
+    std::string text = "step,time [s]";
+    for (const Probe& p : lesson.probes) {
+        text += "," + csv_column(p.name, p.unit);
+        if (p.exact) text += "," + csv_column(fmt::format("{} exact", p.name), p.unit);
     }
+    return text + "\n";
+}
+
+std::string csv_row(const Runner& runner) {
+    std::string text = fmt::format("{},{}", runner.place().step, format_exact(runner.time()));
+    for (const Probe& p : runner.lesson().probes) {
+        text += "," + csv_reading(runner.value(p));
+        if (p.exact) text += "," + csv_reading(runner.exact(p));
+    }
+    return text + "\n";
 }
 
 std::string Recorder::csv(const Lesson& lesson) const {
-    std::string text = "step,time [s]";
-    for (const Probe& p : lesson.probes) {
-        text += "," + column(p.name, p.unit);
-        if (p.exact) text += "," + column(fmt::format("{} exact", p.name), p.unit);
-    }
-    text += "\n";
-    for (std::size_t row = 0; row < steps_.size(); ++row) {
-        text += fmt::format("{},{}", steps_[row], format_exact(times_[row]));
-        for (std::size_t i = 0; i < series_.size(); ++i) {
-            text += "," + cell(series_[i].value[row]);
-            if (lesson.probes[i].exact) text += "," + cell(series_[i].exact[row]);
-        }
-        text += "\n";
-    }
-    return text;
+    std::vector<const TimeSeries*> all;
+    for (const TimeSeries& s : series_) all.push_back(&s);
+    return csv_header(lesson) + csv_rows(all, !is_static_);
 }
 
 }  // namespace pliant

@@ -241,11 +241,32 @@ TEST_CASE("recorder: one row per step, replaced after stepping back") {
     Recorder recorder;
     recorder.record(runner);
     for (int i = 0; i < 4; ++i) runner.step(), recorder.record(runner);
-    CHECK(recorder.steps().size() == 5);
+    CHECK(recorder.series(0).steps().size() == 5);
     runner.step_back(), runner.step_back();
     recorder.record(runner);
-    CHECK(recorder.steps().back() == 2);
+    CHECK(recorder.series(0).steps().back() == 2);
     const std::string csv = recorder.csv(runner.lesson());
     CHECK(csv.starts_with("step,time [s],energy [J],middle [m],middle exact [m]\n0,0,"));
     CHECK(std::ranges::count(csv, '\n') == 4);
+}
+
+TEST_CASE("recorder: a million steps take no more than its cap, and leave the run as it is", "[slow]") {
+    constexpr int million = 1'000'000;
+    Runner recorded(chain(), {}, 0), alone(chain(), {}, 0);
+    Recorder recorder;
+    recorder.record(recorded);
+    Real low = *recorded.value(recorded.lesson().probes[0]), high = low;
+    for (int i = 0; i < million; ++i) {
+        recorded.step(), alone.step();
+        recorder.record(recorded);
+        const Real energy = *recorded.value(recorded.lesson().probes[0]);
+        low = std::min(low, energy), high = std::max(high, energy);
+    }
+    CHECK(recorder.bytes() <= recorder.cap());
+    CHECK(recorder.cap() <= std::size_t{2} << 20);
+    CHECK(state_hash(recorded.lesson()) == state_hash(alone.lesson()));
+    const TimeSeries& energy = recorder.series(0);
+    CHECK(energy.steps().back() == million);
+    CHECK(std::ranges::min(energy.values()) == low);
+    CHECK(std::ranges::max(energy.values()) == high);
 }

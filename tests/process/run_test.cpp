@@ -231,3 +231,12 @@ TEST_CASE("the number of threads changes no digit, and none is refused", "[proce
     CHECK(outcome.exit_code == 2);
     CHECK(contains(outcome.err, "at least 1"));
 }
+
+TEST_CASE("the table of a long run has every step", "[run]") {
+    const Scratch scratch;
+    const std::string csv = scratch.path("long.csv");
+    CHECK(json_of({"run", "time/integration", "--steps", "40000", "--csv", csv})["steps"] == 40000);
+    const Rows rows = read_csv(contents_of(csv));
+    REQUIRE(rows.size() == 40002);
+    for (std::size_t i = 1; i < rows.size(); ++i) REQUIRE(rows[i][0] == std::to_string(i - 1));
+}

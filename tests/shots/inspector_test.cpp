@@ -99,15 +99,15 @@ TEST_CASE("the difference has colours of its own", "[session]") {
 TEST_CASE("the past can be scrubbed without losing what was measured", "[session]") {
     Session s("mass_spring");
     for (int k = 0; k < 30; ++k) s.step();
-    const auto times = s.recorder().times();
+    const auto times = s.recorder().series(0).at();
     s.go_to({7, 0});
     CHECK(s.runner().place() == Place{7, 0});
-    CHECK(s.recorder().times() == times);
+    CHECK(s.recorder().series(0).at() == times);
     s.go_to({30, 0});
     CHECK(s.runner().place() == Place{30, 0});
     s.go_to({7, 0});
     s.step();
-    CHECK(s.recorder().steps().back() == 8);
+    CHECK(s.recorder().series(0).steps().back() == 8);
 }
 
 TEST_CASE("pinned quantities are followed over time and written with their units", "[session]") {
@@ -118,9 +118,9 @@ TEST_CASE("pinned quantities are followed over time and written with their units
     s.inspector.pin(s.runner(), s.lesson().field("tension"), 5, -1);
     for (int k = 0; k < 5; ++k) s.step();
     REQUIRE(s.inspector.pins.size() == 2);
-    CHECK(s.inspector.pins[0].values.size() == 6);
-    CHECK(s.inspector.pins[0].values.back() == row_value(field, 3, 1));
-    const std::string csv = s.inspector.pins_csv();
+    CHECK(s.inspector.pins[0].series.size() == 6);
+    CHECK(s.inspector.pins[0].series.values().back() == row_value(field, 3, 1));
+    const std::string csv = s.inspector.pins_csv(true);
     CHECK_THAT(csv, ContainsSubstring("velocity.y of node 3 [m/s]"));
     CHECK(std::ranges::count(csv, '\n') == 7);
     s.inspector.thing = Thing{On::node, 3};

@@ -63,13 +63,20 @@ struct Run {
     }
     void look(LiveError& e, Real step_ms, Real budget_ms = endless_ms) {
         e.look_at(decay, runner, number);
-        e.advance_reference(runner, budget_ms);
+        e.advance_reference(runner, recorder, budget_ms);
         e.measure(runner, recorder, step_ms);
     }
     Runner runner;
     Recorder recorder;
     int number = 1;
 };
+
+References found_by(const Run& run) {
+    const TimeSeries& series = run.recorder.series(0);
+    References found;
+    for (std::size_t i = 0; i < series.size(); ++i) found.push_back({series.at()[i], series.values()[i]});
+    return found;
+}
 
 Real euler(Real dt, int steps) { return 2 * std::pow(1 - dt, steps); }
 
@@ -113,7 +120,7 @@ TEST_CASE("the cost forgets the oldest steps, and those that were taken back", "
 TEST_CASE("the error from the closed form is relative to its largest value", "[session]") {
     Run run;
     run.steps(10);
-    const ErrorSeries e = error_against_exact(run.recorder, 0, false);
+    const ErrorSeries e = error_against_exact(run.recorder.series(0));
     REQUIRE(e.latest());
     CHECK_THAT(*e.latest(), WithinRel(std::abs(euler(0.1, 10) - 2 * std::exp(-1)) / 2, 1e-9));
     CHECK(std::isnan(e.error.front()));
@@ -123,7 +130,7 @@ TEST_CASE("errors from another run are compared at equal times only", "[session]
     Run run, other(Runner::Assignments{{"time_step", "0.15"}});
     run.steps(9);
     other.steps(6);
-    const ErrorSeries e = error_against(run.recorder, 0, false, other.recorder.times(), other.recorder.series(0).value);
+    const ErrorSeries e = error_against(run.recorder.series(0), found_by(other));
     for (std::size_t i = 1; i < e.error.size(); ++i) {
         CAPTURE(i);
         // 0.3, 0.6 and 0.9 s are times of both.

@@ -63,11 +63,11 @@ TEST_CASE("the clocks of two runs are linked whatever moves the first", "[sessio
         s.playing = true;
         for (int i = 0; i < 30; ++i) s.update(0.1, 1e9), check_linked(s);
         CHECK(s.companion()->runner().time() > 2);
-        CHECK_THAT(s.companion()->recorder().times().back(), WithinAbs(s.companion()->runner().time(), 0));
+        CHECK_THAT(s.companion()->recorder().series(0).at().back(), WithinAbs(s.companion()->runner().time(), 0));
         s.reset();
         check_linked(s);
         CHECK(s.companion()->runner().place() == Place{});
-        CHECK(s.companion()->recorder().times().size() == 1);
+        CHECK(s.companion()->recorder().series(0).at().size() == 1);
     }
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("a pinned run keeps its picture, numbers and settings", "[session]") {
     REQUIRE(s.pinned());
     s.assign(s.lesson().parameter("speed"), 5);
     s.reset();
-    CHECK(s.pinned()->recorder.times().size() == 11);
+    CHECK(s.pinned()->recorder.series(0).at().size() == 11);
     CHECK(s.pinned()->settings[0] == 2);
     CHECK(s.pinned()->step == 10);
     REQUIRE(s.pinned()->ghost.points.size() == 1);

@@ -82,16 +82,16 @@ TEST_CASE("a session steps back to what it was", "[session]") {
         const auto hash = state_hash(session.lesson());
         const Place place = session.runner().place();
         session.step();
-        const auto recorded = session.recorder().steps().size();
+        const auto recorded = session.recorder().series(0).steps().size();
         REQUIRE(session.runner().place().step == place.step + 1);
         session.step_back();
         CHECK(session.runner().place() == place);
         CHECK(state_hash(session.lesson()) == hash);
         // What was measured ahead stays, until the run goes on from here.
-        CHECK(session.recorder().steps().size() == recorded);
+        CHECK(session.recorder().series(0).steps().size() == recorded);
         session.step();
-        CHECK(session.recorder().steps().size() == recorded);
-        CHECK(session.recorder().steps().back() == place.step + 1);
+        CHECK(session.recorder().series(0).steps().size() == recorded);
+        CHECK(session.recorder().series(0).steps().back() == place.step + 1);
     }
 }
 

@@ -62,14 +62,14 @@ TEST_CASE("a slide that is reset forgets what was changed on it, with its undo",
     s.go_to_slide(1);
     CHECK(s.walkthrough->slide_number() == 1);
     const auto hash = state_hash(s.lesson());
-    const auto steps = s.recorder().steps();
+    const auto steps = s.recorder().series(0).steps();
     s.assign(parameter(s, "width"), 0.15);
     s.step();
     REQUIRE(s.can_undo());
     REQUIRE(state_hash(s.lesson()) != hash);
     s.reset_slide();
     CHECK(state_hash(s.lesson()) == hash);
-    CHECK(s.recorder().steps() == steps);
+    CHECK(s.recorder().series(0).steps() == steps);
     CHECK(wanted(s, "width") == 0.1);
     CHECK_FALSE(s.can_undo());
     CHECK_FALSE(s.walkthrough->revealed());

@@ -21,6 +21,7 @@ public:
     const Runner& runner() const { return runner_; }
     const Lesson& lesson() const { return runner_.lesson(); }
     const Recorder& recorder() const { return recorder_; }
+    void watch(std::size_t probe, const std::optional<Interval>& part) { recorder_.watch(probe, part); }
     const CostHistory& costs() const { return costs_; }
     bool owns(const Parameter& parameter) const;
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pliant::viewer {
 
@@ -124,35 +123,20 @@ void Inspector::record(const Runner& runner) {
     for (Pin& p : pins) {
         const Field* field = runner.lesson().find_field(p.field);
         const bool there = field && field->in_use() && p.index < field->size();
-        const auto keep = static_cast<std::size_t>(std::ranges::lower_bound(p.steps, runner.place().step) - p.steps.begin());
-        p.steps.resize(keep), p.times.resize(keep), p.values.resize(keep);
-        p.steps.push_back(runner.place().step);
-        p.times.push_back(runner.is_static() ? static_cast<Real>(runner.place().step) : runner.time());
-        p.values.push_back(there ? row_value(*field, p.index, p.component) : std::numeric_limits<Real>::quiet_NaN());
+        const Index step = runner.place().step;
+        p.series.add(step, runner.is_static() ? static_cast<Real>(step) : runner.time(),
+                     there ? row_value(*field, p.index, p.component) : TimeSeries::undefined);
     }
 }
 
-std::string Inspector::pins_csv() const {
-    std::vector<std::pair<Index, Real>> moments;
-    for (const Pin& p : pins)
-        for (std::size_t k = 0; k < p.steps.size(); ++k) moments.emplace_back(p.steps[k], p.times[k]);
-    std::ranges::sort(moments);
-    const auto repeated = std::ranges::unique(moments, {}, &std::pair<Index, Real>::first);
-    moments.erase(repeated.begin(), repeated.end());
+std::string Inspector::pins_csv(bool has_clock) const {
     std::string text = "step,time [s]";
-    for (const Pin& p : pins) text += p.unit.empty() ? fmt::format(",{}", p.title) : fmt::format(",{} [{}]", p.title, p.unit);
-    text += "\n";
-    for (const auto& [step, time] : moments) {
-        text += fmt::format("{},{}", step, format_exact(time));
-        for (const Pin& p : pins) {
-            const auto at = std::ranges::find(p.steps, step);
-            const Real value = at == p.steps.end() ? std::numeric_limits<Real>::quiet_NaN()
-                                                   : p.values[static_cast<std::size_t>(at - p.steps.begin())];
-            text += std::isfinite(value) ? fmt::format(",{}", format_exact(value)) : ",";
-        }
-        text += "\n";
+    std::vector<const TimeSeries*> all;
+    for (const Pin& p : pins) {
+        text += "," + csv_column(p.title, p.unit);
+        all.push_back(&p.series);
     }
-    return text;
+    return text + "\n" + csv_rows(all, has_clock);
 }
 
 std::string Inspector::thing_csv(const Lesson& lesson) const {
@@ -204,7 +188,7 @@ void Inspector::forget_run() {
     trace.clear();
     asked.clear();
     answer.reset();
-    for (Pin& p : pins) p.steps.clear(), p.times.clear(), p.values.clear();
+    for (Pin& p : pins) p.series.clear();
 }
 
 void Inspector::forget_lesson() { *this = {}; }

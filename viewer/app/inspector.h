@@ -2,6 +2,7 @@
 // came about. It draws nothing.
 #pragma once
 #include <pliant/lesson/breakpoints.h>
+#include <pliant/lesson/time_series.h>
 #include <pliant/lesson/why.h>
 
 #include "render/palette.h"
@@ -29,8 +30,7 @@ struct Pin {
     Index index = 0;
     int component = -1;
     std::string title, unit;
-    std::vector<Index> steps{};
-    std::vector<Real> times{}, values{};
+    TimeSeries series{};
 };
 
 class Inspector {
@@ -62,7 +62,7 @@ public:
     void unpin(std::size_t k) { pins.erase(pins.begin() + static_cast<std::ptrdiff_t>(k)); }
     void record(const Runner& runner);
     // Time, and a column per pinned quantity with its unit.
-    std::string pins_csv() const;
+    std::string pins_csv(bool has_clock) const;
     // Every quantity of the picked thing: name, component, value, unit.
     std::string thing_csv(const Lesson& lesson) const;
 

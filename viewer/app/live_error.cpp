@@ -16,21 +16,12 @@ namespace {
 constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real same_time = 1e-9;
 
-std::vector<Real> places_of(const Recorder& r, bool is_static) {
-    return is_static ? std::vector<Real>(r.steps().begin(), r.steps().end()) : r.times();
+// The error of a sample, relative to the largest reference up to it.
+Real relative_error(Real value, Real reference, Real largest) {
+    return largest > 0 ? std::abs(value - reference) / largest : none;
 }
 
-// The errors of values against references, relative to the largest reference up to each.
-std::vector<Real> relative_errors(const std::vector<Real>& values, const std::vector<Real>& references) {
-    std::vector<Real> errors(values.size(), none);
-    Real largest = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const Real reference = i < references.size() ? references[i] : none;
-        if (std::isfinite(reference)) largest = std::max(largest, std::abs(reference));
-        if (largest > 0 && i > 0) errors[i] = std::abs(values[i] - reference) / largest;
-    }
-    return errors;
-}
+bool is_before(Real a, Real b, Real within) { return a < b - within; }
 
 Real place_of(const Runner& r) { return r.is_static() ? static_cast<Real>(r.place().step) : r.time(); }
 
@@ -41,23 +32,26 @@ std::optional<Real> ErrorSeries::latest() const {
     return found == error.rend() ? std::nullopt : std::optional(*found);
 }
 
-ErrorSeries error_against_exact(const Recorder& recorder, std::size_t probe, bool is_static) {
-    const pliant::Series& series = recorder.series(probe);
-    return {places_of(recorder, is_static), relative_errors(series.value, series.exact)};
+ErrorSeries error_against_exact(const TimeSeries& run) {
+    ErrorSeries e{run.at(), std::vector<Real>(run.size(), none)};
+    for (std::size_t i = 1; i < run.exact().size(); ++i)
+        e.error[i] = relative_error(run.values()[i], run.exact()[i], run.scale()[i]);
+    return e;
 }
 
-ErrorSeries error_against(const Recorder& recorder, std::size_t probe, bool is_static, const std::vector<Real>& times,
-                          const std::vector<Real>& values) {
-    ErrorSeries series{places_of(recorder, is_static), {}};
-    std::vector<Real> references(series.at.size(), none);
-    for (std::size_t i = 0; i < series.at.size(); ++i) {
-        const Real within = same_time * series.at.back();
-        const auto found = std::ranges::lower_bound(times, series.at[i] - within);
-        if (found != times.end() && *found <= series.at[i] + within)
-            references[i] = values[static_cast<std::size_t>(found - times.begin())];
+ErrorSeries error_against(const TimeSeries& run, const References& references) {
+    ErrorSeries e{run.at(), std::vector<Real>(run.size(), none)};
+    const Real within = run.empty() ? 0 : same_time * run.at().back();
+    Real largest = 0;
+    auto r = references.begin();
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        while (r != references.end() && is_before(r->at, run.at()[i], within)) ++r;
+        if (r == references.end()) break;
+        if (is_before(run.at()[i], r->at, within) || !std::isfinite(r->value)) continue;
+        largest = std::max(largest, std::abs(r->value));
+        if (i > 0) e.error[i] = relative_error(run.values()[i], r->value, largest);
     }
-    series.error = relative_errors(recorder.series(probe).value, references);
-    return series;
+    return e;
 }
 
 void LiveError::look_at(const LessonEntry& entry, const Runner& runner, int run) {
@@ -89,7 +83,7 @@ void LiveError::begin(const Runner& runner) {
 
 void LiveError::drop_reference(std::string why) {
     reference_.reset();
-    reference_text_.clear(), reference_times_.clear(), reference_values_.clear();
+    reference_text_.clear(), references_.clear();
     no_reference_ = std::move(why);
 }
 
@@ -112,9 +106,8 @@ void LiveError::make_reference(const Runner& runner) {
 
 void LiveError::measure(const Runner& runner, const Recorder& recorder, std::optional<Real> step_ms) {
     if (!probe_ || recorder.empty()) return;
-    exact_ = error_against_exact(recorder, probe_number_, is_static_);
-    finer_ = reference_times_.empty() ? ErrorSeries{}
-                                      : error_against(recorder, probe_number_, is_static_, reference_times_, reference_values_);
+    exact_ = error_against_exact(recorder.series(probe_number_));
+    finer_ = references_.empty() ? ErrorSeries{} : error_against(recorder.series(probe_number_), references_);
     const auto error = exact_.latest() ? exact_.latest() : finer_.latest();
     if (runner.place().step == 0 || !error || !step_ms) return;
     now_ = Reached{settings_, is_static_ ? *step_ms : *step_ms / runner.time_step(), *error};
@@ -128,23 +121,37 @@ void LiveError::keep_point() {
     if (trail_.size() > longest_trail) trail_.erase(trail_.begin());
 }
 
-void LiveError::advance_reference(const Runner& runner, Real budget_ms) {
-    if (!probe_ || !no_reference_.empty()) return;
+// Only where the run has a sample, so that the references take no more memory than it does.
+void LiveError::record_reference(const TimeSeries& run) {
+    const Real at = place_of(*reference_), within = run.empty() ? 0 : same_time * run.at().back();
+    const auto sample = std::ranges::lower_bound(run.at(), at - within);
+    if (sample == run.at().end() || *sample > at + within) return;
+    if (references_.size() == most_references) thin_references(run);
+    references_.push_back({at, reference_->value(reference_->lesson().probes[probe_number_]).value_or(none)});
+}
+
+// Without those whose sample has been thinned out.
+void LiveError::thin_references(const TimeSeries& run) {
+    const Real within = run.empty() ? 0 : same_time * run.at().back();
+    std::erase_if(references_, [&](const Reference& r) {
+        const auto sample = std::ranges::lower_bound(run.at(), r.at - within);
+        return sample == run.at().end() || *sample > r.at + within;
+    });
+}
+
+void LiveError::advance_reference(const Runner& runner, const Recorder& recorder, Real budget_ms) {
+    if (!probe_ || !no_reference_.empty() || recorder.empty()) return;
     if (!reference_) make_reference(runner);
     if (!reference_) return;
+    const TimeSeries& run = recorder.series(probe_number_);
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto spent_ms = [&] { return std::chrono::duration<Real, std::milli>(Clock::now() - start).count(); };
-    const auto record = [&] {
-        const auto value = reference_->value(reference_->lesson().probes[probe_number_]);
-        reference_times_.push_back(place_of(*reference_));
-        reference_values_.push_back(value.value_or(none));
-    };
     try {
-        if (reference_times_.empty()) record();
+        if (reference_->place() == Place{} && references_.empty()) record_reference(run);
         while (place_of(*reference_) < place_of(runner) * (1 - same_time) && spent_ms() < budget_ms) {
             reference_->step();
-            record();
+            record_reference(run);
         }
     } catch (const Error& e) {
         drop_reference(fmt::format("The finer run stopped: {}", e.what()));

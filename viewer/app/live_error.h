@@ -19,15 +19,20 @@ struct ErrorSeries {
     std::optional<Real> latest() const;  // the last that is a number
 };
 
+// What another run of the same scene found, in the order of time.
+struct Reference {
+    Real at = 0, value = 0;  // on the axis of the run
+};
+using References = std::vector<Reference>;
+
 // |value − exact| / max|exact|.
-ErrorSeries error_against_exact(const Recorder& recorder, std::size_t probe, bool is_static);
+ErrorSeries error_against_exact(const TimeSeries& run);
 // |value − reference| / max|reference|, at times that both have to 1e-9 of the last one.
-ErrorSeries error_against(const Recorder& recorder, std::size_t probe, bool is_static, const std::vector<Real>& times,
-                          const std::vector<Real>& values);
+ErrorSeries error_against(const TimeSeries& run, const References& references);
 
 class LiveError {
 public:
-    static constexpr std::size_t longest_trail = 6;
+    static constexpr std::size_t longest_trail = 6, most_references = 2 * TimeSeries::most;
 
     // Where the settings of a run led.
     struct Reached {
@@ -41,10 +46,11 @@ public:
     // Measures the run as it is now; step_ms is what a step of it costs.
     void measure(const Runner& runner, const Recorder& recorder, std::optional<Real> step_ms);
     // Brings the finer run to the time of this one, as far as it gets within a budget.
-    void advance_reference(const Runner& runner, Real budget_ms);
+    void advance_reference(const Runner& runner, const Recorder& recorder, Real budget_ms);
 
     // The probe that is measured; null when the lesson names none.
     const Probe* probe() const { return probe_; }
+    std::size_t probe_number() const { return probe_number_; }  // where there is one
     const ErrorSeries& exact() const { return exact_; }
     const ErrorSeries& finer() const { return finer_; }
     // Settings of the finer run, as "time_step = 0.001"; empty when there is none.
@@ -56,10 +62,15 @@ public:
     const std::optional<Reached>& now() const { return now_; }
     // Of earlier settings, the oldest first.
     const std::vector<Reached>& trail() const { return trail_; }
+    // Memory of what the finer run found: held, and that may be held.
+    std::size_t bytes() const { return references_.capacity() * sizeof(Reference); }
+    std::size_t cap() const { return reference_ ? most_references * sizeof(Reference) : 0; }
 
 private:
     void begin(const Runner& runner);
     void make_reference(const Runner& runner);
+    void record_reference(const TimeSeries& run);
+    void thin_references(const TimeSeries& run);
     void drop_reference(std::string why);
     void keep_point();
 
@@ -75,7 +86,7 @@ private:
 
     std::unique_ptr<Runner> reference_;
     std::string reference_text_, no_reference_;
-    std::vector<Real> reference_times_, reference_values_;
+    References references_;
 };
 
 }  // namespace pliant::viewer

@@ -56,6 +56,11 @@ public:
     const Runner& runner() const { return *runner_; }
     const Lesson& lesson() const { return runner_->lesson(); }
     const Recorder& recorder() const { return recorder_; }
+    // The part of a probe's plot that is on the screen: it is thinned out last.
+    void watch(std::size_t probe, const std::optional<Interval>& part);
+    // Memory of all that is recorded for plots, of this run, the one beside it and the pinned one: held, and that may be held.
+    std::size_t recorded_bytes() const;
+    std::size_t recorded_cap() const;
     const CostHistory& costs() const { return costs_; }
 
     // Counts the runs that began here: a lesson opened, a reset. What was measured before belongs to another run.

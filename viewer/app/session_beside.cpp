@@ -5,6 +5,29 @@
 
 namespace pliant::viewer {
 
+// ------------------------------------------------------------------------------------------------------- recorded
+
+void Session::watch(std::size_t probe, const std::optional<Interval>& part) {
+    recorder_.watch(probe, part);
+    if (companion_) companion_->watch(probe, part);
+}
+
+std::size_t Session::recorded_bytes() const {
+    std::size_t sum = recorder_.bytes();
+    if (companion_) sum += companion_->recorder().bytes();
+    if (pinned_) sum += pinned_->recorder.bytes();
+    for (const Pin& pin : inspector.pins) sum += pin.series.bytes();
+    return sum;
+}
+
+std::size_t Session::recorded_cap() const {
+    std::size_t sum = recorder_.cap();
+    if (companion_) sum += companion_->recorder().cap();
+    if (pinned_) sum += pinned_->recorder.cap();
+    for (const Pin& pin : inspector.pins) sum += pin.series.cap();
+    return sum;
+}
+
 // --------------------------------------------------------------------------------------------------------- pinned
 
 void Session::toggle_pin() {

@@ -26,7 +26,7 @@ void Session::end_walkthrough() {
 
 // A slide may start the lesson again, so a step that was recorded before begins another run.
 void Session::record_of_walkthrough() {
-    if (!recorder_.empty() && runner_->place().step <= recorder_.steps().back())
+    if (!recorder_.empty() && runner_->place().step <= recorder_.last_step())
         begin_run();
     else
         moved();
@@ -34,7 +34,7 @@ void Session::record_of_walkthrough() {
 
 // Without a run in the slide, a reset shows by the step alone.
 void Session::after_walkthrough() {
-    const bool restarted = !recorder_.empty() && runner_->place().step < recorder_.steps().back();
+    const bool restarted = !recorder_.empty() && runner_->place().step < recorder_.last_step();
     restarted ? begin_run() : moved();
 }
 

@@ -60,9 +60,9 @@ int run(const RunOptions& options) {
     Runner runner(entry, scene.parameters, 0);
     runner.set_events(scene.events);
     const Until until = until_from(options, entry, runner.is_static());
-    Recorder recorder;
+    std::string csv = csv_header(runner.lesson());
     const auto record = [&] {
-        if (!options.csv_path.empty()) recorder.record(runner);
+        if (!options.csv_path.empty()) csv += csv_row(runner);
     };
 
     std::optional<Diverged> divergence;
@@ -72,7 +72,7 @@ int run(const RunOptions& options) {
     } catch (const Diverged& e) {
         divergence = e;
     }
-    if (!options.csv_path.empty()) write_file(options.csv_path, recorder.csv(runner.lesson()));
+    if (!options.csv_path.empty()) write_file(options.csv_path, csv);
     if (divergence) runner.note_failure(divergence->failure);
     print(options.json ? run_json(runner) : options.summary ? summary_text(runner) : run_text(runner));
     if (divergence) throw *divergence;

@@ -58,9 +58,7 @@ std::vector<Row> rows_of(const Session& s) {
     const auto measured = std::ranges::find(probes, s.lesson().error_probe(), &Probe::name);
     if (measured == probes.end() || !measured->exact) return rows;
     const auto i = static_cast<std::size_t>(measured - probes.begin());
-    const auto error = [&](const Recorder& r) {
-        return r.empty() ? std::nullopt : error_against_exact(r, i, s.runner().is_static()).latest();
-    };
+    const auto error = [&](const Recorder& r) { return r.empty() ? std::nullopt : error_against_exact(r.series(i)).latest(); };
     const auto of_a = error(s.recorder()), of_b = error(b.recorder());
     if (!of_a && !of_b) return rows;
     rows.push_back(row_of("Error", "", of_a, of_b, fmt::format("|value − exact| / max|exact| of {}", words(measured->name)), 3));

@@ -29,7 +29,7 @@ void plot_stages(LabState& lab, Plot& plot, Point size) {
 }
 
 void plot_error(LabState& lab, Plot& plot, Point size) {
-    const Session& s = lab.session;
+    Session& s = lab.session;
     const LiveError& e = lab.live_error;
     const std::string title = fmt::format("Error of {}##error", e.probe() ? words(e.probe()->name) : "");
     const bool any = e.exact().latest() || e.finer().latest();
@@ -39,6 +39,7 @@ void plot_error(LabState& lab, Plot& plot, Point size) {
         return;
     if (e.exact().latest()) plot.line("from exact", e.exact().at, e.exact().error);
     if (e.finer().latest()) plot.line("from a finer run", e.finer().at, e.finer().error, {.dash = Dash::dashed});
+    if (e.probe()) s.watch(e.probe_number(), zoomed_part(plot));
     plot.end();
 }
 
@@ -99,7 +100,7 @@ void follow_live_error(LabState& lab) {
 void draw_cost_and_error(LabState& lab, Plot& plot) {
     const Session& s = lab.session;
     LiveError& e = lab.live_error;
-    e.advance_reference(s.runner(), reference_budget_ms);
+    e.advance_reference(s.runner(), s.recorder(), reference_budget_ms);
     e.measure(s.runner(), s.recorder(), s.costs().step_ms());
     ImGui::BeginChild("cost and error", {0, -companion_table_height(lab)});
     const std::string words_below = remark(lab);

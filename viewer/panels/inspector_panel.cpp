@@ -154,7 +154,8 @@ void exports(LabState& lab) {
     tooltip("All quantities of this thing as a CSV file", lab.scale);
     if (in.pins.empty()) return;
     ImGui::SameLine();
-    if (ImGui::SmallButton("save pinned plots")) save(lab, lesson + "_pinned.csv", in.pins_csv());
+    if (ImGui::SmallButton("save pinned plots"))
+        save(lab, lesson + "_pinned.csv", in.pins_csv(!lab.session.runner().is_static()));
     lab.note_control("save pins");
     tooltip("Every pinned quantity over time as a CSV file", lab.scale);
 }

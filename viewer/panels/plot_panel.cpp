@@ -40,29 +40,27 @@ void mark_now(const LabState& lab, Plot& plot) {
     plot.vertical_line("now", runner.is_static() ? static_cast<Real>(runner.place().step) : runner.time());
 }
 
-// A static lesson has no clock: its steps are counted instead.
-std::vector<Real> places_of(const Session& s, const Recorder& r) {
-    return s.runner().is_static() ? std::vector<Real>(r.steps().begin(), r.steps().end()) : r.times();
-}
-
 void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
-    const Session& s = lab.session;
+    Session& s = lab.session;
+    if (s.recorder().empty()) return;
     const Probe& probe = s.lesson().probes[i];
-    const Recorder& r = s.recorder();
-    const pliant::Series& series = r.series(i);
-    const std::vector<Real> xs = places_of(s, r);
+    const TimeSeries& series = s.recorder().series(i);
     const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"},
                     .y = {words(probe.name) +
                               (probe.symbol.empty() || probe.symbol == words(probe.name) ? "" : " " + std::string(probe.symbol)),
                           std::string(probe.unit)}};
     if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
-    plot.line(s.companion() ? run_name(s, false, 1) : "measured", xs, series.value);
+    const auto line = [&](const std::string& name, const TimeSeries& of, Dash dash) {
+        plot.line(name, of.at(), of.values(), {.dash = dash});
+    };
+    line(s.companion() ? run_name(s, false, 1) : "measured", series, Dash::solid);
     if (const Companion* b = s.companion(); b && !b->recorder().empty())
-        plot.line(run_name(s, true, 1), places_of(s, b->recorder()), b->recorder().series(i).value, {.dash = Dash::dashed});
-    if (s.pinned() && !s.pinned()->recorder.empty())
-        plot.line("pinned", places_of(s, s.pinned()->recorder), s.pinned()->recorder.series(i).value, {.dash = Dash::dashed});
-    if (std::ranges::any_of(series.exact, [](Real x) { return std::isfinite(x); })) plot.reference("exact", xs, series.exact);
+        line(run_name(s, true, 1), b->recorder().series(i), Dash::dashed);
+    if (s.pinned() && !s.pinned()->recorder.empty()) line("pinned", s.pinned()->recorder.series(i), Dash::dashed);
+    if (std::ranges::any_of(series.exact(), [](Real x) { return std::isfinite(x); }))
+        plot.reference("exact", series.at(), series.exact());
     mark_now(lab, plot);
+    s.watch(i, zoomed_part(plot));
     plot.end();
 }
 
@@ -174,17 +172,18 @@ void plot_map(LabState& lab, Plot& plot, Point size) {
     plot.end();
 }
 
-void plot_pin(LabState& lab, Plot& plot, const Pin& pin, Point size) {
+void plot_pin(LabState& lab, Plot& plot, Pin& pin, Point size) {
     const bool steps = lab.session.runner().is_static();
     const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(pin.field), pin.unit}};
     if (!plot.begin(fmt::format("{}##pin", pin.title), size, axes)) return;
-    plot.line("pinned", pin.times, pin.values);
+    plot.line("pinned", pin.series.at(), pin.series.values());
     mark_now(lab, plot);
+    pin.series.watch(zoomed_part(plot));
     plot.end();
 }
 
 void draw_one(LabState& lab, Plot& plot, const std::string& name, Point size) {
-    for (const Pin& pin : lab.session.inspector.pins)
+    for (Pin& pin : lab.session.inspector.pins)
         if (pin.title == name) return plot_pin(lab, plot, pin, size);
     if (name == along) return plot_along(lab, plot, size);
     if (name == heat_map) return plot_map(lab, plot, size);
@@ -242,6 +241,11 @@ void table_below(LabState& lab) {
 }
 
 }  // namespace
+
+std::optional<Interval> zoomed_part(const Plot& plot) {
+    const auto x = plot.zoomed_x();
+    return x ? std::optional(Interval{x->lo, x->hi}) : std::nullopt;
+}
 
 PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dark : PlotTheme::projector; }
 

@@ -1,10 +1,13 @@
 // What is plotted, and how.
 #pragma once
+#include <pliant/lesson/parameter.h>
+
 #include "plot/plot.h"
 #include "render/palette.h"
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +24,9 @@ struct PlotPanelState {
     int axis = 0;                     // of the field along a line
     std::array<Real, 2> across{0.5, 0.5};
 };
+
+// The part of its x axis that the person has zoomed to, between begin and end of the plot.
+std::optional<Interval> zoomed_part(const Plot& plot);
 
 struct LabState;
 // Notices changes of the run for its cost and error: in every frame.

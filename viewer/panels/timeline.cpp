@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* breaks_popup = "where the run stops";
 
+Real megabytes(std::size_t bytes) { return static_cast<Real>(bytes) / 1e6; }
+
 void stage_breaks(LabState& lab) {
     Session& s = lab.session;
     Breakpoints& breaks = s.inspector.breaks;
@@ -141,7 +143,7 @@ void scrubber(LabState& lab, float width) {
     lab.note_control("past");
     const History& h = runner.history();
     tooltip(fmt::format("The stored past: steps {} to {}. {} states take {:.1f} MB of the {:.0f} MB that they may", first, last,
-                        h.size(), static_cast<Real>(h.bytes()) / 1048576, static_cast<Real>(h.cap()) / 1048576),
+                        h.size(), megabytes(h.bytes()), megabytes(h.cap())),
             lab.scale);
 }
 
@@ -150,8 +152,9 @@ void scrubber(LabState& lab, float width) {
 void draw_timeline(LabState& lab) {
     const Session& s = lab.session;
     const History& history = s.runner().history();
-    const std::string memory =
-        fmt::format("{:.0f}/{:.0f} MB", static_cast<Real>(history.bytes()) / 1048576, static_cast<Real>(history.cap()) / 1048576);
+    const std::size_t recorded = s.recorded_bytes() + lab.live_error.bytes(), most = s.recorded_cap() + lab.live_error.cap();
+    const std::string memory = fmt::format("past {:.0f}/{:.0f}, plots {:.0f}/{:.0f} MB", megabytes(history.bytes()),
+                                           megabytes(history.cap()), megabytes(recorded), megabytes(most));
     breaks_menu(lab);
     ImGui::SameLine();
     compare_menu(lab);
@@ -167,7 +170,12 @@ void draw_timeline(LabState& lab) {
     ImGui::PushFont(lab.fonts.small);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", memory.c_str());
-    tooltip("Memory of the stored past, and what it may take", lab.scale);
+    tooltip(
+        fmt::format("Memory, and what it may take: of the stored past {:.1f} of {:.0f} MB; of what is recorded for plots and "
+                    "errors {:.1f} of {:.1f} MB. As a run goes on its older steps are thinned out, both ends and all extremes "
+                    "stay; pliant run --csv writes every step",
+                    megabytes(history.bytes()), megabytes(history.cap()), megabytes(recorded), megabytes(most)),
+        lab.scale);
     if (!stopped.empty()) {
         ImGui::SameLine();
         ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));

@@ -19,6 +19,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,9 @@ public:
     void horizontal_line(const std::string& label, Real y, Dash dash = Dash::dashed);
     // At most one per plot. Throws Refused when there are not nx * ny values.
     void heat_map(HeatMap heat);
+
+    // The part of the x axis that the person has zoomed to; ask between begin and end.
+    std::optional<Range> zoomed_x() const { return state_.of(id_).memory.x.fixed; }
 
     void end();
 
