@@ -36,7 +36,7 @@ const std::map<std::string, Names> allowed_folders{
 };
 
 // The libraries of others, by the first part of what is included. Standard headers have neither folder nor ending.
-const Names core_libraries{"Eigen", "fmt", "nlohmann", "zlib.h"};
+const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h"};
 const Names viewer_libraries{"Eigen",  "fmt",       "nlohmann", "CLI",        "GLFW",         "GL",
                              "GLES3",  "EGL",       "glad",     "backends",   "imgui.h",      "imgui_internal.h",
                              "png.h",  "gif_lib.h", "zlib.h",   "emscripten", "emscripten.h", "unistd.h",
