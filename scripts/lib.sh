@@ -85,10 +85,11 @@ install_packages() {
 }
 packages_changed=no
 
-# ---- The two pinned packages, kept in .deps. They come from the Debian archive that this machine's apt uses already,
+# ---- The pinned packages, kept in .deps. They come from the Debian archive that this machine's apt uses already,
 # ---- through an apt configuration of its own, so that neither root nor a change to the system is needed.
 imgui_version=1.90.1+ds-1
 catch2_version=3.7.1
+onetbb_version=2021.8.0
 debian_keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 
 # of_system NAME: a variable of /etc/os-release.
@@ -158,11 +159,25 @@ unpack_imgui() {
         tar -xf imgui_*.orig.tar.* -C tree --strip-components=1
 }
 
+# What the distribution calls the version proper, with its own revision behind it.
+revision_of() {
+    local package=$1 version=$2
+    apt-cache madison "$package" | awk -v pin="$version-" 'index($3, pin) == 1 {print $3; exit}'
+}
+
 unpack_catch2() {
     export APT_CONFIG=$PWD/apt.conf
-    local revision  # differs between suites; the version proper is pinned
-    revision=$(apt-cache madison libcatch2-dev | awk -v pin="$catch2_version-" 'index($3, pin) == 1 {print $3; exit}') &&
+    local revision
+    revision=$(revision_of libcatch2-dev "$catch2_version") &&
         apt-get -q download "libcatch2-dev=$revision" && dpkg-deb -x libcatch2-dev_*.deb tree
+}
+
+unpack_onetbb() {
+    export APT_CONFIG=$PWD/apt.conf
+    local revision
+    revision=$(revision_of onetbb "$onetbb_version") &&
+        apt-get -q source --download-only --tar-only "onetbb=$revision" && mkdir tree &&
+        tar -xf onetbb_*.orig.tar.* -C tree --strip-components=1
 }
 
 prepare_run() {
@@ -177,6 +192,12 @@ prepare_test() {
     need_packages "${run_packages[@]}" "${test_packages[@]}"
     get_pinned imgui "$imgui_version" trixie deb-src
     get_pinned catch2 "$catch2_version" "$suite" deb
+}
+
+# The thread sanitizer has to see into oneTBB, so that is built from source for it.
+prepare_tsan() {
+    prepare_test
+    get_pinned onetbb "$onetbb_version" bookworm deb-src
 }
 
 prepare_bench() {
@@ -203,6 +224,23 @@ configure() {
     done
     [[ $up_to_date == yes ]] && return 0
     logged "configuring" cmake -S "$root" --preset "$preset" "${settings[@]}" || fail 1 "CMake could not configure build/$preset"
+}
+
+# test_environment PRESET: a quiet one for the tests, which make their own screens and choose their own drivers and languages.
+test_environment() {
+    local folder=$root/build/$1
+    # A second locale with a decimal comma, kept in the build folder.
+    if command -v localedef >/dev/null && [[ ! -d $folder/locale/de_DE.UTF-8 && -f /usr/share/i18n/locales/de_DE ]]; then
+        mkdir -p "$folder/locale"
+        localedef --no-archive -i de_DE -f UTF-8 "$folder/locale/de_DE.UTF-8"
+    fi
+    unset DISPLAY WAYLAND_DISPLAY GALLIUM_DRIVER LIBGL_ALWAYS_SOFTWARE LIBGL_DRIVERS_PATH MESA_LOADER_DRIVER_OVERRIDE LANG LANGUAGE
+    export LC_ALL=C.UTF-8 LOCPATH=$folder/locale
+    # Without a folder for sockets Mesa 25 complains on standard error.
+    mkdir -p "$folder/runtime" && chmod 700 "$folder/runtime"
+    export XDG_RUNTIME_DIR=$folder/runtime
+    export LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0
+    export TSAN_OPTIONS=suppressions=$root/tests/races.txt
 }
 
 # build PRESET TARGET...

@@ -1,4 +1,6 @@
 // What must hold for every lesson, whatever it teaches. A new lesson is tested by being registered.
+#include "../every_lesson.h"
+
 #include <pliant/lesson/report.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/scene_file.h>
@@ -9,20 +11,16 @@
 #include <catch2/generators/catch_generators_range.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <regex>
 #include <set>
 
 using namespace pliant;
+using namespace pliant::test;
 
 namespace {
 
-const LessonEntry& any_lesson() {
-    return *GENERATE(from_range([] {
-        std::vector<const LessonEntry*> all;
-        for (const LessonEntry& e : lessons()) all.push_back(&e);
-        return all;
-    }()));
-}
+const LessonEntry& any_lesson() { return GENERATE(from_range(every_lesson())); }
 
 void check_finite(const Runner& runner) {
     for (const Field& f : runner.lesson().fields) {
@@ -41,7 +39,18 @@ Index some_steps(const Runner& runner) { return runner.is_static() ? 1 : 10; }
 
 }  // namespace
 
-TEST_CASE("every lesson: the declaration is complete and its names are unique") {
+// tests/cases.cmake.in goes by the same files.
+TEST_CASE("every lesson has a walkthrough, by which ctest knows it") {
+    std::set<std::string> registered, found{"time/bead_chain"};  // the example of the developer guide has none
+    for (const LessonEntry& entry : lessons()) registered.insert(std::string(entry.info.id));
+    const std::filesystem::path root(PLIANT_SOURCE_DIR "/lessons");
+    for (const auto& file : std::filesystem::recursive_directory_iterator(root))
+        if (file.path().filename() == "walkthrough.md")
+            found.insert(std::filesystem::relative(file.path().parent_path(), root).generic_string());
+    CHECK(registered == found);
+}
+
+TEST_CASE("every lesson: the declaration is complete and its names are unique", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     const auto lesson = entry.make();
@@ -79,7 +88,7 @@ TEST_CASE("every lesson: the declaration is complete and its names are unique") 
     if (!lesson->first_colours().field.empty()) CHECK(lesson->find_field(lesson->first_colours().field));
 }
 
-TEST_CASE("every lesson: each parameter refuses what lies outside its bounds and names itself") {
+TEST_CASE("every lesson: each parameter refuses what lies outside its bounds and names itself", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     const auto lesson = entry.make();
@@ -102,7 +111,7 @@ TEST_CASE("every lesson: each parameter refuses what lies outside its bounds and
     }
 }
 
-TEST_CASE("every lesson: two resets give equal bits, and zero steps change nothing") {
+TEST_CASE("every lesson: two resets give equal bits, and zero steps change nothing", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     Runner a(entry), b(entry);
@@ -115,7 +124,7 @@ TEST_CASE("every lesson: two resets give equal bits, and zero steps change nothi
     CHECK(a.time() == 0);
 }
 
-TEST_CASE("every lesson: a hundred steps stay finite") {
+TEST_CASE("every lesson: a hundred steps stay finite", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     Runner runner(entry);
@@ -125,7 +134,7 @@ TEST_CASE("every lesson: a hundred steps stay finite") {
     CHECK(runner.time() == 100 * runner.time_step());
 }
 
-TEST_CASE("every lesson: going back and running again gives the same bits, by step, stage and pass") {
+TEST_CASE("every lesson: going back and running again gives the same bits, by step, stage and pass", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     Runner runner(entry);
@@ -156,7 +165,7 @@ TEST_CASE("every lesson: going back and running again gives the same bits, by st
     CHECK(runner.place() == end);
 }
 
-TEST_CASE("every lesson: two runners in one process do not disturb each other") {
+TEST_CASE("every lesson: two runners in one process do not disturb each other", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     Runner alone(entry), left(entry), right(entry);
@@ -167,7 +176,7 @@ TEST_CASE("every lesson: two runners in one process do not disturb each other") 
     CHECK(state_hash(right.lesson()) == state_hash(alone.lesson()));
 }
 
-TEST_CASE("every lesson: a saved scene opens as the same run") {
+TEST_CASE("every lesson: a saved scene opens as the same run", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     // Every number a little off its initial value, so that all digits count.
@@ -189,7 +198,7 @@ TEST_CASE("every lesson: a saved scene opens as the same run") {
     CHECK(state_hash(runner.lesson()) == state_hash(again.lesson()));
 }
 
-TEST_CASE("every lesson: each preset opens and runs") {
+TEST_CASE("every lesson: each preset opens and runs", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     for (const std::string& name : preset_names(entry.info.id)) {
         INFO(entry.info.id << " " << name);
@@ -201,7 +210,8 @@ TEST_CASE("every lesson: each preset opens and runs") {
     }
 }
 
-TEST_CASE("every lesson: the picture has something in its frame, and its marks have colours for every field they show") {
+TEST_CASE("every lesson: the picture has something in its frame, and its marks have colours for every field they show",
+          "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     Runner runner(entry);
@@ -224,7 +234,7 @@ TEST_CASE("every lesson: the picture has something in its frame, and its marks h
     }
 }
 
-TEST_CASE("every lesson: its walkthrough asks before it shows, and what it expects holds") {
+TEST_CASE("every lesson: its walkthrough asks before it shows, and what it expects holds", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     if (find_text(std::string(entry.info.id) + "/walkthrough.md").empty()) {
@@ -254,7 +264,7 @@ TEST_CASE("every lesson: its walkthrough asks before it shows, and what it expec
     CHECK_FALSE(player.revealed());
 }
 
-TEST_CASE("every lesson: what it declares and finds can be written out") {
+TEST_CASE("every lesson: what it declares and finds can be written out", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
     Runner runner(entry);

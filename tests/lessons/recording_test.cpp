@@ -1,4 +1,6 @@
 // What is done to a run is recorded, and its scene plays it again to the same bits.
+#include "../every_lesson.h"
+
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/share.h>
 #include <catch2/catch_test_macros.hpp>
@@ -6,6 +8,7 @@
 #include <cmath>
 
 using namespace pliant;
+using namespace pliant::test;
 
 namespace {
 
@@ -27,8 +30,8 @@ const Parameter* live_number(const Lesson& lesson) {
 
 }  // namespace
 
-TEST_CASE("recording: changes and pulls of every lesson replay to the same bits") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("recording: changes and pulls of every lesson replay to the same bits", "[every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         INFO(entry.info.id);
         Runner run(entry);
         const Parameter* live = live_number(run.lesson());

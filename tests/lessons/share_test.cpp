@@ -1,4 +1,6 @@
 // Share strings: they carry a scene to the bit, survive a chat, and refuse what is no longer whole.
+#include "../every_lesson.h"
+
 #include <pliant/lesson/file.h>
 #include <pliant/lesson/registry.h>
 #include <pliant/lesson/share.h>
@@ -13,6 +15,7 @@
 #include <random>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -42,9 +45,9 @@ std::string refusal(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("share string: every parameter of every lesson comes back to the bit") {
+TEST_CASE("share string: every parameter of every lesson comes back to the bit", "[every_lesson]") {
     std::mt19937_64 random(11);
-    for (const LessonEntry& entry : lessons())
+    for (const LessonEntry& entry : every_lesson())
         for (int round = 0; round < 5; ++round) {
             const auto lesson = entry.make();
             SceneFile scene{.lesson = std::string(entry.info.id), .parameters = {}};
@@ -65,8 +68,8 @@ TEST_CASE("share string: every parameter of every lesson comes back to the bit")
         }
 }
 
-TEST_CASE("share string: every preset comes back, and is short") {
-    for (const LessonEntry& entry : lessons())
+TEST_CASE("share string: every preset comes back, and is short", "[every_lesson]") {
+    for (const LessonEntry& entry : every_lesson())
         for (const std::string& name : preset_names(entry.info.id)) {
             const SceneFile scene = preset(entry, name);
             const std::string text = share_text(scene);

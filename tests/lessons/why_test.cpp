@@ -1,13 +1,15 @@
 // Every explanation of every lesson, evaluated again and compared with the value that it explains.
+#include "../every_lesson.h"
 #include "why_checks.h"
 
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/texts.h>
 
 using namespace pliant;
+using namespace pliant::test;
 
-TEST_CASE("every number that a stage writes is explained by a formula that gives it back") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("every number that a stage writes is explained by a formula that gives it back", "[every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         Runner runner(entry);
         check_every_stage(runner, std::string(entry.info.id));
     }
@@ -23,8 +25,8 @@ void check_briefly(Runner& runner, const std::string& where) {
 }
 }  // namespace
 
-TEST_CASE("explanations hold in every scene, method and preset", "[slow]") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("explanations hold in every scene, method and preset", "[slow][every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         const auto made = entry.make();
         for (const Parameter* p : made->parameters) {
             if (p->info.kind != Kind::choice && p->info.kind != Kind::toggle) continue;
@@ -40,8 +42,8 @@ TEST_CASE("explanations hold in every scene, method and preset", "[slow]") {
     }
 }
 
-TEST_CASE("asking changes nothing: the run goes on with the same bits") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("asking changes nothing: the run goes on with the same bits", "[every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         Runner asked(entry), left_alone(entry);
         for (int k = 0; k < 7; ++k) asked.step_pass(), left_alone.step_pass();
         for (const Field& f : asked.lesson().fields)
@@ -54,8 +56,8 @@ TEST_CASE("asking changes nothing: the run goes on with the same bits") {
     }
 }
 
-TEST_CASE("questions lead down to parameters and the state before") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("questions lead down to parameters and the state before", "[every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         Runner runner(entry);
         runner.step_stage();
         std::set<Answer::Kind> found;
