@@ -27,8 +27,10 @@ public:
 };
 
 namespace detail {
-// task(data, k) for every k below count, in any order, as many at once as there are threads. The tasks must not throw.
-void run_in_threads(int count, void (*task)(void*, int), void* data);
+// job(data, k) for every k below count, in any order, as many at once as there are threads. The jobs must not throw.
+void run_jobs(int count, void (*job)(void*, int), void* data);
+// The same for the parts of a loop, of which there may be thousands a second: one after the other while no core is free for them.
+void run_parts(int count, void (*part)(void*, int), void* data);
 
 constexpr Index least_work = 8192;  // numbers, below which a second thread costs more than it saves
 }  // namespace detail
@@ -40,7 +42,7 @@ void parallel_jobs(int count, Job&& job) {
         const SerialHere serial;
         (*static_cast<std::remove_reference_t<Job>*>(data))(k);
     };
-    detail::run_in_threads(count, run, &job);
+    detail::run_jobs(count, run, &job);
 }
 
 // body(first, last, part) over consecutive parts of [0, count), one for each thread that is allowed; a single part where
@@ -59,7 +61,7 @@ void parallel_parts(Index count, Index work, Body&& body) {
         const Task& t = *static_cast<Task*>(data);
         t.body(t.count * k / t.parts, t.count * (k + 1) / t.parts, k);
     };
-    detail::run_in_threads(parts, run, &task);
+    detail::run_parts(parts, run, &task);
 }
 
 // part(first, last) over pieces of [0, count) that depend on count alone, put together in their order: ((start ∘ a) ∘ b) ∘ …
