@@ -45,8 +45,8 @@ TEST_CASE("list shows every lesson, for people and for programs", "[process]") {
     }
 }
 
-TEST_CASE("describe shows every declaration, in all three forms", "[process]") {
-    for (const std::string& lesson : lesson_names()) {
+TEST_CASE("describe shows every declaration, in all three forms", "[process][every_lesson]") {
+    for (const std::string& lesson : every_lesson()) {
         CAPTURE(lesson);
         const Json description = json_of({"describe", lesson});
         const std::string text = output_of({"describe", lesson}), page = output_of({"describe", lesson, "--markdown"});
@@ -65,15 +65,15 @@ TEST_CASE("describe shows every declaration, in all three forms", "[process]") {
     }
 }
 
-TEST_CASE("a lesson may be named without its chapter", "[process]") {
-    for (const std::string& lesson : lesson_names()) {
+TEST_CASE("a lesson may be named without its chapter", "[process][every_lesson]") {
+    for (const std::string& lesson : every_lesson()) {
         const std::string short_name = lesson.substr(lesson.find('/') + 1);
         CHECK(json_of({"describe", short_name}) == json_of({"describe", lesson}));
     }
 }
 
-TEST_CASE("run reports what the lesson declares", "[process]") {
-    for (const std::string& lesson : lesson_names()) {
+TEST_CASE("run reports what the lesson declares", "[process][every_lesson]") {
+    for (const std::string& lesson : every_lesson()) {
         CAPTURE(lesson);
         const Json description = json_of({"describe", lesson}), run = json_of({"run", lesson, "--steps", "3"});
         for (const char* key : {"lesson", "parameters", "dimension", "steps", "time", "status", "probes", "lines", "assumptions",
@@ -97,16 +97,16 @@ TEST_CASE("run reports what the lesson declares", "[process]") {
     }
 }
 
-TEST_CASE("the presets of a lesson run", "[process]") {
-    for (const Json& entry : json_of({"list"}))
-        for (const std::string preset : entry["presets"]) {
-            CAPTURE(entry["lesson"], preset);
-            CHECK(json_of({"run", entry["lesson"], "--preset", preset, "--steps", "1"})["steps"] == 1);
+TEST_CASE("the presets of a lesson run", "[process][every_lesson]") {
+    for (const std::string& lesson : every_lesson())
+        for (const std::string& preset : presets_of(lesson)) {
+            CAPTURE(lesson, preset);
+            CHECK(json_of({"run", lesson, "--preset", preset, "--steps", "1"})["steps"] == 1);
         }
 }
 
-TEST_CASE("every walkthrough finds what it expects", "[process][slow]") {
-    for (const std::string& lesson : lesson_names()) {
+TEST_CASE("every walkthrough finds what it expects", "[process][slow][every_lesson]") {
+    for (const std::string& lesson : every_lesson()) {
         const Outcome outcome = call({"walkthrough", lesson, "--check"});
         INFO(lesson << "\n" << outcome.out << outcome.err);
         CHECK(outcome.exit_code == 0);
@@ -115,9 +115,9 @@ TEST_CASE("every walkthrough finds what it expects", "[process][slow]") {
     }
 }
 
-TEST_CASE("shot writes a picture of the size asked for", "[process][slow]") {
+TEST_CASE("shot writes a picture of the size asked for", "[process][slow][every_lesson]") {
     const Scratch scratch;
-    for (const std::string& lesson : lesson_names()) {
+    for (const std::string& lesson : every_lesson()) {
         CAPTURE(lesson);
         // One of the stages that run in the first scene.
         const std::string stage = json_of({"run", lesson, "--steps", "1"})["cost"].begin().key(),
@@ -137,23 +137,36 @@ TEST_CASE("shot writes a picture of the size asked for", "[process][slow]") {
     }
 }
 
-TEST_CASE("tour shows every lesson and preset on one page", "[process][slow]") {
-    const Scratch scratch;
-    const std::string folder = scratch.path("a/tour");
-    CHECK(contains(output_of({"tour", "--out", folder}), "index.html"));
-    const std::string page = contents_of(folder + "/index.html");
-    for (const Json& entry : json_of({"list"})) {
-        std::string stem = entry["lesson"];
+TEST_CASE("tour shows a lesson and its presets on one page", "[process][slow][every_lesson]") {
+    for (const std::string& lesson : every_lesson()) {
+        const Scratch scratch;
+        const std::string folder = scratch.path("a/tour");
+        CHECK(contains(output_of({"tour", lesson, "--out", folder}), "index.html"));
+        const std::string page = contents_of(folder + "/index.html");
+        std::string stem = lesson;
         std::ranges::replace(stem, '/', '_');
         std::vector<std::string> stops{stem};
-        for (const std::string preset : entry["presets"]) stops.push_back(stem + "_" + preset);
+        for (const std::string& preset : presets_of(lesson)) stops.push_back(stem + "_" + preset);
         for (const std::string& stop : stops) {
             CAPTURE(stop);
             CHECK(contains(page, stop + ".png"));
             CHECK(contents_of(folder + "/" + stop + ".png").size() > 5000);
             CHECK(contents_of(folder + "/" + stop + "_lab.png").size() > 5000);
             CHECK(contents_of(folder + "/" + stop + ".csv").starts_with("step,time [s]"));
-            CHECK(Json::parse(contents_of(folder + "/" + stop + ".json"))["lesson"] == entry["lesson"]);
+            CHECK(Json::parse(contents_of(folder + "/" + stop + ".json"))["lesson"] == lesson);
         }
     }
+}
+
+TEST_CASE("a tour shows the lessons that are named, in that order, and refuses what is none", "[process]") {
+    const Scratch scratch;
+    output_of({"tour", "moduli", "elasticity/deformation_gradient", "--out", scratch.path("tour")});
+    const std::string page = contents_of(scratch.path("tour/index.html"));
+    const auto first = page.find("elasticity_moduli.png"), second = page.find("elasticity_deformation_gradient.png");
+    REQUIRE(second != page.npos);
+    CHECK(first < second);
+    const Outcome outcome = call({"tour", "modulli", "--out", scratch.path("none")});
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.err, "'elasticity/moduli'"));
+    CHECK_FALSE(fs::exists(scratch.path("none")));
 }

@@ -50,6 +50,14 @@ inline std::vector<std::string> lesson_names() {
     return names;
 }
 
+// The lessons that a case with the tag [every_lesson] goes through: all, or the one that the environment names in PLIANT_LESSON.
+inline std::vector<std::string> every_lesson() {
+    if (const char* name = std::getenv("PLIANT_LESSON"); name && *name) return {name};
+    return lesson_names();
+}
+
+inline std::vector<std::string> presets_of(const std::string& lesson) { return json_of({"describe", lesson})["presets"]; }
+
 inline Json parameters_of(const std::string& lesson) {
     Json parameters = json_of({"describe", lesson})["parameters"];
     REQUIRE_FALSE(parameters.empty());

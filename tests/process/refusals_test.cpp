@@ -117,14 +117,15 @@ TEST_CASE("pictures and windows that cannot be are refused", "[process]") {
     CHECK_FALSE(fs::exists("x.png"));
 }
 
-TEST_CASE("a number that is none is refused for every parameter", "[process]") {
-    for (const std::string& lesson : lesson_names())
+TEST_CASE("a number that is none is refused for every parameter", "[process][every_lesson]") {
+    for (const std::string& lesson : every_lesson())
         for (const Json& p : parameters_of(lesson))
             if (is_numeric(p)) check_refused(lesson, p, "nan");
 }
 
-TEST_CASE("infinite numbers, and numbers just outside the range, are refused for every parameter", "[process][slow]") {
-    for (const std::string& lesson : lesson_names())
+TEST_CASE("infinite numbers, and numbers just outside the range, are refused for every parameter",
+          "[process][slow][every_lesson]") {
+    for (const std::string& lesson : every_lesson())
         for (const Json& p : parameters_of(lesson)) {
             if (!is_numeric(p)) continue;
             check_refused(lesson, p, "inf");
@@ -140,8 +141,8 @@ TEST_CASE("infinite numbers, and numbers just outside the range, are refused for
         }
 }
 
-TEST_CASE("a value of the wrong kind is refused for every parameter", "[process][slow]") {
-    for (const std::string& lesson : lesson_names())
+TEST_CASE("a value of the wrong kind is refused for every parameter", "[process][slow][every_lesson]") {
+    for (const std::string& lesson : every_lesson())
         for (const Json& p : parameters_of(lesson)) {
             const std::string key = p["key"];
             const auto refuse = [&](const char* value, const std::string& word) {
@@ -210,7 +211,7 @@ TEST_CASE("output that cannot be written is an error", "[process]") {
     for (const Arguments& arguments :
          {Arguments{"list", "--json"}, Arguments{"run", "moduli", "--set", "resolution=1", "--json"}}) {
         Child child(PLIANT_PROGRAM, arguments, "/dev/full", scratch.folder() / "err");
-        REQUIRE(child.wait(std::chrono::seconds(60)));
+        REQUIRE(child.wait());
         CHECK(child.exit_code() == refused);
         CHECK(contains(contents_of(scratch.folder() / "err"), "standard output"));
     }

@@ -11,6 +11,7 @@
 #include "app/state_report.h"
 #include "command_line/options.h"
 #include "platform/png_file.h"
+#include "waiting.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -18,15 +19,12 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
 
 using namespace pliant;
 using namespace pliant::test;
 using namespace pliant::viewer;
-using namespace std::chrono_literals;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -39,13 +37,12 @@ Session lattice() {
     return session;
 }
 
+// Frames go by until the map is made.
 bool wait_for(Atlas& atlas, const Session& session) {
-    const auto deadline = std::chrono::steady_clock::now() + 30s;
-    while (atlas.busy() && std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(1ms);
+    return comes_true([&] {
         atlas.follow(session);
-    }
-    return !atlas.busy();
+        return !atlas.busy();
+    });
 }
 
 void ask_for_little(Atlas& atlas) { atlas.cells = 8, atlas.steps = 50; }
@@ -106,26 +103,24 @@ TEST_CASE("a cell opens as the scene of the lab, in one step of undo", "[session
 }
 
 TEST_CASE("another lesson, a cancel and the end of the lab stop a map at once", "[session][atlas]") {
+    // Each of these maps would take more than a day: that this case ends shows that none is made.
     Session session = lattice();
-    const auto begin = std::chrono::steady_clock::now();
-    {
-        Atlas atlas;
-        atlas.follow(session);
-        atlas.cells = 48, atlas.steps = 100000;
-        atlas.start(session);
-        atlas.cancel();
-        CHECK_FALSE(atlas.busy());
-        atlas.start(session);
-        session.open_next(1);
-        atlas.follow(session);
-        CHECK_FALSE(atlas.busy());
-        CHECK_FALSE(atlas.map());
-        CHECK(atlas.up != "k_structural");
-        session.open(find_lesson("mass_spring"), one_cell);
-        atlas.follow(session);
-        atlas.start(session);
-    }
-    CHECK(std::chrono::steady_clock::now() - begin < 10s);
+    Atlas atlas;
+    atlas.follow(session);
+    atlas.cells = 48, atlas.steps = 10'000'000;
+    atlas.start(session);
+    atlas.cancel();
+    CHECK_FALSE(atlas.busy());
+    atlas.start(session);
+    session.open_next(1);
+    atlas.follow(session);
+    CHECK_FALSE(atlas.busy());
+    CHECK_FALSE(atlas.map());
+    CHECK(atlas.up != "k_structural");
+    session.open(find_lesson("mass_spring"), one_cell);
+    atlas.follow(session);
+    atlas.start(session);
+    CHECK(atlas.busy());
 }
 
 TEST_CASE("a lesson that is solved at once has no map, and the panel says so", "[session][atlas]") {

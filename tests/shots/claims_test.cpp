@@ -6,6 +6,7 @@
 #include "app/state_report.h"
 #include "app/summary.h"
 #include "command_line/options.h"
+#include "waiting.h"
 #include "walker.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -13,13 +14,10 @@
 #include <nlohmann/json.hpp>
 
 #include <atomic>
-#include <chrono>
-#include <thread>
 
 using namespace pliant;
 using namespace pliant::test;
 using namespace pliant::viewer;
-using namespace std::chrono_literals;
 using Catch::Matchers::ContainsSubstring;
 using Phase = ClaimBook::Phase;
 
@@ -44,12 +42,10 @@ Finding found() { return {0.5, Verdict::reproduced, "It is so.", ""}; }
 
 // Frames go by until nothing is measured any longer.
 bool wait_for(ClaimBook& book) {
-    const auto deadline = std::chrono::steady_clock::now() + 30s;
-    while (book.busy() && std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(1ms);
+    return comes_true([&] {
         book.update();
-    }
-    return !book.busy();
+        return !book.busy();
+    });
 }
 
 }  // namespace
@@ -102,7 +98,7 @@ TEST_CASE("experiments are made one after the other, and the lab goes on meanwhi
     std::atomic<int> at_once = 0, most = 0;
     const auto slow = [&] {
         most = std::max(most.load(), ++at_once);
-        while (!go) std::this_thread::sleep_for(1ms);
+        go.wait(false);
         --at_once;
         return found();
     };
@@ -125,6 +121,7 @@ TEST_CASE("experiments are made one after the other, and the lab goes on meanwhi
     book.forget(first);  // not while it is measured
     CHECK(book.phase(first) == Phase::measuring);
     go = true;
+    go.notify_all();
     REQUIRE(wait_for(book));
     CHECK(book.phase(first) == Phase::measured);
     CHECK(book.phase(second) == Phase::measured);
@@ -133,9 +130,11 @@ TEST_CASE("experiments are made one after the other, and the lab goes on meanwhi
 
 TEST_CASE("a lab that closes waits for the experiment under way and makes no other", "[session]") {
     std::atomic<int> begun = 0, ended = 0;
+    std::atomic<bool> closing = false;
     const auto slow = [&] {
         ++begun;
-        std::this_thread::sleep_for(50ms);
+        begun.notify_all();
+        closing.wait(false);
         ++ended;
         return found();
     };
@@ -144,7 +143,9 @@ TEST_CASE("a lab that closes waits for the experiment under way and makes no oth
         ClaimBook book;
         book.measure(first);
         book.measure(second);
-        while (begun == 0) std::this_thread::sleep_for(1ms);
+        begun.wait(0);
+        closing = true;
+        closing.notify_all();
     }
     CHECK(begun == 1);
     CHECK(ended == 1);

@@ -1,4 +1,5 @@
 // Looking inside a step, without a picture: stops, before and after, pins and questions.
+#include "../every_lesson.h"
 #include "app/session.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -8,6 +9,7 @@
 #include <cmath>
 
 using namespace pliant;
+using namespace pliant::test;
 using namespace pliant::viewer;
 using Catch::Matchers::ContainsSubstring;
 
@@ -22,8 +24,8 @@ bool play_until_stopped(Session& s, int frames = 300) {
 
 }  // namespace
 
-TEST_CASE("a run that plays stops before a stage and goes on to the next step's", "[session]") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("a run that plays stops before a stage and goes on to the next step's", "[session][every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         INFO(entry.info.id);
         Session s(entry.info.id);
         const std::string stage(s.runner().stages().back()->name);
@@ -39,8 +41,8 @@ TEST_CASE("a run that plays stops before a stage and goes on to the next step's"
     }
 }
 
-TEST_CASE("what a stage changed is what it left less what it found", "[session]") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("what a stage changed is what it left less what it found", "[session][every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         INFO(entry.info.id);
         Session s(entry.info.id);
         for (int k = 0; k < 3; ++k) s.step();

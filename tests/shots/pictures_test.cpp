@@ -1,4 +1,5 @@
 // What holds for the picture of any lesson.
+#include "../every_lesson.h"
 #include "picture.h"
 
 #include <pliant/math/error.h>
@@ -6,6 +7,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -34,9 +36,9 @@ void check_not_empty(const Image& image) {
     CHECK(distinct_colours(middle) > 50);
 }
 
-void check_pictures(const std::string& size, float ui_scale, const std::string& layout) {
-    for (const LessonEntry& entry : lessons())
-        for (const char* theme : {"dark", "projector"}) {
+void check_pictures(const std::string& size, float ui_scale, const std::string& layout, const std::vector<const char*>& themes) {
+    for (const LessonEntry& entry : every_lesson())
+        for (const char* theme : themes) {
             CAPTURE(entry.info.id, theme, size, layout);
             Shot shot{std::string(entry.info.id), {}, few_steps, {}};
             shot.picture.size = size, shot.picture.layout = layout, shot.picture.theme = theme, shot.picture.ui_scale = ui_scale;
@@ -46,16 +48,16 @@ void check_pictures(const std::string& size, float ui_scale, const std::string& 
 
 }  // namespace
 
-TEST_CASE("two pictures of one scene are the same file", "[shots]") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("two pictures of one scene are the same file", "[shots][every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         CAPTURE(entry.info.id);
         const Shot shot{std::string(entry.info.id), {}, few_steps, {}};
         CHECK(file_bytes(shot) == file_bytes(shot));
     }
 }
 
-TEST_CASE("OSMesa and EGL draw the same picture", "[shots]") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("OSMesa and EGL draw the same picture", "[shots][every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         CAPTURE(entry.info.id);
         Shot osmesa{std::string(entry.info.id), {}, few_steps, {}}, egl = osmesa;
         osmesa.picture.backend = "osmesa";
@@ -70,10 +72,25 @@ TEST_CASE("OSMesa and EGL draw the same picture", "[shots]") {
     }
 }
 
-TEST_CASE("no lesson's picture is empty: slides", "[shots]") { check_pictures("1280x720", 1, "slide"); }
-TEST_CASE("no lesson's picture is empty: the lab", "[shots][slow]") { check_pictures("1280x720", 1, "lab"); }
-TEST_CASE("no lesson's picture is empty: slides for a projector", "[shots][slow]") { check_pictures("1920x1080", 1.5f, "slide"); }
-TEST_CASE("no lesson's picture is empty: the lab for a projector", "[shots][slow]") { check_pictures("1920x1080", 1.5f, "lab"); }
+TEST_CASE("no lesson's picture is empty: slides", "[shots][every_lesson]") {
+    check_pictures("1280x720", 1, "slide", {"dark", "projector"});
+}
+TEST_CASE("no lesson's picture is empty: the lab", "[shots][slow][every_lesson]") {
+    check_pictures("1280x720", 1, "lab", {"dark", "projector"});
+}
+TEST_CASE("no lesson's picture is empty: slides for a projector", "[shots][slow][every_lesson]") {
+    check_pictures("1920x1080", 1.5f, "slide", {"projector"});
+}
+TEST_CASE("no lesson's picture is empty: the lab for a projector", "[shots][slow][every_lesson]") {
+    check_pictures("1920x1080", 1.5f, "lab", {"projector"});
+}
+
+TEST_CASE("a tour without names goes through every lesson", "[shots]") {
+    const auto all = viewer::lessons_of_tour({});
+    CHECK(std::ranges::equal(all, lessons(), {}, {}, [](const LessonEntry& e) { return &e; }));
+    CHECK(viewer::lessons_of_tour({"moduli", "rod"}) == std::vector{&find_lesson("elasticity/moduli"), &find_lesson("mesh/rod")});
+    CHECK_THROWS_AS(viewer::lessons_of_tour({"rodd"}), Refused);
+}
 
 TEST_CASE("a second run stands beside the first, and their difference in its place", "[shots]") {
     Shot shot{"fluids/navier_stokes", {"resolution=24"}, few_steps, {}};

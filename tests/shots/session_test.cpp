@@ -1,5 +1,6 @@
 // What the lab does, without a picture: time, undo, colours, steps back and scenes that are refused.
 #include "app/session.h"
+#include "../every_lesson.h"
 #include "parameters.h"
 #include "walker.h"
 
@@ -7,9 +8,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 using namespace pliant;
 using namespace pliant::test;
@@ -67,15 +66,13 @@ TEST_CASE("a slow machine drops frames and never changes the time step", "[sessi
 TEST_CASE("a long pause between two frames does not freeze the lab", "[session]") {
     Session session = walking({{"wait", "0.005"}});
     session.playing = true;
-    const auto start = std::chrono::steady_clock::now();
     session.update(3600, 12);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
-    CHECK(session.runner().place().step <= 3);
+    CHECK(session.runner().place().step <= 3);  // of 5 ms each, begun within 12 ms
 }
 
-TEST_CASE("a session steps back to what it was", "[session]") {
+TEST_CASE("a session steps back to what it was", "[session][every_lesson]") {
     Session session(lessons().front().info.id);
-    for (const LessonEntry& entry : lessons()) {
+    for (const LessonEntry& entry : every_lesson()) {
         CAPTURE(entry.info.id);
         session.open(entry);
         for (int i = 0; i < 3; ++i) session.step();
@@ -258,8 +255,8 @@ TEST_CASE("parameters that do not go together are refused with the scene as it w
     CHECK(wanted(session, "speed") == 1);
 }
 
-TEST_CASE("a scene saved from a session opens as the same run", "[session]") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("a scene saved from a session opens as the same run", "[session][every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         CAPTURE(entry.info.id);
         Session session(entry.info.id);
         for (const Parameter* p : session.lesson().parameters)
@@ -306,8 +303,8 @@ TEST_CASE("going on to the next lesson comes round to the first", "[session]") {
     CHECK(session.entry().info.id == lessons().front().info.id);
 }
 
-TEST_CASE("a saved scene plays what was done again, to the same bits") {
-    for (const LessonEntry& entry : lessons()) {
+TEST_CASE("a saved scene plays what was done again, to the same bits", "[every_lesson]") {
+    for (const LessonEntry& entry : every_lesson()) {
         INFO(entry.info.id);
         Session session(entry.info.id);
         const auto steps = [](Session& s, int count) {

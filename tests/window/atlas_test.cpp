@@ -9,7 +9,7 @@ TEST_CASE("a map is made, read under the pointer, and a click opens one of its c
     desk.key("w");
     REQUIRE(desk.becomes([](const Json& s) { return s["atlas"]["shown"] == true && s["controls"].contains("atlas make"); }));
     desk.click("atlas make");
-    REQUIRE(desk.becomes([](const Json& s) { return s["atlas"]["mapped"] == true; }, 30s));
+    REQUIRE(desk.becomes([](const Json& s) { return s["atlas"]["mapped"] == true; }));
     desk.wait_frames(frames_to_notice);
 
     // The map has 24 × 24 cells.

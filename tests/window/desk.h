@@ -55,8 +55,9 @@ private:
     // The server writes the number of its display, and the end of the line after it, once it is ready.
     static std::string line_from(int descriptor) {
         std::string line;
+        constexpr int patience_ms = std::chrono::milliseconds(patience).count();
         pollfd ready{descriptor, POLLIN, 0};
-        for (char c = 0; poll(&ready, 1, 20000) > 0 && read(descriptor, &c, 1) == 1;) {
+        for (char c = 0; poll(&ready, 1, patience_ms) > 0 && read(descriptor, &c, 1) == 1;) {
             if (c == '\n') return line;
             line += c;
         }
@@ -83,7 +84,7 @@ public:
                                                    {"WAYLAND_DISPLAY", std::nullopt},
                                                    {"XDG_CONFIG_HOME", config.empty() ? scratch_.path("config") : config}},
                                        std::vector<int>{}, scratch_.folder());
-        const auto deadline = std::chrono::steady_clock::now() + 30s;
+        const auto deadline = std::chrono::steady_clock::now() + patience;
         while (!fs::exists(state_path_) && lab_->running() && std::chrono::steady_clock::now() < deadline)
             std::this_thread::sleep_for(20ms);
         INFO(contents_of(scratch_.path("lab.err")) << contents_of(scratch_.path("xvfb.err")));
@@ -97,10 +98,10 @@ public:
     const Scratch& scratch() const { return scratch_; }
     Json state() const { return Json::parse(contents_of(state_path_)); }
     double parameter(const std::string& key) const { return std::stod(state()["parameters"][key].get<std::string>()); }
-    // Waits until the state is as wanted; false when it does not become so in time.
-    bool becomes(const std::function<bool(const Json&)>& wanted, std::chrono::milliseconds limit = 8s) const {
-        const auto deadline = std::chrono::steady_clock::now() + limit;
-        while (std::chrono::steady_clock::now() < deadline) {
+    // Waits until the state is as wanted; false when the lab ends before, or hangs.
+    bool becomes(const std::function<bool(const Json&)>& wanted) const {
+        const auto deadline = std::chrono::steady_clock::now() + patience;
+        while (lab_->running() && std::chrono::steady_clock::now() < deadline) {
             if (wanted(state())) return true;
             std::this_thread::sleep_for(20ms);
         }
@@ -118,7 +119,7 @@ public:
     void wait_frames(long count) const {
         const long first = state()["frame"];
         std::this_thread::sleep_for(30ms);
-        becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count; }, 30s);
+        becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count; });
     }
 
     // Presses a key and lets it go; "ctrl+z" as a hand does it, with the first key held around the second.
@@ -162,7 +163,7 @@ public:
     // Closes the window as a window manager does and gives the exit code; -1 when the program does not end.
     int close_window() {
         XConnection(screen_.display()).ask_to_close(static_cast<std::uint32_t>(std::stoul(window_)));
-        return lab_->wait(10s) ? lab_->exit_code() : -1;
+        return lab_->wait() ? lab_->exit_code() : -1;
     }
     std::string output() const { return contents_of(scratch_.path("lab.out")); }
     std::string complaints() const { return contents_of(scratch_.path("lab.err")); }
@@ -173,7 +174,7 @@ private:
         wait_frames(frames);
     }
     std::string xdotool(const Arguments& arguments) const {
-        const Outcome outcome = run_process("xdotool", arguments, {{"DISPLAY", screen_.display()}}, 20s);
+        const Outcome outcome = run_process("xdotool", arguments, {{"DISPLAY", screen_.display()}});
         INFO("xdotool " << arguments[0] << ": " << outcome.err);
         REQUIRE(outcome.exit_code == 0);
         return outcome.out;

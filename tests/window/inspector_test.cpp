@@ -82,7 +82,7 @@ TEST_CASE("a run stops on a condition that was typed", "[window]") {
     desk.key("Escape");
     desk.key("Escape");
     desk.key("space");
-    REQUIRE(desk.becomes([](const Json& s) { return s["playing"] == false && s["step"].get<long>() > 0; }, 20s));
+    REQUIRE(desk.becomes([](const Json& s) { return s["playing"] == false && s["step"].get<long>() > 0; }));
     const Json state = desk.state();
     CHECK(inspector(state)["stopped"].get<std::string>().starts_with("height < 0.3"));
     CHECK(state["probes"]["height"] < 0.3);

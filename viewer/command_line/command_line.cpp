@@ -126,6 +126,7 @@ int dispatch(int argc, const char* const* argv) {
     ClaimsOptions claims_options;
     StudyOptions study_options;
     std::string lesson, folder = "out/tour";
+    std::vector<std::string> stops;
     bool json = false, markdown = false, check = false;
 
     app.add_option("--lesson", window_options.lesson, "the lesson to open");
@@ -175,8 +176,9 @@ int dispatch(int argc, const char* const* argv) {
     shot_command->callback([&] { action = [&] { return shot(run_options, picture_options); }; });
 
     CLI::App* tour_command = app.add_subcommand("tour", "every lesson: pictures, probes as CSV and an index page");
+    tour_command->add_option("lesson", stops, "the lessons to show, all when none is named");
     tour_command->add_option("--out", folder, "the folder to write")->capture_default_str();
-    tour_command->callback([&] { action = [&] { return tour(folder); }; });
+    tour_command->callback([&] { action = [&] { return tour(folder, stops); }; });
 
     CLI::App* walkthrough_command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
     walkthrough_command->add_option("lesson", window_options.lesson)->required();

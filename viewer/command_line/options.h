@@ -1,5 +1,6 @@
 // What the commands take from the command line.
 #pragma once
+#include <pliant/lesson/registry.h>
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/until.h>
 
@@ -91,7 +92,9 @@ struct StudyOptions {
 int study(const RunOptions& run, const StudyOptions& options);
 int share(const RunOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
-int tour(const std::string& folder);
+int tour(const std::string& folder, const std::vector<std::string>& names);
+// The lessons that it shows: those that are named, in that order, and all when none is. Throws Refused.
+std::vector<const LessonEntry*> lessons_of_tour(const std::vector<std::string>& names);
 // notes: prints those of the lecturer as well.
 int walkthrough(const std::string& lesson, bool check, bool notes);
 int window(const WindowOptions& options);

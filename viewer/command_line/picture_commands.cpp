@@ -216,7 +216,16 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     return s.autopsy() ? static_cast<int>(ExitCode::diverged) : 0;
 }
 
-int tour(const std::string& folder_name) {
+std::vector<const LessonEntry*> lessons_of_tour(const std::vector<std::string>& names) {
+    std::vector<const LessonEntry*> entries;
+    for (const std::string& name : names) entries.push_back(&find_lesson(name));
+    if (names.empty())
+        for (const LessonEntry& entry : lessons()) entries.push_back(&entry);
+    return entries;
+}
+
+int tour(const std::string& folder_name, const std::vector<std::string>& names) {
+    const auto entries = lessons_of_tour(names);
     const std::filesystem::path folder(folder_name.empty() ? "out/tour" : folder_name);
     make_folder(folder);
     std::string page(page_head);
@@ -224,8 +233,8 @@ int tour(const std::string& folder_name) {
     {
         Lab lab(*slide_context);
         lab.state().hints_shown = false;
-        for (const LessonEntry& entry : lessons())
-            for (const TourStop& stop : stops_of(entry)) {
+        for (const LessonEntry* entry : entries)
+            for (const TourStop& stop : stops_of(*entry)) {
                 fmt::print(stderr, "pliant: {}\n", stop.name);
                 page += visit(lab, *slide_context, stop, folder);
                 visit_lab(lab, *slide_context, stop.name, folder);

@@ -1,5 +1,6 @@
 // `pliant study`: the stability map of a lesson, in files.
 #include <pliant/lesson/file.h>
+#include <pliant/math/parallel.h>
 #include <pliant/study/stability_report.h>
 
 #include "app/map_picture.h"
@@ -14,7 +15,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <thread>
 
 namespace pliant::viewer {
 namespace {
@@ -64,7 +64,7 @@ MapOrder order_from(const RunOptions& run, const StudyOptions& o) {
 }
 
 int jobs_from(const StudyOptions& o) {
-    if (!o.jobs) return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    if (!o.jobs) return most_threads();
     if (*o.jobs < 1 || *o.jobs > 256) throw Refused("--jobs", *o.jobs, "", "a whole number from 1 to 256");
     return *o.jobs;
 }
