@@ -1,9 +1,10 @@
 #include "app/atlas.h"
 
+#include <pliant/math/parallel.h>
+
 #include "app/session.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 namespace pliant::viewer {
@@ -12,7 +13,7 @@ namespace {
 bool is_knob(const MapOrder& order, std::string_view key) { return order.across.key == key || order.up.key == key; }
 
 // One core is left to the lab.
-int jobs_beside_lab() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+int jobs_beside_lab() { return std::max(1, most_threads() - 1); }
 
 // What a map assigns to a parameter beside its knobs.
 Real value_in(const MapOrder& order, const Parameter& p) {
@@ -24,7 +25,7 @@ Real value_in(const MapOrder& order, const Parameter& p) {
 }  // namespace
 
 void Atlas::follow(const Session& session) {
-    std::erase_if(cancelled_, [](const auto& job) { return job->over.load(); });
+    std::erase_if(cancelled_, [](const auto& job) { return job->work->done(); });
     if (std::exchange(lesson_, session.entry().info.id) != session.entry().info.id) {
         cancel();
         map_.reset(), picture_.reset();
@@ -36,9 +37,13 @@ void Atlas::follow(const Session& session) {
             trouble_ = e.what();
         }
     }
-    if (!under_way_ || !under_way_->over) return;
-    trouble_ = under_way_->trouble;
-    if (under_way_->map) take(std::move(under_way_->map));
+    if (!under_way_ || !under_way_->work->done()) return;
+    trouble_.clear();
+    try {
+        take(under_way_->work->take());
+    } catch (const std::exception& e) {
+        trouble_ = e.what();
+    }
     under_way_.reset();
 }
 
@@ -57,33 +62,22 @@ void Atlas::start(const Session& session) {
     auto job = std::make_unique<Job>(order_of(session));
     cancel();
     trouble_.clear();
-    const auto work = [](const std::stop_token& stop, Job& j) {
-        try {
-            const auto tell = [&j](Index done, Index total) { j.total = total, j.done = done; };
-            auto map = std::make_unique<StabilityMap>(make_stability_map(j.order, jobs_beside_lab(), tell, stop));
-            if (map->complete) j.map = std::move(map);
-        } catch (const std::exception& e) {
-            j.trouble = e.what();
-        }
-        j.over = true;
-    };
-    try {
-        job->thread = std::jthread([work, &j = *job](const std::stop_token& stop) { work(stop, j); });
-    } catch (const std::system_error&) {
-        work({}, *job);
-    }
+    job->work.emplace([&j = *job](const std::stop_token& stop) {
+        const auto tell = [&j](Index done, Index total) { j.total = total, j.done = done; };
+        return make_stability_map(j.order, jobs_beside_lab(), tell, stop);
+    });
     under_way_ = std::move(job);
 }
 
 void Atlas::make_now(const Session& session) {
     cancel();
     trouble_.clear();
-    take(std::make_unique<StabilityMap>(make_stability_map(order_of(session), jobs_beside_lab() + 1)));
+    take(make_stability_map(order_of(session), most_threads()));
 }
 
 void Atlas::cancel() {
     if (!under_way_) return;
-    under_way_->thread.request_stop();
+    under_way_->work->ask_to_stop();
     cancelled_.push_back(std::move(under_way_));
 }
 
@@ -91,8 +85,8 @@ Real Atlas::progress() const {
     return under_way_ ? static_cast<Real>(under_way_->done) / static_cast<Real>(under_way_->total) : 0;
 }
 
-void Atlas::take(std::unique_ptr<StabilityMap> map) {
-    map_ = std::move(map);
+void Atlas::take(StabilityMap map) {
+    map_ = std::make_unique<StabilityMap>(std::move(map));
     picture_.emplace(*map_);
 }
 

@@ -1,6 +1,7 @@
 // The stability map that the lab makes beside the run: two knobs of the open lesson, made in threads of their own. It draws
 // nothing.
 #pragma once
+#include <pliant/math/background.h>
 #include <pliant/study/stability_map.h>
 
 #include "plot/map_plot.h"
@@ -10,7 +11,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 
 namespace pliant::viewer {
 
@@ -52,17 +52,14 @@ private:
     struct Job {
         explicit Job(MapOrder wanted) : order(std::move(wanted)) {}
         MapOrder order;
-        std::unique_ptr<StabilityMap> map{};
-        std::string trouble{};
         std::atomic<Index> done = 0, total = 1;
-        std::atomic<bool> over = false;
-        std::jthread thread{};  // last: it is waited for before the others go
+        std::optional<Background<StabilityMap>> work{};  // last: it is waited for before the others go
     };
     MapOrder order_of(const Session& session) const;
-    void take(std::unique_ptr<StabilityMap> map);
+    void take(StabilityMap map);
 
     std::string_view lesson_{};
-    std::unique_ptr<StabilityMap> map_;
+    std::unique_ptr<StabilityMap> map_;  // where the picture looks for it
     std::optional<MapPicture> picture_;
     std::string trouble_;
     std::unique_ptr<Job> under_way_;

@@ -7,26 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <system_error>
 #include <utility>
 
 namespace pliant::viewer {
-namespace {
-
-// In a thread of its own; where the system has none to give, here and now.
-std::future<ClaimResult> begin(const Claim& claim) {
-    try {
-        return std::async(std::launch::async, [&claim] { return measured(claim); });
-    } catch (const std::system_error&) {
-        std::promise<ClaimResult> done;
-        done.set_value(measured(claim));
-        return done.get_future();
-    }
-}
-
-}  // namespace
-
 const ClaimBook::Card& ClaimBook::card(const Claim& claim) const {
     static const Card untouched;
     const auto found = cards_.find(claim.id);
@@ -75,14 +58,15 @@ void ClaimBook::forget(const Claim& claim) {
 }
 
 void ClaimBook::update() {
-    if (under_way_.valid() && under_way_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        cards_[measuring_->id].result = under_way_.get();
+    if (under_way_ && under_way_->done()) {
+        cards_[measuring_->id].result = under_way_->take();
+        under_way_.reset();
         measuring_ = nullptr;
     }
-    if (under_way_.valid() || waiting_.empty()) return;
+    if (under_way_ || waiting_.empty()) return;
     measuring_ = waiting_.front();
     waiting_.pop_front();
-    under_way_ = begin(*measuring_);
+    under_way_.emplace([claim = measuring_](const std::stop_token&) { return measured(*claim); });
 }
 
 std::vector<const Claim*> ClaimBook::listed(std::string_view lesson) const {

@@ -1,10 +1,10 @@
 // The claims of the ledger as a person goes through them: a prediction, then the experiment, which is made beside the window. It
 // draws nothing.
 #pragma once
+#include <pliant/math/background.h>
 #include <pliant/study/claims_report.h>
 
 #include <deque>
-#include <future>
 #include <map>
 #include <optional>
 #include <string>
@@ -41,7 +41,7 @@ public:
 
     // Takes up what has been measured, and begins with the next: call it in every frame.
     void update();
-    bool busy() const { return under_way_.valid() || !waiting_.empty(); }
+    bool busy() const { return under_way_ || !waiting_.empty(); }
 
     // --- what is looked at ---
     bool all = false;  // the claims of all lessons, not only of the open one
@@ -61,7 +61,7 @@ private:
     std::deque<const Claim*> waiting_;
     const Claim* measuring_ = nullptr;
     std::string_view chosen_;
-    std::future<ClaimResult> under_way_;
+    std::optional<Background<ClaimResult>> under_way_;
 };
 
 std::string_view name_of(ClaimBook::Phase phase);
