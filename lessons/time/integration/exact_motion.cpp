@@ -1,98 +1,12 @@
 #include "exact_motion.h"
 
-#include <array>
+#include <pliant/math/elliptic.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 namespace pliant::integration {
-namespace {
-
-using std::numbers::pi;
-constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-
-// R_F(x, y, z) by duplication: half the integral of 1/sqrt((t + x)(t + y)(t + z)) over t > 0 [Carlson1995].
-Real carlson_rf(Real x, Real y, Real z) {
-    for (int doubling = 0; doubling < 60; ++doubling) {
-        const Real mean = (x + y + z) / 3;
-        const Real dx = 1 - x / mean, dy = 1 - y / mean, dz = 1 - z / mean;
-        if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) < 1e-3) {
-            const Real e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
-            return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44) / std::sqrt(mean);
-        }
-        const Real shift = std::sqrt(x * y) + std::sqrt(y * z) + std::sqrt(z * x);
-        x = (x + shift) / 4, y = (y + shift) / 4, z = (z + shift) / 4;
-    }
-    return 1 / std::sqrt((x + y + z) / 3);
-}
-
-// F(phi, k) for phi in [-pi/2, pi/2], given by its sine and cosine; dn2 = 1 - k^2 sin^2 phi.
-Real first_kind(Real sine, Real cosine, Real dn2) { return sine * carlson_rf(cosine * cosine, dn2, 1); }
-
-Real complete_first_kind(Real complement) {
-    Real a = 1, b = complement;
-    for (int k = 0; k < 40 && std::abs(a - b) > 4 * epsilon * a; ++k) {
-        const Real mean = (a + b) / 2;
-        b = std::sqrt(a * b), a = mean;
-    }
-    return pi / (a + b);
-}
-
-// The amplitude am(u, k) with the complementary modulus k' > 0: descending Landen transformation.
-Real amplitude(Real u, Real complement) {
-    std::array<Real, 40> ratio{};  // c_n / a_n
-    Real a = 1, b = complement, c = std::sqrt((1 - b) * (1 + b));
-    std::size_t n = 0;
-    while (std::abs(c) > epsilon * a && n + 1 < ratio.size()) {
-        c = (a - b) / 2;
-        const Real mean = (a + b) / 2;
-        b = std::sqrt(a * b), a = mean;
-        ratio[++n] = c / a;
-    }
-    Real phi = std::ldexp(a * u, static_cast<int>(n));
-    for (; n > 0; --n) phi = (phi + std::asin(ratio[n] * std::sin(phi))) / 2;
-    return phi;
-}
-
-// A swing that turns back: sin(theta/2) = k sn, theta' = 2 omega k cn.
-Motion swing(Real omega, Motion start, Real k, Real complement, Real t) {
-    const Real sine = std::sin(start.x / 2) / k, cosine = start.v / (2 * omega * k), dn = std::cos(start.x / 2);
-    const Real quarter = complete_first_kind(complement);
-    Real u = first_kind(sine, cosine, dn * dn);
-    if (cosine < 0) u = std::copysign(2 * quarter, sine) - u;
-    const Real phi = amplitude(std::fmod(u + omega * t, 4 * quarter), complement);
-    return {2 * std::asin(k * std::sin(phi)), 2 * omega * k * std::cos(phi)};
-}
-
-// Over the top, with k > 1: theta/2 = am(omega k t + u, 1/k), to the side that it turns to.
-Motion turn(Real omega, Motion start, Real k, Real excess, Real t) {
-    const Real side = std::copysign(1, start.v), half = side * start.x / 2;
-    const Real complement = excess / k;  // of 1/k
-    const Real u = first_kind(std::sin(half), std::cos(half), 1 - std::pow(std::sin(half) / k, 2));
-    const Real phi = amplitude(u + omega * k * t, complement);
-    const Real dn = std::hypot(std::cos(phi), complement * std::sin(phi));
-    return {side * 2 * phi, side * 2 * omega * k * dn};
-}
-
-// Just to the top, which it never reaches: k = 1.
-Motion to_the_top(Real omega, Motion start, Real t) {
-    const Real side = std::copysign(1, start.v);
-    const Real u = std::atanh(std::min(side * std::sin(start.x / 2), 1 - epsilon)) + omega * t;
-    return {side * 2 * std::asin(std::tanh(u)), side * 2 * omega / std::cosh(u)};
-}
-
-// k^2, and 1 - k^2 without cancellation; whole turns of the angle are taken off.
-struct Modulus {
-    Real turns, square, complement_square;
-};
-Modulus modulus_of(Real omega, Motion& start) {
-    const Real turns = 2 * pi * std::round(start.x / (2 * pi));
-    start.x -= turns;
-    const Real rate = start.v / (2 * omega), s = std::sin(start.x / 2), c = std::cos(start.x / 2);
-    return {turns, s * s + rate * rate, (c - rate) * (c + rate)};
-}
-
-}  // namespace
 
 Motion damped_oscillator(Real omega, Real zeta, Motion start, Real t) {
     const auto [x0, v0] = start;
@@ -109,26 +23,73 @@ Motion damped_oscillator(Real omega, Real zeta, Motion start, Real t) {
     return {x, along * std::exp(-fast * t) - slow * x};
 }
 
-Motion pendulum(Real omega, Motion start, Real t) {
-    if (omega == 0) return {start.x + start.v * t, start.v};
-    const auto [turns, square, complement_square] = modulus_of(omega, start);
-    const Real k = std::sqrt(square);
-    if (k == 0) return {turns, 0};
-    Motion now;
-    if (std::abs(complement_square) < 8 * epsilon)
-        now = start.v == 0 ? start : to_the_top(omega, start, t);
-    else if (complement_square > 0)
-        now = swing(omega, start, k, std::sqrt(complement_square), t);
-    else
-        now = turn(omega, start, k, std::sqrt(-complement_square), t);
-    return {now.x + turns, now.v};
+// The half angle of the start decides on all that follows, by what it and the speed leave to the top: with long doubles, since a
+// start may be as near to the top as doubles come.
+Pendulum::Pendulum(Real omega, Real gravity, Motion start) : omega_(omega), length_(gravity / (omega * omega)) {
+    using Wide = long double;
+    const Wide half = Wide{start.x} * omega * omega / (2 * Wide{gravity}), rate = Wide{start.v} * omega / (2 * Wide{gravity});
+    Wide s = std::sin(half), c = std::cos(half);
+    if (c < 0) s = -s, c = -c;
+    const Wide turns = std::round((half - std::atan2(s, c)) / std::numbers::pi_v<Wide>);
+    centre_ = static_cast<Real>(2 * std::numbers::pi_v<Wide> * turns * gravity / (Wide{omega} * omega));
+
+    const Wide k = std::hypot(s, rate), to_the_top = (c - rate) * (c + rate);  // 1 - k^2
+    if (k == 0) return;
+    const Real sine = static_cast<Real>(s), cosine = static_cast<Real>(c), v = static_cast<Real>(rate);
+    modulus_ = static_cast<Real>(k);
+    side_ = v == 0 ? std::copysign(Real{1}, sine) : std::copysign(Real{1}, v);
+    if (to_the_top > 0) {
+        kind_ = Kind::swings;
+        complement_ = static_cast<Real>(std::sqrt(to_the_top));
+        phase_ = elliptic_integral(static_cast<Real>(s / k), static_cast<Real>(rate / k), cosine);
+        if (v < 0) phase_ = std::copysign(2 * complete_elliptic_integral(complement_), sine) - phase_;
+    } else if (to_the_top < 0) {
+        kind_ = Kind::turns;
+        complement_ = static_cast<Real>(std::sqrt(-to_the_top) / k);
+        phase_ = elliptic_integral(side_ * sine, cosine, std::abs(static_cast<Real>(rate / k)));
+    } else {
+        kind_ = Kind::comes_to_the_top;
+        phase_ = std::asinh(side_ * static_cast<Real>(s / c));
+    }
 }
 
-Real pendulum_period(Real omega, Motion start) {
-    const auto [turns, square, complement_square] = modulus_of(omega, start);
-    if (complement_square > 0) return 4 * complete_first_kind(std::sqrt(complement_square)) / omega;
-    const Real k = std::sqrt(square);
-    return 2 * complete_first_kind(std::sqrt(-complement_square) / k) / (omega * k);
+// Half the angle from the lowest point is told by its sine and cosine, so that next to the top no digit is lost.
+Motion Pendulum::at(Real t) const {
+    const auto on_arc = [this](Real half_angle, Real half_rate) {
+        return Motion{centre_ + 2 * length_ * half_angle, 2 * length_ * omega_ * half_rate};
+    };
+    switch (kind_) {
+        case Kind::rests:
+            break;
+        case Kind::swings: {
+            // sin(theta/2) = k sn, cos(theta/2) = dn, theta' = 2 omega k cn
+            const Real lap = 4 * complete_elliptic_integral(complement_);
+            const auto [am, sn, cn, dn] = jacobi(std::fmod(phase_ + omega_ * t, lap), complement_);
+            return on_arc(std::atan2(modulus_ * sn, dn), modulus_ * cn);
+        }
+        case Kind::turns: {
+            // theta/2 = am(omega k t + u, 1/k) to the side that it turns to
+            const Jacobi now = jacobi(phase_ + omega_ * modulus_ * t, complement_);
+            return on_arc(side_ * now.am, side_ * modulus_ * now.dn);
+        }
+        case Kind::comes_to_the_top:
+            // k = 1, which the top is never left with: sin(theta/2) = tanh u
+            return on_arc(side_ * std::atan(std::sinh(phase_ + omega_ * t)), side_ / std::cosh(phase_ + omega_ * t));
+    }
+    return {centre_, 0};
+}
+
+Real Pendulum::period() const {
+    switch (kind_) {
+        case Kind::rests:
+        case Kind::swings:
+            return 4 * complete_elliptic_integral(complement_) / omega_;
+        case Kind::turns:
+            return 2 * complete_elliptic_integral(complement_) / (omega_ * modulus_);
+        case Kind::comes_to_the_top:
+            break;
+    }
+    return std::numeric_limits<Real>::infinity();
 }
 
 }  // namespace pliant::integration
