@@ -1,3 +1,4 @@
+#include <pliant/continuum/deformation.h>
 #include <pliant/math/error.h>
 #include <pliant/math/small_eigen.h>
 #include <pliant/solids/element_materials.h>
@@ -88,6 +89,20 @@ template <int Dim>
 void HyperelasticFem<Dim>::stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const {
     std::fill_n(matrix.valuePtr(), static_cast<std::size_t>(matrix.nonZeros()), Real{0});
     for (Index e = 0; e < mesh_->simplex_count(); ++e) assembly_.add(e, element_stiffness(e, displacement, definite), matrix);
+}
+
+// Both ends of a step may be admitted with a mirror image between them: two axes turned over make a proper body again.
+template <int Dim>
+Real HyperelasticFem<Dim>::admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const {
+    constexpr Real margin = 0.9;
+    Real share = 1;
+    for (Index e = 0; e < mesh_->simplex_count(); ++e) {
+        if (density(e).admits(Mat<Dim>::Zero())) continue;
+        const Mat<Dim> F = deformation_gradient(e, displacement), dF = mesh_->field_gradient(e, change);
+        const Real relative = (cofactor<Dim>(F).transpose() * dF).norm() / volume_ratio<Dim>(F);
+        if (share * relative > margin) share = margin / relative;
+    }
+    return share;
 }
 
 // V B^T (dP/dF) B with B: corner displacements to F in columns; block (a, b) contracts the tangent with both gradients.

@@ -40,6 +40,11 @@ public:
     void stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const;
     const SparseMatrix& pattern() const { return assembly_.pattern(); }
 
+    // The share, at most 1, of a change of the displacements [m] that can be made without turning an element inside out on the
+    // way: F + s dF stays invertible up to s = 1/|F^-1 dF|. A margin is left. 1 for elements whose energy admits every F. The
+    // displacements themselves are admitted.
+    Real admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const;
+
 private:
     ElementMatrix element_stiffness(Index element, const Points<Dim>& displacement, bool definite) const;
 

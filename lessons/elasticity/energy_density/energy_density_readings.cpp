@@ -132,18 +132,24 @@ void EnergyDensityLesson::declare_block_probes() {
             return reading();
         };
     };
+    // A block that gave up has not come to where it shall be: its pull says nothing.
+    const auto of_whole_block = [=, this](auto reading) {
+        return of_block([this, reading]() -> std::optional<Real> {
+            return block_->failed() ? std::nullopt : std::optional<Real>(reading());
+        });
+    };
     const auto nodes = [this] { return Points<3>(displacement_.rightCols(block_->mesh().node_count())); };
     probes.push_back({.name = "block_stress",
                       .symbol = "F/A",
                       .unit = "Pa",
                       .help = "pull on the end of the block over its area at rest",
-                      .value = of_block([=, this] { return block_->stress(nodes()); }),
+                      .value = of_whole_block([=, this] { return block_->stress(nodes()); }),
                       .exact = [=, this](Real) { return known() ? std::optional<Real>(P_(0, 0)) : std::nullopt; },
                       .explain = [this] { return why_block_stress(); }});
     probes.push_back({.name = "block_width",
                       .symbol = "w/w₀",
                       .help = "of the middle section of the block, over its width at rest",
-                      .value = of_block([=, this] { return block_->width(nodes()); }),
+                      .value = of_whole_block([=, this] { return block_->width(nodes()); }),
                       .exact = [=, this](Real) { return known() ? std::optional<Real>(F_(1, 1)) : std::nullopt; },
                       .explain = [this] { return why_block_width(); }});
     probes.push_back(
@@ -152,7 +158,7 @@ void EnergyDensityLesson::declare_block_probes() {
                                                                                             })});
     probes.push_back({.name = "block_residual",
                       .symbol = "|r|/|f|",
-                      .help = "largest unbalanced force over the largest force in the block",
+                      .help = "largest unbalanced force over the largest force in the block; 1 while its ends are not in place",
                       .value = of_block([this] { return done_[3]; })});
 }
 
