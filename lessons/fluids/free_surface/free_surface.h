@@ -97,8 +97,8 @@ private:
     Real crossing_of(Index fluid, Index air) const;  // part of the way between the centres
     Crossing front() const;
     Crossing height_in(Index column) const;
-    Real depth_pressure() const;  // m²/s²
-    Real liquid_speed() const;    // largest in the liquid, m/s
+    std::optional<Real> depth_pressure(Index row) const;  // m²/s²
+    Real liquid_speed() const;                            // largest in the liquid, m/s
     Real kinetic_energy() const;
     Real potential_energy() const;
     Real wave_frequency() const;  // ω of the linear wave, 1/s
