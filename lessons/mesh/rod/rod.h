@@ -25,6 +25,7 @@ public:
     RodLesson();
 
     int dimension() const override { return 2; }
+    void check() const override;
     void reset() override;
     Real time_step() const override { return hangs_still() ? Real{0} : Real{dt}; }
     bool at_rest() const override { return hangs_still() && clock_[balanced] == 1; }
@@ -85,6 +86,7 @@ private:
     MassChain chain() const { return chain_of(spring_rule, segments); }
     RunningPulse pulse(Real speed) const;
     Real chain_speed() const { return UniformRod{length, chain_axial_stiffness(), total_mass}.wave_speed(); }  // m/s
+    VecX start_displacements() const;  // m, of the nodes along the rod
     Index watched_mode() const { return std::min<Index>(mode, chain().modes(end())); }
     Real damping_ratio(Real omega) const { return damped() ? damping * omega / 2 : Real{0}; }
 
@@ -111,6 +113,7 @@ private:
     Real force_rounding() const;
     Real imbalance() const;
     Real imbalance_rounding() const;
+    Real swing(Real omega, Real t) const;
     std::optional<Real> exact_displacement(Real s, Real t) const;
     std::optional<Real> exact_strain(Real s, Real t) const;
     void sample_exact(Curve& curve, std::optional<Real> (RodLesson::*exact)(Real, Real) const) const;

@@ -42,9 +42,9 @@ void RodLesson::declare_checks() {
          .used = [this] { return !hangs_still() && std::isfinite(stable_time_step()); },
          .fix = [this] { return stable_fix(); }},
         {.name = "not_turned_over",
-         .value = [this] { return -strain_.minCoeff(); },
+         .value = [this] { return 1 - (along().transpose() * slope_).minCoeff(); },
          .limit = [] { return 0.9; },
-         .formula = "−ε ≤ 0.9 in every segment",
+         .formula = "1 − ∂x/∂s ≤ 0.9 along the rod, in every segment",
          .broken = "a segment is squeezed to nothing or turned over: |∂x/∂s| does not tell, and the waves are no longer linear",
          .fix = [this]() -> std::optional<Fix> {
              if (hangs()) return with_time_step(dt / 4);

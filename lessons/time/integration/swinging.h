@@ -1,8 +1,7 @@
 // What is integrated: a mass of 1 kg on a spring, a pendulum, or two masses on a soft and a stiff spring. With its solution in
 // closed form.
 #pragma once
-#include "exact_motion.h"
-
+#include <pliant/time/exact_motion.h>
 #include <pliant/time/implicit.h>
 
 #include <optional>

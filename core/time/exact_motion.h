@@ -1,8 +1,8 @@
-// Motions in closed form that the integrators are measured against.
+// Motions in closed form that integrators are measured against.
 #pragma once
 #include <pliant/math/types.h>
 
-namespace pliant::integration {
+namespace pliant {
 
 // A place and its velocity.
 struct Motion {
@@ -41,4 +41,4 @@ private:
     Real phase_ = 0;       // their argument at the start
 };
 
-}  // namespace pliant::integration
+}  // namespace pliant

@@ -1,12 +1,11 @@
-#include "exact_motion.h"
-
 #include <pliant/math/elliptic.h>
+#include <pliant/time/exact_motion.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-namespace pliant::integration {
+namespace pliant {
 
 Motion damped_oscillator(Real omega, Real zeta, Motion start, Real t) {
     const auto [x0, v0] = start;
@@ -92,4 +91,4 @@ Real Pendulum::period() const {
     return std::numeric_limits<Real>::infinity();
 }
 
-}  // namespace pliant::integration
+}  // namespace pliant
