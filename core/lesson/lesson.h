@@ -131,6 +131,10 @@ public:
     // Refuses combinations of parameters that are each legal alone. Throws Refused.
     virtual void check() const {}
 
+    // The names of the stages in the order in which they run, where the parameters make it another than that of `stages`, which
+    // never move. Stages that it leaves out come last. Takes effect with the next step.
+    virtual std::vector<std::string_view> stage_order() const { return {}; }
+
     // The initial state, from the parameters alone: two resets give equal bits. Every field in use has its size and finite
     // numbers afterwards.
     virtual void reset() = 0;
@@ -176,6 +180,9 @@ public:
 
     // The probes that a lecturer would read out, at most three, to show in large type.
     virtual std::vector<std::string_view> key_numbers() const { return {}; }
+
+    // The stages that the scene uses, in the order in which they run.
+    std::vector<const Stage*> stages_in_use() const;
 
     Parameter& parameter(std::string_view key) const;      // throws Refused, with the nearest known key
     const Field& field(std::string_view name) const;       // throws Refused, likewise; names fields in use

@@ -67,8 +67,7 @@ Json conserved_json(const Runner& runner) {
 
 Json cost_json(const Runner& runner) {
     Json cost = Json::object();
-    for (const Stage* s : runner.stages())
-        cost[std::string(s->name)] = runner.cost(static_cast<std::size_t>(s - runner.lesson().stages.data())).total_ms;
+    for (const Stage* s : runner.stages()) cost[std::string(s->name)] = runner.cost(*s).total_ms;
     return cost;
 }
 
@@ -127,7 +126,7 @@ std::string run_text(const Runner& runner) {
     for (const std::size_t i : runner.shown_laws()) text += table_row(lesson.conserved[i].probe, name_of(runner.holds(i)));
     text += "\nCost\n";
     for (const Stage* s : runner.stages()) {
-        const StageCost& c = runner.cost(static_cast<std::size_t>(s - lesson.stages.data()));
+        const StageCost& c = runner.cost(*s);
         text +=
             table_row(s->name, fmt::format("{:.3f} ms", c.total_ms), c.passes > c.runs ? fmt::format("{} passes", c.passes) : "");
     }

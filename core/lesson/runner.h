@@ -114,8 +114,8 @@ public:
     void note_failure(const Failure& failure) { failure_ = failure; }
 
     // --- what it costs, and whether it holds ---
-    const StageCost& cost(std::size_t stage) const { return costs_[stage]; }  // index in lesson().stages
-    Real step_ms() const { return step_ms_; }                                 // of the latest whole step
+    const StageCost& cost(const Stage& stage) const { return costs_[number(stage)]; }  // of lesson().stages
+    Real step_ms() const { return step_ms_; }                                          // of the latest whole step
     // Empty where undefined. Throws Diverged when it is not finite.
     std::optional<Real> value(const Probe& probe) const;
     std::optional<Real> exact(const Probe& probe) const;

@@ -134,10 +134,6 @@ void Runner::start_fresh() {
     renew_references();
 }
 
-void Runner::collect_active() {
-    active_.clear();
-    for (const Stage& s : lesson_->stages)
-        if (s.in_use()) active_.push_back(&s);
-}
+void Runner::collect_active() { active_ = lesson_->stages_in_use(); }
 
 }  // namespace pliant

@@ -176,8 +176,7 @@ void draw_stage_bar(LabState& lab) {
                                          static_cast<float>(stages.size());
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i) ImGui::SameLine(0, gap);
-        stage_box(lab, *stages[i], runner.cost(static_cast<std::size_t>(stages[i] - runner.lesson().stages.data())), i, width,
-                  lab.px(stage_height));
+        stage_box(lab, *stages[i], runner.cost(*stages[i]), i, width, lab.px(stage_height));
     }
 }
 

@@ -234,7 +234,6 @@ Input NavierStokes::nu_input() const {
 // ------------------------------------------------------------------------------------------------------ the initial state
 
 void NavierStokes::reset() {
-    put_stages_in_order();
     grid_ = std::make_unique<StaggeredGrid<2>>(domain(scene(), settings()));
     advection_.reset();
     diffusion_.reset();

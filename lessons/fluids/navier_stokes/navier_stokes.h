@@ -30,6 +30,7 @@ public:
 
     int dimension() const override { return 2; }
     void check() const override;
+    std::vector<std::string_view> stage_order() const override;
     void reset() override;
     Real time_step() const override { return dt; }
     void draw(Scene& scene) const override;
@@ -81,7 +82,6 @@ private:
     void declare_checks();
 
     // --- the stages (navier_stokes_stages.cpp) ---
-    void put_stages_in_order();
     void end_stage(std::string_view name);
     void end_step();
     void external_forces();
