@@ -5,7 +5,6 @@
 #include <pliant/lesson/format.h>
 
 #include <fmt/format.h>
-#include <pliant/math/small_eigen.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +43,11 @@ Real reach_in(const Vec<2>& half, const Vec<2>& d) {
     const Real x = d[0] == 0 ? std::numeric_limits<Real>::infinity() : half[0] / std::abs(d[0]);
     const Real y = d[1] == 0 ? std::numeric_limits<Real>::infinity() : half[1] / std::abs(d[1]);
     return std::min(x, y);
+}
+
+// The largest magnitude of a normal stress in the plane of the picture: the middle and the radius of Mohr's circle.
+Real largest_principal(const Mat<3>& stress) {
+    return std::abs(stress(0, 0) + stress(1, 1)) / 2 + std::hypot((stress(0, 0) - stress(1, 1)) / 2, stress(0, 1));
 }
 
 std::string number(Real value, std::string_view unit) { return format_quantity(value, unit); }
@@ -176,7 +180,7 @@ void StressStrainLesson::draw_cut(Scene& picture) const {
     if (at_rest()) {
         const Mat<3> stress = body_->mean(stress_);
         const Vec<3> t = stress * n, normal_part = t.dot(n) * n, shear = t - normal_part;
-        const Real largest = symmetric_eigenvalues<3>(applied_stress()).cwiseAbs().maxCoeff();
+        const Real largest = largest_principal(applied_stress());
         if (largest > 0) {
             const Real scale = 0.8 * unit / largest;  // the normal stays the longest
             picture.arrow(at(front), at(front + scale * t), Ink::force, "t = σ·n");
