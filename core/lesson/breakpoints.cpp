@@ -113,13 +113,4 @@ std::optional<std::string> Breakpoints::stops(const Runner& runner) {
     return std::nullopt;
 }
 
-std::optional<std::string> run_to_break(Runner& runner, Breakpoints& breakpoints, const std::function<bool()>& go_on) {
-    breakpoints.arm(runner);
-    while (true) {
-        runner.step_pass();
-        if (auto reason = breakpoints.stops(runner)) return reason;
-        if (!runner.inside_step() && !go_on()) return std::nullopt;
-    }
-}
-
 }  // namespace pliant

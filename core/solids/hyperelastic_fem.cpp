@@ -44,12 +44,6 @@ Mat<Dim> HyperelasticFem<Dim>::deformation_gradient(Index element, const Points<
 }
 
 template <int Dim>
-void HyperelasticFem<Dim>::deformation_gradients(const Points<Dim>& displacement, Tensors<Dim>& F) const {
-    F.resize(Dim * Dim, mesh_->simplex_count());
-    for (Index e = 0; e < mesh_->simplex_count(); ++e) tensor<Dim>(F, e) = deformation_gradient(e, displacement);
-}
-
-template <int Dim>
 void HyperelasticFem<Dim>::stress(const Points<Dim>& displacement, Tensors<Dim>& P) const {
     P.resize(Dim * Dim, mesh_->simplex_count());
     Index e = 0;

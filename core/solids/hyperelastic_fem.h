@@ -27,7 +27,6 @@ public:
     const EnergyDensity<Dim>& density(Index element) const { return densities_[static_cast<std::size_t>(element)]; }
 
     Mat<Dim> deformation_gradient(Index element, const Points<Dim>& displacement) const;
-    void deformation_gradients(const Points<Dim>& displacement, Tensors<Dim>& F) const;
     // First Piola-Kirchhoff stress [Pa]. Throws Diverged, naming the element, where the energy does not admit its F.
     void stress(const Points<Dim>& displacement, Tensors<Dim>& P) const;
 

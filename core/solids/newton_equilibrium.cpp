@@ -178,23 +178,7 @@ void NewtonEquilibrium<Dim>::reaction(Points<Dim>& reaction) const {
     for (const int i : system_.free()) reaction.data()[i] = 0;
 }
 
-template <int Dim>
-Points<Dim> solve_equilibrium(const HyperelasticFem<Dim>& body, const DisplacementConstraints<Dim>& constraints,
-                              const Points<Dim>& force, const Points<Dim>& u0,
-                              const typename NewtonEquilibrium<Dim>::Settings& settings) {
-    NewtonEquilibrium<Dim> newton(body, constraints, settings);
-    newton.begin(u0, force, constraints);
-    newton.solve();
-    newton.require_convergence();
-    return newton.displacement();
-}
-
-#define PLIANT_INSTANTIATE(Dim)                                                                                   \
-    template class NewtonEquilibrium<Dim>;                                                                        \
-    template Points<Dim> solve_equilibrium<Dim>(const HyperelasticFem<Dim>&, const DisplacementConstraints<Dim>&, \
-                                                const Points<Dim>&, const Points<Dim>&, const NewtonEquilibrium<Dim>::Settings&)
-PLIANT_INSTANTIATE(2);
-PLIANT_INSTANTIATE(3);
-#undef PLIANT_INSTANTIATE
+template class NewtonEquilibrium<2>;
+template class NewtonEquilibrium<3>;
 
 }  // namespace pliant

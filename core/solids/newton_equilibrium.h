@@ -84,10 +84,4 @@ private:
     Status status_ = Status::converged;
 };
 
-// Solved at once. Throws Refused and Diverged as above.
-template <int Dim>
-Points<Dim> solve_equilibrium(const HyperelasticFem<Dim>& body, const DisplacementConstraints<Dim>& constraints,
-                              const Points<Dim>& force, const Points<Dim>& u0,
-                              const typename NewtonEquilibrium<Dim>::Settings& settings = {});
-
 }  // namespace pliant

@@ -3,7 +3,6 @@
 #include <pliant/math/line_fit.h>
 #include <pliant/solids/rod.h>
 #include <pliant/solids/rod_theory.h>
-#include <pliant/solids/springs_modes.h>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -104,15 +103,6 @@ TEST_CASE("rod: the frequencies of chains are those of the catalogue", "[rod]") 
     for (Index j = 1; j <= 10; ++j) CHECK_THAT(free[j - 1], WithinRel(chain.frequency(j, RodEnd::free), 1e-12));
     for (Index j = 1; j <= 9; ++j) CHECK_THAT(fixed[j - 1], WithinRel(chain.frequency(j, RodEnd::fixed), 1e-12));
     CHECK(chain_frequencies(VecX::Ones(1), VecX::Ones(2), true).size() == 0);
-    // Of all modes of the net in the plane, those that do not swing move across the rod.
-    Points<2> straight = Points<2>::Zero(2, 11);
-    straight.row(0) = VecX::LinSpaced(11, 0, 10).transpose();
-    const SpringModes all = spring_modes<2>(rod_springs(10, 1, 1), DiagonalMass(ones, 2, {0}), straight);
-    REQUIRE(all.size() == 20);
-    for (Index j = 0; j < 10; ++j) {
-        CHECK_THAT(all.omega_squared[j], WithinAbs(0, 1e-12));
-        CHECK_THAT(all.omega(10 + j), WithinRel(free[j], 1e-10));
-    }
     // Its long waves are those of the rod.
     const UniformRod rod{10, 10, 10};
     CHECK_THAT((MassChain{1000, 1000, 0.01}.frequency(2, RodEnd::free)), WithinRel(rod.frequency(2, RodEnd::free), 1e-3));
