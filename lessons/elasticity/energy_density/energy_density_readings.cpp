@@ -19,19 +19,7 @@ constexpr Real balanced = 1e-6;
 }  // namespace
 
 void EnergyDensityLesson::declare_fields() {
-    state = {state_array("deformation_gradient", "", F_),
-             state_array("displacement", "m", displacement_),
-             state_array("volume_ratio", "", J_),
-             state_array("strain", "", strain_),
-             state_array("rotation", "", rotation_),
-             state_array("first_invariant", "", I1_),
-             state_array("log_volume", "", ln_J_),
-             state_array("energy_density", "J/m³", psi_),
-             state_array("stress", "Pa", P_),
-             state_array("difference_stress", "Pa", difference_),
-             state_array("newton_step", "m", direction_),
-             state_array("unbalanced_force", "N", unbalanced_),
-             state_array("done", "", done_)};
+    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
     const auto small = [] { return largest_deformation; };
     const auto stress_bound = [this] {
         const Lame m = material();

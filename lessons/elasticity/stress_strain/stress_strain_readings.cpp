@@ -20,15 +20,7 @@ std::pair<Real, Real> parts(const Mat<3>& stress, const Vec<3>& n) {
 }  // namespace
 
 void StressStrainLesson::declare_fields() {
-    state = {state_array("displacement", "m", displacement_),
-             state_array("reaction", "N", reaction_),
-             state_array("load", "N", load_force_),
-             state_array("strain", "", strain_),
-             state_array("stress", "Pa", stress_),
-             state_array("traction", "Pa", traction_),
-             state_array("normal_part", "Pa", normal_part_),
-             state_array("shear_part", "Pa", shear_part_),
-             state_array("done", "", done_)};
+    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
     fields = {vector_field("displacement", "u", "m", On::node, displacement_, "from the rest position"),
               vector_field("load", "f", "N", On::node, load_force_, "each node's share of the load"),
               vector_field("reaction", "r", "N", On::node, reaction_, "K u − f where a support holds the node"),
