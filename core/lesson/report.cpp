@@ -11,8 +11,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A number that is not finite is told as undefined: a report is made of what went wrong, too, and one bad number must not take
+// the others along.
+std::optional<Real> if_finite(std::optional<Real> value) { return value && std::isfinite(*value) ? value : std::nullopt; }
+std::optional<Real> closed_form(const Runner& runner, const Probe& p) { return p.exact ? p.exact(runner.time()) : std::nullopt; }
+
 // JSON has no NaN or infinity: an undefined value is null.
-Json number(std::optional<Real> value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
+Json number(std::optional<Real> value) { return if_finite(value) ? Json(*value) : Json(nullptr); }
 
 std::string_view name_of(Holds holds) { return holds == Holds::yes ? "holds" : holds == Holds::no ? "violated" : "not expected"; }
 
@@ -94,7 +99,7 @@ std::string run_json(const Runner& runner) {
     j["probes"] = Json::object();
     for (const Probe& p : lesson.probes)
         j["probes"][std::string(p.name)] = {
-            {"unit", p.unit}, {"value", number(runner.value(p))}, {"exact", number(runner.exact(p))}};
+            {"unit", p.unit}, {"value", number(p.value())}, {"exact", number(closed_form(runner, p))}};
     j["lines"] = lines_json(lesson);
     j["assumptions"] = assumptions_json(lesson);
     j["conserved"] = conserved_json(runner);
@@ -109,7 +114,7 @@ std::string run_text(const Runner& runner) {
     if (!runner.is_static()) text += fmt::format(", t = {}", format_quantity(runner.time(), "s"));
     text += fmt::format(", {}\n\nProbes\n", status_of(runner));
     for (const Probe& p : lesson.probes) {
-        const auto value = runner.value(p), exact = runner.exact(p);
+        const auto value = if_finite(p.value()), exact = if_finite(closed_form(runner, p));
         text += table_row(p.name, value ? format_quantity(*value, p.unit, 6) : "undefined",
                           exact ? "exact " + format_quantity(*exact, p.unit, 6) : "");
     }

@@ -119,8 +119,11 @@ public:
     // Empty where undefined. Throws Diverged when it is not finite.
     std::optional<Real> value(const Probe& probe) const;
     std::optional<Real> exact(const Probe& probe) const;
+    // Throws Diverged for the first probe, or closed form, that is not finite.
+    void check_probes() const;
     Holds holds(std::size_t conserved) const;  // index in lesson().conserved
-    Real drift(std::size_t conserved) const;   // distance from what the law demands, in the unit of the probe
+    Real drift(
+        std::size_t conserved) const;  // from what the law demands, in the unit of the probe; infinite where that is not finite
     // The laws to show: of several laws for one probe those that are expected to hold now, or else the first.
     std::vector<std::size_t> shown_laws() const;
 

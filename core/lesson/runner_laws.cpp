@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pliant {
 
@@ -28,6 +29,10 @@ std::optional<Real> Runner::exact(const Probe& probe) const {
     return probe.exact ? finite(probe.exact(time()), probe, step_, time()) : std::nullopt;
 }
 
+void Runner::check_probes() const {
+    for (const Probe& probe : lesson_->probes) value(probe), exact(probe);
+}
+
 void Runner::renew_references() {
     references_.assign(lesson_->conserved.size(), std::nullopt);
     update_references();
@@ -45,8 +50,9 @@ void Runner::update_references() {
 
 Real Runner::drift(std::size_t i) const {
     const Conserved& c = lesson_->conserved[i];
-    const std::optional<Real> now = value(lesson_->probe(c.probe));
+    const std::optional<Real> now = lesson_->probe(c.probe).value();
     if (!now || !references_[i]) return 0;
+    if (!std::isfinite(*now)) return std::numeric_limits<Real>::infinity();
     switch (c.law) {
         case Law::constant:
             return std::abs(*now - *references_[i]);

@@ -1,10 +1,13 @@
 // The runner on the bead chain, whose exact motion is known.
 #include <pliant/lesson/recorder.h>
+#include <pliant/lesson/report.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/until.h>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -300,6 +303,46 @@ TEST_CASE("runner: a conserved quantity is watched while it should hold") {
     for (int i = 0; i < 30 && unstable.holds(0) == Holds::yes; ++i) unstable.step();
     CHECK(unstable.holds(0) == Holds::no);
     CHECK(unstable.lesson().assumptions[0].value() > unstable.lesson().assumptions[0].limit());
+}
+
+namespace {
+
+// A sound state with one probe that is not a number, and a law for it.
+class Undefined final : public Lesson {
+    VecX x = VecX::Zero(1);
+
+public:
+    Undefined() {
+        state = {state_array("x", "m", x)};
+        stages = {{.name = "move", .run = [this] { x[0] += 1; }}};
+        probes = {{.name = "sound", .value = [this] { return x[0]; }},
+                  {.name = "ratio", .value = [this] { return (x[0] - 2) / (x[0] - 2); }},
+                  {.name = "exact", .value = [] { return 1.0; }, .exact = [this](Real) { return std::log(1 - x[0]); }}};
+        for (const Law law : {Law::constant, Law::never_grows, Law::zero})
+            conserved.push_back({.probe = "ratio", .law = law, .tolerance = [] { return 10.0; }});
+    }
+    int dimension() const override { return 2; }
+    void reset() override { x.setZero(); }
+    Real time_step() const override { return 1; }
+    void draw(Scene&) const override {}
+};
+const LessonEntry undefined{{.id = "time/undefined", .title = "Undefined", .summary = ""},
+                            [] { return std::unique_ptr<Lesson>(new Undefined); }};
+
+}  // namespace
+
+TEST_CASE("report: a number that is not finite is undefined, and takes no other along") {
+    Runner runner(undefined);
+    CHECK_NOTHROW(runner.check_probes());
+    runner.step(), runner.step();
+    CHECK_THROWS_AS(runner.check_probes(), Diverged);
+    for (std::size_t law = 0; law < 3; ++law) CHECK(runner.holds(law) == Holds::no);
+    const auto report = nlohmann::json::parse(run_json(runner));
+    CHECK(report["probes"]["sound"]["value"] == 2);
+    CHECK(report["probes"]["ratio"]["value"].is_null());
+    CHECK(report["probes"]["exact"]["exact"].is_null());
+    CHECK(report["conserved"]["ratio"]["status"] == "violated");
+    CHECK_THAT(run_text(runner), ContainsSubstring("sound") && ContainsSubstring("undefined"));
 }
 
 TEST_CASE("recorder: one row per step, replaced after stepping back") {

@@ -69,6 +69,7 @@ int run(const RunOptions& options) {
     try {
         record();
         advance(runner, until, record);
+        runner.check_probes();
     } catch (const Diverged& e) {
         divergence = e;
     }
