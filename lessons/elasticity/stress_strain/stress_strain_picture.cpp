@@ -45,11 +45,6 @@ Real reach_in(const Vec<2>& half, const Vec<2>& d) {
     return std::min(x, y);
 }
 
-// The largest magnitude of a normal stress in the plane of the picture: the middle and the radius of Mohr's circle.
-Real largest_principal(const Mat<3>& stress) {
-    return std::abs(stress(0, 0) + stress(1, 1)) / 2 + std::hypot((stress(0, 0) - stress(1, 1)) / 2, stress(0, 1));
-}
-
 std::string number(Real value, std::string_view unit) { return format_quantity(value, unit); }
 
 }  // namespace
@@ -180,7 +175,7 @@ void StressStrainLesson::draw_cut(Scene& picture) const {
     if (at_rest()) {
         const Mat<3> stress = body_->mean(stress_);
         const Vec<3> t = stress * n, normal_part = t.dot(n) * n, shear = t - normal_part;
-        const Real largest = largest_principal(applied_stress());
+        const Real largest = principal_stresses(applied_stress()).cwiseAbs().maxCoeff();
         if (largest > 0) {
             const Real scale = 0.8 * unit / largest;  // the normal stays the longest
             picture.arrow(at(front), at(front + scale * t), Ink::force, "t = σ·n");

@@ -65,8 +65,8 @@ void StressStrainLesson::declare_probes() {
     const auto sign = [this] { return loading == Load::disc ? -1 : 1; };
     const auto normal_stress = [this](const Mat<3>& s) { return parts(s, normal()).first; };
     const auto shear_stress = [this](const Mat<3>& s) { return parts(s, normal()).second; };
-    const auto largest = [](const Mat<3>& s) { return (s(0, 0) + s(1, 1)) / 2 + std::hypot((s(0, 0) - s(1, 1)) / 2, s(0, 1)); };
-    const auto smallest = [](const Mat<3>& s) { return (s(0, 0) + s(1, 1)) / 2 - std::hypot((s(0, 0) - s(1, 1)) / 2, s(0, 1)); };
+    const auto largest = [](const Mat<3>& s) { return principal_stresses(s)[0]; };
+    const auto smallest = [](const Mat<3>& s) { return principal_stresses(s)[1]; };
     const auto axis = [this] { return body_->axis(); };
 
     probes = {{.name = "support_force",

@@ -42,7 +42,8 @@ void MassSpringLesson::declare_probes() {
          .help = "of a chain that swings, from its passages through the middle; exact: of its mode, without damping",
          .value = [this] { return measured_frequency(); },
          .exact = [this](Real) -> std::optional<Real> {
-             if (setting != Setting::swing || interfered_ || k_bending > 0 || damped() || rest_length_scale != 1)
+             if (setting != Setting::swing || interfered_ || k_bending > 0 || damped() || rest_length_scale != 1 ||
+                 k_structural == 0)
                  return std::nullopt;
              return mode_frequency();
          }},
@@ -169,7 +170,8 @@ std::optional<Real> MassSpringLesson::sag() const {
 
 // Free fall, until the lowest point meets the ground.
 std::optional<Real> MassSpringLesson::falling_height(Real t) const {
-    if (setting != Setting::drop || interfered_) return std::nullopt;
+    // A block that draws out or together as it falls meets the ground at a time of its own.
+    if (setting != Setting::drop || interfered_ || (ground && rest_length_scale != 1)) return std::nullopt;
     const Real fallen = 0.5 * gravity * t * t;
     if (ground && fallen > drop_height) return std::nullopt;
     return start_height_ - fallen;
