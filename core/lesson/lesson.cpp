@@ -23,6 +23,16 @@ auto& named(const List& list, std::string_view name, std::string_view what, Name
 
 }  // namespace
 
+Curve curve_of(const std::function<void(Curve&)>& sample) {
+    Curve curve;
+    try {
+        if (sample) sample(curve);
+    } catch (const Diverged&) {
+        return {};
+    }
+    return curve;
+}
+
 std::vector<const Stage*> Lesson::stages_in_use() const {
     std::vector<const Stage*> used;
     for (const Stage& stage : stages)

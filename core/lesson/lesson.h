@@ -55,6 +55,10 @@ struct Probe {
 struct Curve {
     std::vector<Real> position, value;
 };
+// The points that `sample` gives; none where its computation gives up (Diverged) or there is none: a curve beside a run never
+// takes the run's own numbers along.
+Curve curve_of(const std::function<void(Curve&)>& sample);
+
 // One more curve in the picture of a line: a rival model, a mark at the present value.
 struct CompareCurve {
     std::string_view name;

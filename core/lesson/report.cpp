@@ -29,18 +29,15 @@ Json lines_json(const Lesson& lesson) {
     Json lines = Json::object();
     for (const Line& line : lesson.lines) {
         if (!line.in_use()) continue;
-        Curve curve, reference;
-        line.sample(curve);
-        Json& j = lines[std::string(line.name)] = curve_json(line, curve);
+        Json& j = lines[std::string(line.name)] = curve_json(line, curve_of(line.sample));
         j["position_name"] = line.position_name;
         j["position_unit"] = line.position_unit;
         if (line.reference) {
-            line.reference(reference);
+            const Curve reference = curve_of(line.reference);
             j["reference"] = {{"name", line.reference_name}, {"position", reference.position}, {"value", reference.value}};
         }
         for (const CompareCurve& other : line.others) {
-            Curve curve_beside;
-            other.sample(curve_beside);
+            const Curve curve_beside = curve_of(other.sample);
             if (!curve_beside.position.empty())
                 j["others"][std::string(other.name)] = {{"position", curve_beside.position}, {"value", curve_beside.value}};
         }

@@ -318,6 +318,9 @@ public:
         probes = {{.name = "sound", .value = [this] { return x[0]; }},
                   {.name = "ratio", .value = [this] { return (x[0] - 2) / (x[0] - 2); }},
                   {.name = "exact", .value = [] { return 1.0; }, .exact = [this](Real) { return std::log(1 - x[0]); }}};
+        lines = {{.name = "lost", .sample = [](Curve&) { throw Diverged(Failure{}); }}, {.name = "kept", .sample = [](Curve& c) {
+                                                                                             c = {{1}, {2}};
+                                                                                         }}};
         for (const Law law : {Law::constant, Law::never_grows, Law::zero})
             conserved.push_back({.probe = "ratio", .law = law, .tolerance = [] { return 10.0; }});
     }
@@ -342,6 +345,8 @@ TEST_CASE("report: a number that is not finite is undefined, and takes no other 
     CHECK(report["probes"]["ratio"]["value"].is_null());
     CHECK(report["probes"]["exact"]["exact"].is_null());
     CHECK(report["conserved"]["ratio"]["status"] == "violated");
+    CHECK(report["lines"]["lost"]["value"].empty());
+    CHECK(report["lines"]["kept"]["value"].size() == 1);
     CHECK_THAT(run_text(runner), ContainsSubstring("sound") && ContainsSubstring("undefined"));
 }
 

@@ -73,9 +73,7 @@ const Line* line_of_b(const Session& s, const Line& line) {
 }
 
 void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
-    Curve curve, reference;
-    line.sample(curve);
-    if (line.reference) line.reference(reference);
+    const Curve curve = curve_of(line.sample), reference = curve_of(line.reference);
     const AxisScale scale = line.log_log ? AxisScale::log : AxisScale::linear;
     const Axes axes{.x = {words(line.position_name), std::string(line.position_unit), scale},
                     .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit), scale},
@@ -84,7 +82,7 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
     Curve of_b;
     if (const Line* b = line_of_b(s, line)) {
-        b->sample(of_b);
+        of_b = curve_of(b->sample);
         plot.line(run_name(s, true, 1), of_b.position, of_b.value, {.dash = Dash::dashed});
     }
     const std::string name(line.reference_name);
@@ -94,7 +92,7 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     std::vector<Curve> others(line.others.size());  // stay in place until the plot is drawn
     for (std::size_t i = 0; i < others.size(); ++i) {
         const auto& [label, sample, points] = line.others[i];
-        sample(others[i]);
+        others[i] = curve_of(sample);
         if (others[i].position.empty()) continue;
         points ? plot.points(std::string(label), others[i].position, others[i].value)
                : plot.line(std::string(label), others[i].position, others[i].value);
