@@ -138,7 +138,7 @@ TEST_CASE("advection: a blob between the cells, and one that is lost altogether,
 }
 
 TEST_CASE("advection: of a blob that no cell sees no number is measured, and none is exact", "[advection]") {
-    Runner runner = start({{"blob", "slotted_disc"}, {"radius", "0.01"}, {"resolution", "8"}});
+    Runner runner = start_advection({{"blob", "slotted_disc"}, {"radius", "0.01"}, {"resolution", "8"}});
     run(runner, 2);
     for (const char* name : {"variance_left", "loss_per_turn", "difference", "measured_viscosity"}) {
         INFO(name);

@@ -241,7 +241,7 @@ TEST_CASE("diffusion: a mode that is 0 on every cell has no amplitude and no fac
 
 TEST_CASE("diffusion: a channel has its closed form from the first moment on", "[diffusion]") {
     // Long before the other wall is felt, u = U erfc(y/(2 √(νt))).
-    const Runner runner = start({{"start", "zero"},
+    const Runner runner = start_diffusion({{"start", "zero"},
                                  {"boundary", "fixed"},
                                  {"wall_low", "2"},
                                  {"wall_high", "-1"},

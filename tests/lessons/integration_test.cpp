@@ -244,17 +244,17 @@ TEST_CASE("integration: the exact pendulum holds up to a start next to the top",
                  {3.1, -0.3, 5, -9.1167620873948198, -0.99820253403505294}};
     for (const auto& [x0, v0, t, x, v] : known) {
         INFO("x0 = " << x0 << ", v0 = " << v0);
-        const Runner runner = start(
+        const Runner runner = start_integration(
             {{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", text(x0)}, {"v0", text(v0)}, {"compare", "none"}});
         const auto& lesson = runner.lesson();
         CHECK_THAT(*lesson.probe("x").exact(0), WithinAbs(x0, 1e-15 * (1 + std::abs(x0))));
         CHECK_THAT(*lesson.probe("x").exact(t), WithinAbs(x, 1e-15 + 2e-7 * std::abs(x)));
         CHECK_THAT(*lesson.probe("v").exact(t), WithinAbs(v, 1e-15 + 2e-6 * std::abs(v)));
     }
-    CHECK_THAT(*start({{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", "3.1415926"}}).lesson().probe("x").exact(8),
+    CHECK_THAT(*start_integration({{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", "3.1415926"}}).lesson().probe("x").exact(8),
                WithinAbs(-3.1337571788, 1e-9));
     // The period that a run measures is that of the closed form, 24 s instead of 2.
-    Runner runner = start({{"system", "pendulum"},
+    Runner runner = start_integration({{"system", "pendulum"},
                            {"omega", "3.132091952673165"},
                            {"x0", "3.1415926"},
                            {"scheme", "runge_kutta_4"},
@@ -268,14 +268,14 @@ TEST_CASE("integration: the exact pendulum holds up to a start next to the top",
 TEST_CASE("integration: the amplitude of a pendulum is told for the smallest swings and for those that nearly turn over",
           "[integration]") {
     for (const Real x0 : {1e-12, 1e-9, 1e-3, 2., 3.1415})
-        CHECK_THAT(value(start({{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", text(x0)}}), "amplitude"),
+        CHECK_THAT(value(start_integration({{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", text(x0)}}), "amplitude"),
                    WithinRel(x0, 1e-9));
 }
 
 TEST_CASE("integration: the pair has its closed form at every ratio of its springs", "[integration]") {
     for (const Real ratio : {1e-8, 1e-3, 1., 1e8}) {
         INFO(ratio);
-        const Runner runner = start({{"system", "stiff_pair"}, {"stiffness_ratio", text(ratio)}, {"x0", "1"}});
+        const Runner runner = start_integration({{"system", "stiff_pair"}, {"stiffness_ratio", text(ratio)}, {"x0", "1"}});
         CHECK_THAT(*runner.lesson().probe("x").exact(0), WithinAbs(1, 1e-14));
         CHECK_THAT(*runner.lesson().probe("energy").exact(3), WithinRel(2., 1e-12));
     }

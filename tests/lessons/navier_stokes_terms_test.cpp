@@ -141,7 +141,7 @@ TEST_CASE("navier_stokes: before and after of every stage are kept, of the veloc
 }
 
 TEST_CASE("navier_stokes: another order moves no stage, and each keeps its cost") {
-    Runner runner = start({{"resolution", "16"}});
+    Runner runner = start_navier_stokes_terms({{"resolution", "16"}});
     const auto declared = [&] {
         Names names;
         for (const Stage& s : runner.lesson().stages) names.emplace_back(s.name);
