@@ -27,7 +27,7 @@ public:
     // Of one swing to and fro, or of one turn; infinite where it comes to rest on the top [s].
     Real period() const;
     // Reaches the top, or goes over it.
-    bool reaches_top() const { return kind_ != Kind::swings; }
+    bool reaches_top() const { return kind_ == Kind::turns || kind_ == Kind::comes_to_the_top; }
 
 private:
     enum class Kind { rests, swings, turns, comes_to_the_top };

@@ -161,7 +161,7 @@ TEST_CASE("navier_stokes: another order moves no stage, and each keeps its cost"
         CHECK(runner.cost(*projection).passes == 0);
         runner.step();
         CHECK(projection->name == "projection");
-        CHECK(runner.cost(*projection).passes > 1);
+        CHECK(runner.cost(*projection).runs == 1);
         CHECK(runner.cost(*runner.stages().back()).runs == 1);
         CHECK_THAT(runner.time(), WithinRel(runner.time_step(), 1e-12));
     }

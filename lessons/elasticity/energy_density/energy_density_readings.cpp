@@ -21,6 +21,7 @@ constexpr Real balanced = 1e-6;
 void EnergyDensityLesson::declare_fields() {
     state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
     const auto small = [] { return largest_deformation; };
+    const auto squared = [] { return 3 * largest_deformation * largest_deformation; };
     const auto stress_bound = [this] {
         const Lame m = material();
         return largest_stress_over_modulus * (m.mu + std::abs(m.lambda));
@@ -51,7 +52,7 @@ void EnergyDensityLesson::declare_fields() {
               scalar("volume_ratio", "J", "", J_, "det F: volume now over volume at rest; below 0 inside out", small),
               tensor("strain", "ε, E, S − I", "", strain_, "the strain that this energy is made of", small),
               tensor("rotation", "R", "", rotation_, "the rotation nearest to F", small),
-              scalar("first_invariant", "I₁", "", I1_, "tr FᵀF, the sum of the squared stretches", small),
+              scalar("first_invariant", "I₁", "", I1_, "tr FᵀF, the sum of the squared stretches", squared),
               scalar("log_volume", "ln J", "", ln_J_, "tends to −∞ where the cube becomes flat", small),
               scalar("energy_density", "ψ", "J/m³", psi_, "energy stored per volume at rest", stress_bound),
               tensor("stress", "P", "Pa", P_, "∂ψ/∂F, first Piola–Kirchhoff: column j is the force on the face across axis j",
