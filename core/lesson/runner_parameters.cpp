@@ -134,6 +134,10 @@ void Runner::start_fresh() {
     renew_references();
 }
 
-void Runner::collect_active() { active_ = lesson_->stages_in_use(); }
+// In place: whoever goes through the stages may have the run go back and forth meanwhile.
+void Runner::collect_active() {
+    const auto used = lesson_->stages_in_use();
+    active_.assign(used.begin(), used.end());
+}
 
 }  // namespace pliant
