@@ -165,7 +165,7 @@ bool Lab::perform_on_view(Action action) {
             state_.cost_shown = !state_.cost_shown;
             return true;
         case Action::frame:
-            return s.camera.reset(), true;
+            return s.frame_afresh(), true;
         default:
             return perform_for_ear_and_hand(action);
     }
@@ -207,6 +207,7 @@ void release_keys(bool deck) {
 
 void Lab::frame(Real dt) {
     if (restyle_) restyle();
+    state_.seconds = dt;
     for (const std::string& path : context_.take_dropped_files()) drop_file(path);
     const Size size = context_.framebuffer_size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -34,7 +34,7 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     walkthrough.reset();
     unlocked = false;
     playing = false;
-    camera.reset();
+    frame_afresh();
     colours = lesson().first_colours();
     range = {};
     reached_speed_ = 0;
@@ -59,7 +59,7 @@ void Session::open_scene(const SceneFile& scene) {
 
 SceneFile Session::scene_file() const {
     SceneFile file = scene_of(*runner_);
-    file.camera = camera;
+    if (camera || viewpoint.turned()) file.camera = seen_by();
     const auto last = runner_->last_stage();
     file.view = SceneView{colours.field, colours.component,
                           runner_->inside_step() && last ? std::string(runner_->stages()[*last]->name) : ""};

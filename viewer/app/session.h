@@ -11,6 +11,7 @@
 #include "app/autopsy.h"
 #include "app/companion.h"
 #include "app/inspector.h"
+#include "app/viewpoint.h"
 #include "render/palette.h"
 
 #include <functional>
@@ -112,8 +113,13 @@ public:
     ColourRange range;
     bool show_arrows = true, show_labels = true, smooth = true;
     bool patterns = false;         // the sign shows by hatching, dashes and shapes as well as by colours
-    std::optional<Camera> camera;  // framed afresh when empty
-    void view_changed();           // after a change of the colours: their range is found again
+    std::optional<Camera> camera;  // where the person moved it; when empty, the viewpoint's
+    Viewpoint viewpoint;
+    // The camera is no longer the person's.
+    void frame_afresh() { camera.reset(), viewpoint.turn_back(); }
+    // As the picture is seen.
+    const Camera& seen_by() const { return camera ? *camera : viewpoint.camera(); }
+    void view_changed();  // after a change of the colours: their range is found again
     // The picture, as the inspector asks for it: of now, of before the stage that is looked at, or of what that changed.
     Scene scene();
     // The one as the stage found it, beside or under that of now; empty when only one is to be seen.

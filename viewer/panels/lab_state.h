@@ -64,6 +64,7 @@ struct LabState {
     // the scene panel
     std::optional<Picked> hovered;
     std::optional<Pull> pulling;
+    Real seconds = 0;                                  // of wall time since the frame before; with 0 nothing moves
     bool turning = false, clicked_only = false;        // has the pointer stayed where it was pressed?
     bool scene_has_grid = false;                       // of the last frame
     std::unique_ptr<SceneRenderer> renderer_beside{};  // of run B, or of before

@@ -1,0 +1,52 @@
+// Where the picture is seen from, as long as nobody chooses: framed for the scene, turned as the person turned it, and going
+// along when what moves would leave it.
+#pragma once
+#include "render/framing.h"
+
+#include <optional>
+
+namespace pliant::viewer {
+
+// What the camera looks at, and how.
+struct Sighting {
+    const Scene* scene;
+    std::span<const Position> moving;
+    int dimension;
+    float aspect;       // of the part of the picture that is free
+    int run = 0;        // which one, by a count: another run is framed at once
+    Real seconds = 0;   // since the last look; with 0 the camera is at once where it belongs
+    bool held = false;  // the person holds something: nothing slips from under the pointer
+};
+
+class Viewpoint {
+public:
+    // Of this moment.
+    const Camera& look(const Sighting& sighting);
+    // Of the last look.
+    const Camera& camera() const { return camera_; }
+    // Whether it is on its way to where it belongs, so that another picture has to follow.
+    bool moving() const { return moving_; }
+
+    // The person looks from another side, px.
+    void turn(float dx, float dy);
+    bool turned() const { return turned_; }
+    void turn_back() { turned_ = false; }
+
+    // Where the camera belongs, whatever was seen before; turned as `angles` where those are given.
+    static Camera belonging(const Sighting& sighting, const Camera* angles = nullptr);
+
+private:
+    // What the scene is framed by.
+    struct Frame {
+        Position lower{}, upper{};
+        int dimension = 0, run = 0;
+        float aspect = 0;
+        bool operator==(const Frame&) const = default;
+    };
+
+    Camera camera_;
+    Frame frame_;
+    bool turned_ = false, moving_ = false;
+};
+
+}  // namespace pliant::viewer
