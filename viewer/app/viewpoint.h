@@ -3,16 +3,13 @@
 #pragma once
 #include "render/framing.h"
 
-#include <optional>
-
 namespace pliant::viewer {
 
-// What the camera looks at, and how.
+// What is to be seen, and how.
 struct Sighting {
-    const Scene* scene;
+    Frame frame;
     std::span<const Position> moving;
-    int dimension;
-    float aspect;       // of the part of the picture that is free
+    float aspect = 1;   // of the part of the picture that is free
     int run = 0;        // which one, by a count: another run is framed at once
     Real seconds = 0;   // since the last look; with 0 the camera is at once where it belongs
     bool held = false;  // the person holds something: nothing slips from under the pointer
@@ -24,6 +21,7 @@ public:
     const Camera& look(const Sighting& sighting);
     // Of the last look.
     const Camera& camera() const { return camera_; }
+    const Frame& frame() const { return shown_.frame; }
     // Whether it is on its way to where it belongs, so that another picture has to follow.
     bool moving() const { return moving_; }
 
@@ -32,20 +30,18 @@ public:
     bool turned() const { return turned_; }
     void turn_back() { turned_ = false; }
 
-    // Where the camera belongs, whatever was seen before; turned as `angles` where those are given.
-    static Camera belonging(const Sighting& sighting, const Camera* angles = nullptr);
-
 private:
-    // What the scene is framed by.
-    struct Frame {
-        Position lower{}, upper{};
-        int dimension = 0, run = 0;
+    Camera belonging(const Sighting& sighting) const;
+
+    struct Shown {
+        Frame frame;
         float aspect = 0;
-        bool operator==(const Frame&) const = default;
+        int run = -1;
+        bool operator==(const Shown&) const = default;
     };
 
     Camera camera_;
-    Frame frame_;
+    Shown shown_;
     bool turned_ = false, moving_ = false;
 };
 

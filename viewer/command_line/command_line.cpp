@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdio>
 #include <functional>
+#include <memory>
 
 namespace pliant::viewer {
 namespace {
@@ -103,6 +104,37 @@ void add_study_command(CLI::App& app, RunOptions& run, StudyOptions& o, std::fun
     command->callback([&] { action = [&] { return study(run, o); }; });
 }
 
+// What the pictures of slides and the window of a deck have in common.
+bool of_pictures(const CLI::Option& o) { return o.check_name("--size") || o.check_name("--theme") || o.check_name("--ui-scale"); }
+
+void add_walkthrough_command(CLI::App& app, WindowOptions& o, std::function<int()>& action) {
+    CLI::App* command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
+    command->add_option("lesson", o.lesson)->required();
+    auto check = std::make_shared<bool>(false);
+    CLI::Option* checks = command->add_flag("--check", *check, "exit with 1 when an expectation is missed");
+    CLI::Option* present =
+        command->add_flag("--present", o.deck, "show it in a window, as a deck for a lecture")->excludes(checks);
+    command->add_flag("--notes", o.notes, "print the lecturer's notes as well");
+    CLI::Option* out = command->add_option("--out", o.slides_folder,
+                                           "the folder for slide_01.png and so on, a picture of each "
+                                           "slide with its answer; made where it is missing");
+    out->excludes(checks)->excludes(present);
+    command->add_flag("--questions", o.questions, "with --out: the slides without their answers")->needs(out);
+    CLI::Option_group* look = command->add_option_group("window", "with --present; size, theme and scale with --out as well");
+    add_window_options(*look, o);
+    for (CLI::Option* option : look->get_options())
+        if (!of_pictures(*option)) option->needs(present);
+    command->callback([&o, &action, look, present, out, check] {
+        const bool pictures = out->count() > 0;
+        for (const CLI::Option* option : look->get_options())
+            if (option->count() > 0 && !pictures && present->count() == 0)
+                throw Refused(fmt::format("{} is for --present or --out", option->get_name()));
+        action = [&o, pictures, check] {
+            return pictures ? slides(o) : o.deck ? window(o) : walkthrough(o.lesson, *check, o.notes);
+        };
+    });
+}
+
 // CLI11 would take a mistyped command for a stray argument.
 void check_command(const CLI::App& app, int argc, const char* const* argv) {
     if (argc < 2 || argv[1][0] == '-') return;
@@ -126,7 +158,7 @@ int dispatch(int argc, const char* const* argv) {
     ClaimsOptions claims_options;
     StudyOptions study_options;
     std::string lesson, folder = "out/tour";
-    bool json = false, markdown = false, check = false;
+    bool json = false, markdown = false;
 
     app.add_option("--lesson", window_options.lesson, "the lesson to open");
     app.add_option("--scene", window_options.scene_path, "the scene file to open, or a share string (pliant1:...)");
@@ -178,21 +210,7 @@ int dispatch(int argc, const char* const* argv) {
     tour_command->add_option("--out", folder, "the folder to write")->capture_default_str();
     tour_command->callback([&] { action = [&] { return tour(folder); }; });
 
-    CLI::App* walkthrough_command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
-    walkthrough_command->add_option("lesson", window_options.lesson)->required();
-    walkthrough_command->add_flag("--check", check, "exit with 1 when an expectation is missed");
-    CLI::Option* present =
-        walkthrough_command->add_flag("--present", window_options.deck, "show it in a window, as a deck for a lecture");
-    present->excludes(walkthrough_command->get_option("--check"));
-    walkthrough_command->add_flag("--notes", window_options.notes, "print the lecturer's notes as well");
-    CLI::Option_group* in_window = walkthrough_command->add_option_group("window", "with --present");
-    add_window_options(*in_window, window_options);
-    for (CLI::Option* o : in_window->get_options()) o->needs(present);
-    walkthrough_command->callback([&] {
-        action = [&] {
-            return window_options.deck ? window(window_options) : walkthrough(window_options.lesson, check, window_options.notes);
-        };
-    });
+    add_walkthrough_command(app, window_options, action);
 
     check_command(app, argc, argv);
     try {

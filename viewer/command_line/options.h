@@ -43,8 +43,10 @@ struct WindowOptions {
     float ui_scale = 0;                                                    // 0: as it was last, or as the screen asks
     long frames = 0;                                                       // stop after so many; 0: when closed
     bool no_settings = false;
-    bool deck = false;   // opens the walkthrough of the lesson, paused
-    bool notes = false;  // writes the notes of each slide to standard output
+    bool deck = false;            // opens the walkthrough of the lesson, paused
+    bool notes = false;           // writes the notes of each slide to standard output
+    std::string slides_folder{};  // of pictures of the slides; "" for none
+    bool questions = false;       // these go without the answers
 };
 
 // The scene that lesson, scene file, preset and settings describe together; later ones win. Throws Refused.
@@ -95,5 +97,7 @@ int tour(const std::string& folder);
 // notes: prints those of the lecturer as well.
 int walkthrough(const std::string& lesson, bool check, bool notes);
 int window(const WindowOptions& options);
+// A PNG file of every slide of the walkthrough.
+int slides(const WindowOptions& options);
 
 }  // namespace pliant::viewer

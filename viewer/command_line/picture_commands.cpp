@@ -5,6 +5,7 @@
 
 #include "app/lab.h"
 #include "command_line/options.h"
+#include "command_line/pictures.h"
 #include "platform/image.h"
 #include "platform/png_file.h"
 
@@ -23,17 +24,6 @@ std::unique_ptr<Context> headless(const std::string& backend, Size size) {
     if (backend == "osmesa") return open_context(Backend::osmesa, size);
     if (backend == "egl") return open_context(Backend::egl, size);
     throw Refused(fmt::format("--backend {} is not accepted: give any, osmesa or egl", backend));
-}
-
-// ImGui needs a frame to learn the sizes of its windows, and plots one more to settle their ranges.
-Image capture(Lab& lab, Context& context) {
-    for (int i = 0; i < 3; ++i) {
-        if (i) context.present();
-        lab.frame(0);
-    }
-    Image image = read_pixels(context);
-    context.present();
-    return image;
 }
 
 int animate(Lab& lab, Context& context, Animation& animation, const std::string& path) {
@@ -72,15 +62,6 @@ void check_deck(const RunOptions& run, const PictureOptions& picture) {
             "--set, --steps, --time, --rest and --stage");
     if (picture.slide && *picture.slide < 1)
         throw Refused("--slide", static_cast<Real>(*picture.slide), "", "a number from 1 on");
-}
-
-// Unlike a person at the window, a command is refused what goes wrong.
-void show_slide(Session& s, const PictureOptions& o) {
-    walkthrough_of(s.entry());
-    s.start_walkthrough();
-    s.go_to_slide(static_cast<std::size_t>(o.slide.value_or(1) - 1));
-    if (o.revealed && !s.message()) s.walkthrough_next();
-    if (s.message() && !s.autopsy()) throw Refused(s.message()->text);
 }
 
 // The card of a claim, measured.
@@ -163,6 +144,24 @@ constexpr std::string_view page_head = R"(<!doctype html><html lang="en"><meta c
 
 }  // namespace
 
+Image capture(Lab& lab, Context& context) {
+    for (int i = 0; i < 3; ++i) {
+        if (i) context.present();
+        lab.frame(0);
+    }
+    Image image = read_pixels(context);
+    context.present();
+    return image;
+}
+
+void show_slide(Session& s, std::size_t n, bool revealed) {
+    walkthrough_of(s.entry());
+    s.start_walkthrough();
+    s.go_to_slide(n);
+    if (revealed && !s.message()) s.walkthrough_next();
+    if (s.message() && !s.autopsy()) throw Refused(s.message()->text);
+}
+
 int shot(const RunOptions& options, const PictureOptions& picture) {
     const SceneFile scene = scene_from(options);
     const Size size = size_from(picture.size);
@@ -198,7 +197,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     std::optional<Diverged> divergence;
     try {
         if (layout == Layout::deck)
-            show_slide(s, picture);
+            show_slide(s, static_cast<std::size_t>(picture.slide.value_or(1) - 1), picture.revealed);
         else
             s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
         choose_view(s, picture);

@@ -154,7 +154,8 @@ void draw_claims(LabState& lab);
 void draw_atlas(LabState& lab);
 // Begins a map of the chosen knobs; a refusal becomes a message.
 void start_atlas(LabState& lab);
-void draw_plots(LabState& lab);
+void draw_plots(LabState& lab);  // below each other
+void draw_plots_in_row(LabState& lab);
 void draw_status_line(LabState& lab);
 void draw_walkthrough(LabState& lab);
 // The deck: the title with the number of the slide; its words; the parameters that it allows; the lecturer's notes. The heights
@@ -164,6 +165,8 @@ void draw_slide_words(LabState& lab);
 void draw_slide_parameters(LabState& lab);
 void draw_slide_notes(LabState& lab);
 float slide_parameters_height(const LabState& lab);
+// In which size of type the words fit into a room, 0 for the largest.
+std::size_t slide_words_type(const LabState& lab, ImVec2 room);
 float slide_notes_height(const LabState& lab, float width);
 void draw_help(LabState& lab);
 // Over the picture, at most a third of it: why the run stopped, and what to do.

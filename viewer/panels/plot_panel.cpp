@@ -234,6 +234,19 @@ std::vector<std::string> shown_plots(const LabState& lab) {
     return shown;
 }
 
+void begin_plots(LabState& lab) {
+    choose_first(lab);
+    if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
+    follow_live_error(lab);
+}
+
+// How many plots are seen at once; on a slide, where nobody scrolls, none is cut.
+std::size_t rows_of_plots(const LabState& lab, std::size_t count, float least) {
+    if (lab.layout == Layout::lab) return std::min<std::size_t>(count, 3);
+    const float spacing = ImGui::GetStyle().ItemSpacing.y, room = ImGui::GetContentRegionAvail().y;
+    return std::clamp<std::size_t>(static_cast<std::size_t>(std::max(room + spacing, 0.f) / (least + spacing)), 1, count);
+}
+
 void table_below(LabState& lab) {
     if (companion_table_height(lab) > 0) draw_companion_table(lab);
 }
@@ -248,21 +261,37 @@ std::optional<Interval> zoomed_part(const Plot& plot) {
 PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dark : PlotTheme::projector; }
 
 void draw_plots(LabState& lab) {
-    choose_first(lab);
-    if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
-    follow_live_error(lab);
+    begin_plots(lab);
     if (lab.layout == Layout::lab) choice_menu(lab);
     Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
     if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
-    const std::vector<std::string> shown = shown_plots(lab);
+    std::vector<std::string> shown = shown_plots(lab);
     if (shown.empty()) return table_below(lab);
-    ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
-    const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
+    ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None,
+                      ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoBackground);
+    const float least = lab.px(130), spacing = ImGui::GetStyle().ItemSpacing.y;
+    const std::size_t rows = rows_of_plots(lab, shown.size(), least);
+    if (lab.layout != Layout::lab) shown.resize(rows);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float height = std::clamp((room.y - spacing * (count - 1)) / count, lab.px(130), std::max(lab.px(130), 0.85f * room.x));
+    const auto count = static_cast<float>(rows);
+    // They fill the room, but are no higher than they are wide.
+    const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, 0.85f * room.x));
     for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
     ImGui::EndChild();
     table_below(lab);
+}
+
+void draw_plots_in_row(LabState& lab) {
+    begin_plots(lab);
+    Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
+    const std::vector<std::string> shown = shown_plots(lab);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = ImGui::GetStyle().ItemSpacing.x, count = static_cast<float>(std::max<std::size_t>(shown.size(), 1));
+    const float width = std::min((room.x - gap * (count - 1)) / count, 1.8f * room.y);
+    for (const std::string& name : shown) {
+        if (name != shown.front()) ImGui::SameLine(0, gap);
+        draw_one(lab, plot, name, {width, room.y});
+    }
 }
 
 }  // namespace pliant::viewer

@@ -44,11 +44,10 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
 }
 
 // The viewpoint of this frame; the ghost of a pinned run, in the ink of guides, is not followed.
-void look_at(LabState& lab, const Scene& scene, std::span<const Position> moving, float aspect) {
+void look_at(LabState& lab, const Frame& frame, std::span<const Position> moving, float aspect) {
     Session& s = lab.session;
-    s.viewpoint.look({.scene = &scene,
+    s.viewpoint.look({.frame = frame,
                       .moving = moving,
-                      .dimension = s.lesson().dimension(),
                       .aspect = std::max(aspect, 0.05f),
                       .run = s.run_count(),
                       .seconds = lab.seconds,
@@ -67,14 +66,11 @@ Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, cons
     Session& s = lab.session;
     const float gap = lab.px(2), width = std::floor((place.width - right - gap) / 2);
     if (width < 8) return {};
-    Scene both;
-    both.frame(a.scene.lower, a.scene.upper);
-    for (std::size_t k = 0; k < 3; ++k)
-        both.lower[k] = std::min(both.lower[k], b.scene.lower[k]), both.upper[k] = std::max(both.upper[k], b.scene.upper[k]);
     std::vector<Position> moving = moving_parts(a.scene);
     std::ranges::copy(moving_parts(b.scene), std::back_inserter(moving));
-    look_at(lab, both, moving, width / place.height);
-    const Projection projection(s.seen_by(), s.lesson().dimension(), width, place.height);
+    const int dimension = s.lesson().dimension();
+    look_at(lab, about(frame_of(a.scene, dimension), frame_of(b.scene, dimension)), moving, width / place.height);
+    const Projection projection(s.seen_by(), dimension, width, place.height);
     const ImVec2 size{width, place.height};
     const auto view = [&](Side& side, float x) {
         return View{std::move(side.scene), projection,   {x, place.y}, size,
@@ -113,7 +109,7 @@ void draw_before_and_after(LabState& lab, SceneRenderer& renderer, Scene before,
 void draw_alone(LabState& lab, SceneRenderer& renderer, Scene scene, const Rectangle& place, float right) {
     Session& s = lab.session;
     const int dimension = s.lesson().dimension();
-    look_at(lab, scene, moving_parts(scene), (place.width - right) / place.height);
+    look_at(lab, frame_of(scene, dimension), moving_parts(scene), (place.width - right) / place.height);
     const std::string of_a = differing_text(s, false);
     const std::string heading = !s.shows_difference() ? ""
                                 : of_a.empty()        ? "A − B, of the same parameters"

@@ -9,8 +9,19 @@ namespace pliant::viewer {
 // The part of the picture's width and height that a framed scene takes.
 inline constexpr float framed_part = 1 / 1.12f;
 
-// Frames the scene with a margin; aspect is that of the part of the picture that is free.
-Camera framing(const Scene& scene, int dimension, float aspect);
+// What a scene is framed by.
+struct Frame {
+    Position lower{}, upper{};  // m
+    bool round = false;         // what moves stays in the upright cylinder in this box
+    int dimension = 3;
+    bool operator==(const Frame&) const = default;
+};
+Frame frame_of(const Scene& scene, int dimension);
+// The smallest one about both.
+Frame about(const Frame& a, const Frame& b);
+
+// Shows the frame with a margin; aspect is that of the part of the picture that is free.
+Camera framing(const Frame& frame, float aspect);
 
 // How to keep points in sight: within `part` of the picture's width and height, by a camera that goes no farther away than
 // `farthest`, m. Where that is too near for all of them, their middle is in the middle.

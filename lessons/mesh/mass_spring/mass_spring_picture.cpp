@@ -48,6 +48,7 @@ void MassSpringLesson::set_frame(Scene& picture) const {
         !falls() ? edges[1] + std::max(room, Real{0}) : edges[1] + drop_height + (setting == Setting::drop ? 0.1 * edges[0] : 0);
     const Real side = frame_side();
     picture.frame(position(-side, bottom, -side), position(side, top, side));
+    picture.round = setting == Setting::drop || setting == Setting::spin;
 }
 
 void MassSpringLesson::draw_surface(Scene& picture, float opacity) const {
