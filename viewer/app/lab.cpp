@@ -225,6 +225,7 @@ void Lab::frame(Real dt) {
     if (!state_.files.asking() && !state_.animation.asking)
         handle_keys({.walkthrough = state_.session.walkthrough.has_value(),
                      .deck = in_deck(),
+                     .slide = state_.layout == Layout::slide,
                      .message = s.message() || s.autopsy() || !state_.summary.empty()},
                     [this](Action a) { perform(a); });
     forget_file_of_another_scene();

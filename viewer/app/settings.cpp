@@ -56,7 +56,7 @@ Settings parse_settings(std::string_view text, std::string_view path) {
 std::string settings_text(const Settings& s) {
     Json json = Json::object();
     if (s.theme) json["theme"] = *s.theme == Theme::dark ? "dark" : "projector";
-    if (s.layout) json["layout"] = *s.layout == Layout::lab ? "lab" : "slide";
+    if (s.layout) json["layout"] = *s.layout == Layout::slide ? "slide" : "lab";  // a deck belongs to its lecture
     put(json, "scale", s.scale);
     put(json, "speed", s.speed);
     put(json, "hints_shown", s.hints_shown);

@@ -59,7 +59,18 @@ void number_slider(LabState& lab, const Parameter& p) {
 
 void choice_box(LabState& lab, const Parameter& p) {
     const auto current = static_cast<std::size_t>(lab.session.addressed().wanted(p));
-    if (!ImGui::BeginCombo("##value", std::string(p.info.options[current].label).c_str())) return;
+    const std::string label(p.info.options[current].label);
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    const bool cut = ImGui::CalcTextSize(label.c_str()).x > room;
+    // The box keeps its height.
+    ImVec2 padding = ImGui::GetStyle().FramePadding;
+    if (cut) padding.y += (ImGui::GetFontSize() - lab.fonts.small->FontSize) / 2;
+    ImGui::PushFont(cut ? lab.fonts.small : ImGui::GetFont());
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    const bool open = ImGui::BeginCombo("##value", label.c_str());
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    if (!open) return;
     for (std::size_t i = 0; i < p.info.options.size(); ++i)
         if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current))
             lab.session.assign(p, static_cast<Real>(i));
