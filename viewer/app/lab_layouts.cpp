@@ -25,8 +25,9 @@ void Lab::lab_layout(float width, float height) {
                 body = height - status - top;
     const float list =
         std::min(body * 0.42f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
-    const float bars = 2 * ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y +
-                       2 * ImGui::GetStyle().ItemSpacing.y;
+    const auto rows = static_cast<float>(1 + s.transport_rows);
+    const float bars = rows * ImGui::GetFrameHeight() + s.px(stage_height + (s.stages_scroll ? stage_scrollbar : 0)) +
+                       2 * ImGui::GetStyle().WindowPadding.y + rows * ImGui::GetStyle().ItemSpacing.y;
     {
         const FixedPanel panel("Lessons", {0, top, left, list});
         draw_lesson_list(s);

@@ -66,6 +66,9 @@ struct LabState {
     std::optional<Pull> pulling;
     Real seconds = 0;                                  // of wall time since the frame before; with 0 nothing moves
     bool turning = false, clicked_only = false;        // has the pointer stayed where it was pressed?
+    int transport_rows = 1;                            // of the last frame
+    bool stages_scroll = false;                        // likewise
+    std::optional<std::size_t> stage_in_sight{};       // to which the stages have scrolled
     bool scene_has_grid = false;                       // of the last frame
     std::unique_ptr<SceneRenderer> renderer_beside{};  // of run B, or of before
 
@@ -135,7 +138,7 @@ std::string without_marks(const std::string& text);
 // "youngs_modulus" as words.
 std::string words(std::string_view key);
 
-inline constexpr float stage_height = 60;  // px at scale 1
+inline constexpr float stage_height = 60, least_stage_width = 104, stage_scrollbar = 9;  // px at scale 1
 
 void draw_menu_bar(LabState& lab);
 void draw_animation_panel(LabState& lab);
