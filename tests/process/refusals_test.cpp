@@ -80,6 +80,11 @@ TEST_CASE("calls that lack something or have too much are refused", "[process]")
     refusal({"list", "moduli"}, {"moduli"});
     refusal({"walkthrough", "moduli", "--check", "--present"}, {"--check", "--present"});
     refusal({"walkthrough", "moduli", "--theme", "projector"}, {"--theme", "--present"});
+    refusal({"walkthrough", "moduli", "--questions"}, {"--questions", "--out"});
+    refusal({"walkthrough", "moduli", "--out", "x", "--check"}, {"--out", "--check"});
+    refusal({"walkthrough", "moduli", "--out", "x", "--frames", "3"}, {"--frames", "--present"});
+    refusal({"walkthrough", "moduli", "--out", ""}, {"--out"});
+    refusal({"walkthrough", "moduli", "--out", "x", "--size", "9x9"}, {"--size"});
     refusal({"shot", "moduli", "--slide", "2", "--out", "x.png"}, {"--slide", "--layout deck"});
     refusal({"shot", "moduli", "--layout", "deck", "--slide", "9", "--out", "x.png"}, {"slide 9", "1 to 8"});
     refusal({"shot", "moduli", "--layout", "deck", "--slide", "0", "--out", "x.png"}, {"--slide"});

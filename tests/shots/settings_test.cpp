@@ -30,6 +30,12 @@ TEST_CASE("settings: everything is read back as it was written", "[settings]") {
     CHECK(parse_settings(settings_text({}), "s") == Settings{});
 }
 
+TEST_CASE("settings: after a deck the lab opens with its controls", "[settings]") {
+    Settings s;
+    s.layout = Layout::deck;
+    CHECK(parse_settings(settings_text(s), "s").layout == Layout::lab);
+}
+
 TEST_CASE("settings: what does not belong is passed over, what is no object is refused", "[settings]") {
     const Settings s = parse_settings(
         R"({"theme": 3, "scale": 99, "speed": -1, "layout": "round", "hints_shown": "no", "recent": [1], "later": {}})", "s");
