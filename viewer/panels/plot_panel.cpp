@@ -274,8 +274,8 @@ void draw_plots(LabState& lab) {
     if (lab.layout != Layout::lab) shown.resize(rows);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const auto count = static_cast<float>(rows);
-    // They fill the room, but are no higher than they are wide.
-    const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, 0.85f * room.x));
+    // They fill the room, but are hardly higher than wide.
+    const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, 1.1f * room.x));
     for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
     ImGui::EndChild();
     table_below(lab);
