@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
@@ -57,15 +58,21 @@ void number_slider(LabState& lab, const Parameter& p) {
     session.assign(p, value, std::exchange(lab.value_changed, true));
 }
 
+bool fits_with(const ImFont* font, const std::string& text, float room) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x <= room;
+}
+
 void choice_box(LabState& lab, const Parameter& p) {
     const auto current = static_cast<std::size_t>(lab.session.addressed().wanted(p));
     const std::string label(p.info.options[current].label);
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
-    const bool cut = ImGui::CalcTextSize(label.c_str()).x > room;
+    ImFont* font = ImGui::GetFont();
+    for (ImFont* smaller : {lab.fonts.medium, lab.fonts.normal, lab.fonts.small})
+        if (smaller->FontSize < font->FontSize && !fits_with(font, label, room)) font = smaller;
     // The box keeps its height.
     ImVec2 padding = ImGui::GetStyle().FramePadding;
-    if (cut) padding.y += (ImGui::GetFontSize() - lab.fonts.small->FontSize) / 2;
-    ImGui::PushFont(cut ? lab.fonts.small : ImGui::GetFont());
+    padding.y += (ImGui::GetFontSize() - font->FontSize) / 2;
+    ImGui::PushFont(font);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
     const bool open = ImGui::BeginCombo("##value", label.c_str());
     ImGui::PopStyleVar();
@@ -103,6 +110,15 @@ std::string label_of(const LabState& lab, const Parameter& p) {
     return label;
 }
 
+// The name and the value on one line, in the large type of a deck.
+bool label_fits_large(const LabState& lab, const Parameter& p) {
+    const bool number = p.info.kind != Kind::choice && p.info.kind != Kind::toggle;
+    const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
+    const float room = ImGui::GetContentRegionAvail().x - lab.px(8);
+    const ImFont* const font = lab.fonts.large;
+    return fits_with(lab.fonts.medium, label_of(lab, p), room - font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, value.c_str()).x);
+}
+
 // The name on the left and, of a number, the value on the right.
 void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     const bool number = p.info.kind != Kind::choice;
@@ -134,12 +150,13 @@ void extreme_switch(LabState& lab) {
 
 void draw_parameter(LabState& lab, const Parameter& p, bool large) {
     ImGui::PushID(&p);
-    ImGui::PushFont(large ? lab.fonts.large : lab.fonts.normal);
+    ImFont* const label_font = !large ? lab.fonts.small : label_fits_large(lab, p) ? lab.fonts.medium : lab.fonts.normal;
+    ImGui::PushFont(!large ? lab.fonts.normal : label_font == lab.fonts.medium ? lab.fonts.large : lab.fonts.medium);
     ImGui::BeginDisabled(!p.used() || lab.session.locked(p));
     if (p.info.kind == Kind::toggle) {
         switch_box(lab, p, label_of(lab, p));
     } else {
-        label_row(lab, p, large ? lab.fonts.medium : lab.fonts.small);
+        label_row(lab, p, label_font);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
         ImGui::SetNextItemWidth(-1);
         if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});

@@ -117,7 +117,7 @@ void MassSpringLesson::draw_ground(Scene& picture) const {
 void MassSpringLesson::draw_arrows(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
     if (picture.show_arrows && weight_acceleration() > 0) {
-        const Real x = -frame_side() - 0.3 * edges.norm(), top = edges[1] + drop_height, length = 0.4 * edges[1];
+        const Real x = -frame_side() - 0.3 * edges.norm(), top = 0.8 * (edges[1] + drop_height), length = 0.4 * edges[1];
         picture.arrow(position(x, top, 0), position(x, top - length, 0), Ink::force,
                       "g = " + format_quantity(gravity, "m/s²", 3));
     }
