@@ -44,6 +44,17 @@ struct AnimationOrder {
     bool writing = false;            // all frames are recorded
 };
 
+// The type of the words in a picture.
+struct LabelType {
+    int run = -1;
+    Layout layout = Layout::lab;
+    float width = 0, height = 0, scale = 0;  // of the picture, px; of the lab
+    std::size_t smaller = 0;                 // sizes below the largest
+    bool same_picture(const LabelType& o) const {
+        return run == o.run && layout == o.layout && width == o.width && height == o.height && scale == o.scale;
+    }
+};
+
 struct LabState {
     Session session;
     Theme theme = Theme::dark;
@@ -64,8 +75,9 @@ struct LabState {
     // the scene panel
     std::optional<Picked> hovered;
     std::optional<Pull> pulling;
-    Real seconds = 0;                                  // of wall time since the frame before; with 0 nothing moves
-    bool turning = false, clicked_only = false;        // has the pointer stayed where it was pressed?
+    Real seconds = 0;                            // of wall time since the frame before; with 0 nothing moves
+    bool turning = false, clicked_only = false;  // has the pointer stayed where it was pressed?
+    LabelType label_type{};
     int transport_rows = 1;                            // of the last frame
     bool stages_scroll = false;                        // likewise
     std::optional<std::size_t> stage_in_sight{};       // to which the stages have scrolled

@@ -287,7 +287,7 @@ void draw_plots_in_row(LabState& lab) {
     const std::vector<std::string> shown = shown_plots(lab);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x, count = static_cast<float>(std::max<std::size_t>(shown.size(), 1));
-    const float width = std::min((room.x - gap * (count - 1)) / count, 1.8f * room.y);
+    const float width = std::min((room.x - gap * (count - 1)) / count, 2.6f * room.y);
     for (const std::string& name : shown) {
         if (name != shown.front()) ImGui::SameLine(0, gap);
         draw_one(lab, plot, name, {width, room.y});
