@@ -44,10 +44,10 @@ std::vector<Position> block_at(float x, float size = 0.5f, float z = 0) {
     return corners({{x, 0, z}, {x + size, size, z + size}, false, 3});
 }
 
-const Frame box{{-1, 0, -1}, {1, 1.5f, 1}, false, 3};
+const Frame stage_box{{-1, 0, -1}, {1, 1.5f, 1}, false, 3};
 
 Sighting sighting(const std::vector<Position>& moving, Real seconds) {
-    return {.frame = box, .moving = moving, .aspect = 1.6f, .run = 1, .seconds = seconds};
+    return {.frame = stage_box, .moving = moving, .aspect = 1.6f, .run = 1, .seconds = seconds};
 }
 
 }  // namespace
@@ -63,14 +63,14 @@ TEST_CASE("a framed scene fills the picture but for a margin, whatever the shape
 }
 
 TEST_CASE("a body that tumbles is seen larger than its box would be", "[framing]") {
-    Frame frame = box;
+    Frame frame = stage_box;
     const Real of_box = framing(frame, 1).distance;
     frame.round = true;
     CHECK(framing(frame, 1).distance < 0.95 * of_box);
 }
 
 TEST_CASE("a camera moves as little as it takes to keep points in sight", "[framing]") {
-    const Camera framed = framing(box, 1.6f);
+    const Camera framed = framing(stage_box, 1.6f);
     const Sight sight{1.6f, 0.95f, 100};
     CHECK(keeping_in_sight(framed, block_at(-0.25f), 3, sight) == framed);
     for (const float x : {3.f, -40.f, 1000.f}) {
@@ -91,7 +91,7 @@ TEST_CASE("a camera moves as little as it takes to keep points in sight", "[fram
 }
 
 TEST_CASE("what is too large is seen from farther away, up to a limit", "[framing]") {
-    const Camera framed = framing(box, 1.6f);
+    const Camera framed = framing(stage_box, 1.6f);
     const auto large = block_at(-4, 8);
     const Camera away = keeping_in_sight(framed, large, 3, {1.6f, 0.95f, 1000});
     CHECK(away.distance > framed.distance);
@@ -100,7 +100,7 @@ TEST_CASE("what is too large is seen from farther away, up to a limit", "[framin
 }
 
 TEST_CASE("points without a place and pictures without points leave the camera alone", "[framing]") {
-    const Camera framed = framing(box, 1.6f);
+    const Camera framed = framing(stage_box, 1.6f);
     const float nowhere = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
     const std::vector<Position> points{{nowhere, 0, 0}, {0, far, 0}};
     CHECK(keeping_in_sight(framed, points, 3, {1.6f, 0.95f, 100}) == framed);
@@ -137,7 +137,7 @@ TEST_CASE("another run is framed at once, and the way back is none", "[framing]"
     s.moving = far;
     viewpoint.look(s);
     s.moving = near, s.run = 2;
-    CHECK(viewpoint.look(s) == framing(box, 1.6f));
+    CHECK(viewpoint.look(s) == framing(stage_box, 1.6f));
     CHECK_FALSE(viewpoint.moving());
 }
 
@@ -164,5 +164,5 @@ TEST_CASE("the viewpoint keeps the side from which the person looks, and stands 
     CHECK(viewpoint.moving());
 
     viewpoint.turn_back();
-    CHECK(viewpoint.look(sighting(near, 0)) == framing(box, 1.6f));
+    CHECK(viewpoint.look(sighting(near, 0)) == framing(stage_box, 1.6f));
 }
