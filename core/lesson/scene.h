@@ -131,7 +131,6 @@ public:
 
     // The part of space that the picture frames at first. Kept the same from step to step, so that nothing jumps.
     Position lower{0, 0, 0}, upper{1, 1, 1};
-    bool round = false;  // what moves stays in the upright cylinder in this box: a body that tumbles
 
     std::vector<GridMarks> grids;
     std::vector<TriangleMarks> triangles;

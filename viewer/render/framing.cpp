@@ -1,9 +1,7 @@
 #include "render/framing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace pliant::viewer {
@@ -58,21 +56,12 @@ std::vector<Vec<3>> seen_by(const Camera& camera, std::span<const Position> poin
     return seen;
 }
 
-// The corners of the box or, of the cylinder in it, points of both rims.
-std::vector<Position> outline_of(const Frame& f) {
-    constexpr int around = 24;
-    std::vector<Position> outline;
-    const bool round = f.round && f.dimension == 3;
-    const int count = round ? around : 4;
-    for (int i = 0; i < count; ++i) {
-        // The corners of a square lie at odd eighths of a turn.
-        const Real angle = 2 * std::numbers::pi * (i + 0.5) / count, stretch = round ? 0.5 : std::numbers::sqrt2 / 2;
-        const Real x = 0.5 + stretch * std::cos(angle), z = 0.5 + stretch * std::sin(angle);
+std::vector<Position> corners_of(const Frame& f) {
+    std::vector<Position> corners;
+    for (const float x : {f.lower[0], f.upper[0]})
         for (const float y : {f.lower[1], f.upper[1]})
-            outline.push_back({static_cast<float>(f.lower[0] + x * (f.upper[0] - f.lower[0])), y,
-                               static_cast<float>(f.lower[2] + z * (f.upper[2] - f.lower[2]))});
-    }
-    return outline;
+            for (const float z : {f.lower[2], f.upper[2]}) corners.push_back({x, y, z});
+    return corners;
 }
 
 // How far the target has to move along the view for things to be no farther from it than `reach`, or as far behind as before it.
@@ -84,13 +73,12 @@ Real move_in_depth(const std::vector<Vec<3>>& seen, Real reach) {
 
 }  // namespace
 
-Frame frame_of(const Scene& scene, int dimension) { return {scene.lower, scene.upper, scene.round, dimension}; }
+Frame frame_of(const Scene& scene, int dimension) { return {scene.lower, scene.upper, dimension}; }
 
 Frame about(const Frame& a, const Frame& b) {
     Frame both = a;
     for (std::size_t k = 0; k < 3; ++k)
         both.lower[k] = std::min(a.lower[k], b.lower[k]), both.upper[k] = std::max(a.upper[k], b.upper[k]);
-    both.round = a.round && b.round;
     return both;
 }
 
@@ -102,7 +90,7 @@ Camera framing(const Frame& frame, float aspect) {
         camera.target[k] = (Real{frame.lower[i]} + frame.upper[i]) / 2;
     }
     Extent extent(frame.dimension, aspect, framed_part);
-    for (const Vec<3>& at : seen_by(camera, outline_of(frame), frame.dimension)) extent.add(at);
+    for (const Vec<3>& at : seen_by(camera, corners_of(frame), frame.dimension)) extent.add(at);
     camera.distance = extent.needed();
     camera.target += eye_axes(camera, frame.dimension).transpose() * Vec<3>(extent.across.middle(), extent.up.middle(), 0);
     return camera;

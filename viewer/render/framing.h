@@ -12,7 +12,6 @@ inline constexpr float framed_part = 1 / 1.12f;
 // What a scene is framed by.
 struct Frame {
     Position lower{}, upper{};  // m
-    bool round = false;         // what moves stays in the upright cylinder in this box
     int dimension = 3;
     bool operator==(const Frame&) const = default;
 };

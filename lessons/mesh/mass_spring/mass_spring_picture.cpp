@@ -46,9 +46,9 @@ void MassSpringLesson::set_frame(Scene& picture) const {
     const Real bottom = falls() ? Real{0} : std::min(Real{0}, -room);
     const Real top =
         !falls() ? edges[1] + std::max(room, Real{0}) : edges[1] + drop_height + (setting == Setting::drop ? 0.1 * edges[0] : 0);
-    const Real side = frame_side();
+    // A block that turns stays within a cylinder, whose outline is that of a narrower box.
+    const Real side = (setting == Setting::drop || setting == Setting::spin ? 0.8 : 1.0) * frame_side();
     picture.frame(position(-side, bottom, -side), position(side, top, side));
-    picture.round = setting == Setting::drop || setting == Setting::spin;
 }
 
 void MassSpringLesson::draw_surface(Scene& picture, float opacity) const {
