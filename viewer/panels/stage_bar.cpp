@@ -165,10 +165,11 @@ void draw_transport(LabState& lab) {
     // What does not fit beside the buttons stands below them.
     const float speed = s.runner().is_static() ? 0.f : 68.f;
     const bool below = ImGui::GetContentRegionAvail().x < lab.px(speed + least_colour_menu + switches_width(lab));
-    if (ImGui::GetContentRegionAvail().x < lab.px(speed)) ImGui::NewLine();
-    if (!s.runner().is_static()) speed_menu(lab);
-    ImGui::SameLine(0, lab.px(8));
     if (below) ImGui::NewLine();
+    if (!s.runner().is_static()) {
+        speed_menu(lab);
+        ImGui::SameLine(0, lab.px(8));
+    }
     lab.transport_rows = below ? 2 : 1;
     colour_menu(lab);
     ImGui::SameLine();
