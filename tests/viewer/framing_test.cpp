@@ -145,13 +145,13 @@ TEST_CASE("the viewpoint keeps the side from which the person looks, and stands 
     CHECK(viewpoint.camera().pitch == turned.pitch);
     CHECK(outermost(viewpoint.camera(), 3, 1.6f, far) <= 0.951f);
 
-    Sighting held = sighting(near, 1.0 / 60);
+    Sighting held = sighting(far, 1.0 / 60);
     held.held = true;
     const Camera before = viewpoint.camera();
     CHECK(viewpoint.look(held) == before);
     held.frame.upper[1] = 9;  // a handle makes the scene larger
     CHECK(viewpoint.look(held) == before);
-    // Once it is let go the camera goes there without a jump.
+    // Once it is let go the camera goes to where all is seen, without a jump.
     held.held = false;
     CHECK((viewpoint.look(held).target - before.target).norm() < 0.2 * before.distance);
     CHECK(viewpoint.moving());

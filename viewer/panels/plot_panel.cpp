@@ -269,7 +269,8 @@ void draw_plots(LabState& lab) {
     if (shown.empty()) return table_below(lab);
     ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None,
                       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoBackground);
-    const float least = lab.px(130), spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float spacing = ImGui::GetStyle().ItemSpacing.y,
+                least = lab.layout == Layout::lab ? lab.px(130) : std::min(lab.px(130), ImGui::GetContentRegionAvail().y);
     const std::size_t rows = rows_of_plots(lab, shown.size(), least);
     if (lab.layout != Layout::lab) shown.resize(rows);
     const ImVec2 room = ImGui::GetContentRegionAvail();
