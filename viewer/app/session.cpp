@@ -320,6 +320,14 @@ void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
     if (!joins) undo_.push_back({{{key, before}}, beside});
 }
 
+void Session::enter(const Parameter& parameter, std::string_view text) {
+    try {
+        assign(parameter, parameter.parse(text));
+    } catch (const Refused& e) {
+        say(Message::Kind::refused, e.what());
+    }
+}
+
 bool Session::assign_together(const Values& values) {
     Values before, wanted;
     for (const auto& [key, value] : values) {

@@ -97,6 +97,8 @@ public:
     // A refusal, also of a parameter that the slide locks, becomes a message. Values that follow each other on one parameter
     // within a drag are one undo step.
     void assign(const Parameter& parameter, Real value, bool same_drag = false);
+    // What was typed for a parameter, read as the command line reads it. A refusal becomes a message; nothing is clamped.
+    void enter(const Parameter& parameter, std::string_view text);
     // Several values at once, by key, as one step of undo; the run begins anew. False when refused.
     bool assign_together(const std::vector<std::pair<std::string, Real>>& values);
     void restore_default(const Parameter& parameter);

@@ -8,6 +8,7 @@
 #include "app/theme.h"
 #include "panels/file_choice.h"
 #include "panels/plot_panel.h"
+#include "panels/typed_number.h"
 #include "render/picking.h"
 #include "render/scene_renderer.h"
 
@@ -70,7 +71,8 @@ struct LabState {
     bool cost_shown = false;  // cost and error in the place of the plots
     LiveError live_error{};
 
-    bool value_changed = false;  // in the present drag of a slider, or while a number is typed: one step of undo
+    bool value_changed = false;  // in the present drag of a slider: one step of undo
+    TypedNumber typed{};
 
     // the scene panel
     std::optional<Picked> hovered;
@@ -122,6 +124,9 @@ struct LabState {
     std::map<std::string, Rectangle> controls;
     // Remembers the last item under a name.
     void note_control(const std::string& name);
+
+    // Does what a text that was typed asks for; a refusal becomes a message.
+    void take_typed(const std::function<void()>& action);
 
     float px(float length) const { return length * scale; }
     unsigned ink(Ink role, float opacity = 1) const { return viewer::ink(theme, role, opacity); }

@@ -20,7 +20,9 @@ std::string describe(const Parameter& p) {
         text += "\nUsual " + p.info.useful.text() + ", accepted " + p.accepted().text() +
                 (p.info.unit.empty() ? "" : " " + std::string(p.info.unit)) + ", default " +
                 format_quantity(p.info.initial, p.info.unit) +
-                ".\nCtrl+click types a number; a double click restores the default.";
+                ".\nCtrl+click, or Enter, types a number, with a unit if you like; it may lie outside the usual range. A double "
+                "click "
+                "restores the default.";
     text += p.info.effect == Effect::live ? "\nTakes effect with the next step." : "\nRestarts the lesson (↻).";
     if (!p.used()) text += "\nNot used by the present scene.";
     return text;
@@ -36,18 +38,24 @@ Interval span_of(const Parameter& p, bool extreme) {
     return span;
 }
 
+std::string in_full(const Parameter& p, Real value) {
+    return p.info.unit.empty() ? p.text(value) : fmt::format("{} {}", p.text(value), p.info.unit);
+}
+
 void number_slider(LabState& lab, const Parameter& p) {
     Session& session = lab.session;
     Real value = session.addressed().wanted(p);
     Interval span = span_of(p, session.extreme);
     span.min = std::min(span.min, value), span.max = std::max(span.max, value);
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput |
                                    (p.info.scale == Scale::log ? ImGuiSliderFlags_Logarithmic : 0);
-    const ImGuiID id = ImGui::GetID("##value");
-    const bool typing = ImGui::TempInputIsActive(id);
-    // The value stands above the slider; while one is typed, it is shown in full.
-    const char* format = typing || ImGui::GetIO().KeyCtrl ? "%.10g" : "";
-    const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, format, flags);
+    // The value stands above the slider; while one is typed, it is shown in full, with its unit.
+    bool changed = false;
+    const auto text = slider_or_text(lab.typed, "##value", in_full(p, value), [&] {
+        changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, "", flags);
+    });
+    if (text) return session.enter(p, *text);
+    const bool typing = lab.typed.control == ImGui::GetItemID();
     if (!typing && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         ImGui::ClearActiveID();  // else the button that is still down would set the value again
         return session.restore_default(p);

@@ -100,6 +100,17 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     plot.end();
 }
 
+// Where the line of a profile crosses an axis, as a part of the scene.
+void across_slider(LabState& lab, const char* axis, Real& at) {
+    const Real low = 0, high = 1;
+    const std::string label = fmt::format("##across {}", axis), format = fmt::format("{} at %.2f", axis);
+    const auto text = slider_or_text(lab.typed, label.c_str(), format_exact(at), [&] {
+        ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &at, &low, &high, format.c_str(),
+                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    });
+    if (text) lab.take_typed([&] { at = number_typed(axis, *text, low, high); });
+}
+
 void plot_along(LabState& lab, Plot& plot, Point size) {
     Session& s = lab.session;
     PlotPanelState& state = lab.plots;
@@ -116,10 +127,7 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth((ImGui::GetContentRegionAvail().x - lab.px(4)) /
                                 static_cast<float>(k == dim - 1 || (state.axis == dim - 1 && k == dim - 2) ? 1 : 2));
-        const Real low = 0, high = 1;
-        const std::string format = fmt::format("{} at %.2f", axes[static_cast<std::size_t>(k)]);
-        ImGui::SliderScalar(fmt::format("##across {}", k).c_str(), ImGuiDataType_Double, &state.across[next++], &low, &high,
-                            format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+        across_slider(lab, axes[static_cast<std::size_t>(k)], state.across[next++]);
     }
     const Inspector& looked = s.inspector;
     const Scene scene = s.scene();

@@ -136,9 +136,13 @@ void scrubber(LabState& lab, float width) {
     ImGui::SetNextItemWidth(width);
     ImGui::BeginDisabled(first == last);
     const std::string format = runner.inside_step() ? fmt::format("step %lld + {} passes", runner.place().passes) : "step %lld";
-    if (ImGui::SliderScalar("##past", ImGuiDataType_S64, &step, &first, &last, format.c_str(), ImGuiSliderFlags_AlwaysClamp) &&
-        step != runner.place().step)
-        s.go_to({step, 0});
+    bool moved = false;
+    const auto text = slider_or_text(lab.typed, "##past", fmt::format("{}", step), [&] {
+        moved = ImGui::SliderScalar("##past", ImGuiDataType_S64, &step, &first, &last, format.c_str(),
+                                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    });
+    if (text) lab.take_typed([&] { step = whole_typed("step", *text, first, last), moved = true; });
+    if (moved && step != runner.place().step) s.go_to({step, 0});
     ImGui::EndDisabled();
     lab.note_control("past");
     const History& h = runner.history();
