@@ -1,10 +1,10 @@
 #include <pliant/lesson/breakpoints.h>
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/quantity_text.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace pliant {
@@ -35,10 +35,9 @@ Condition parse_condition(std::string_view text, const Lesson& lesson) {
     const std::size_t length = at + 1 < text.size() && text[at + 1] == '=' ? 2 : 1;
     Condition c{std::string(trimmed(text.substr(0, at))), std::string(text.substr(at, length)), 0};
     if (c.probe.empty()) throw refuse();
-    lesson.probe(c.probe);
-    const std::string_view number = trimmed(text.substr(at + length));
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), c.limit);
-    if (error != std::errc() || end != number.data() + number.size() || !std::isfinite(c.limit)) throw refuse();
+    const QuantityText limit = read_quantity(text.substr(at + length), lesson.probe(c.probe).unit);
+    if (limit.problem != QuantityText::Problem::none || !std::isfinite(limit.value)) throw refuse();
+    c.limit = limit.value;
     return c;
 }
 
