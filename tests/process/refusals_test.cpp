@@ -154,7 +154,9 @@ TEST_CASE("a value of the wrong kind is refused for every parameter", "[process]
             };
             if (is_numeric(p)) {
                 refuse("twelve", "number");
-                refuse("1,5", "number");
+                refuse("1,500", "two ways");
+                refuse("2*3", "number");
+                refuse("3 parsec", "parsec");
                 refuse("0x10", "number");
                 refuse("1 2", "number");
                 if (p["kind"] == "whole number") refuse("1.5", "whole number");
