@@ -70,9 +70,9 @@ std::optional<int> exponent_between(std::string_view written, std::string_view u
         return from_grams ? std::optional(*from_grams - 3) : std::nullopt;
     }
     const int power = power_of_first(unit);
-    for (const auto& [prefix, exponent] : unit_prefixes) {
-        const bool suits = power != 0 && (prefix != "c" || unit.starts_with("m"));
-        if (suits && written.starts_with(prefix) && written.substr(prefix.size()) == unit) return exponent * power;
+    for (const auto& [sign, exponent] : unit_prefixes) {
+        const bool suits = power != 0 && (sign != "c" || unit.starts_with("m"));
+        if (suits && written.starts_with(sign) && written.substr(sign.size()) == unit) return exponent * power;
     }
     return std::nullopt;
 }
