@@ -1,5 +1,6 @@
 #include <pliant/lesson/format.h>
 #include <pliant/lesson/runner.h>
+#include <pliant/math/watch.h>
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ Runner::Runner(const LessonEntry& entry, const Assignments& assignments, std::si
     : entry_(&entry), lesson_(entry.make()), history_(history_bytes) {
     costs_.resize(lesson_->stages.size());
     write(parse(assignments));
-    reset();
+    reset_or_leave();
 }
 
 void Runner::begin_step() {
@@ -49,6 +50,8 @@ void Runner::begin_step() {
 }
 
 void Runner::step_pass() {
+    if (!replaying_) cancel_point();
+    ++revision_;
     if (!inside_step()) begin_step();
     if (active_.empty()) {
         end_step();
@@ -56,6 +59,7 @@ void Runner::step_pass() {
         return;
     }
     const Stage& stage = *active_[stage_];
+    if (!replaying_) tell_progress(stage.name, stage_passes_);
     try {
         run_pass(stage);
         const bool more = stage.again && stage.again();
@@ -64,6 +68,9 @@ void Runner::step_pass() {
         Failure failure = d.failure;
         failure.stage = stage.name;
         fail(std::move(failure));
+    } catch (const Cancelled&) {
+        leave_step();
+        throw;
     }
     if (stage_ == active_.size()) end_step();
     if (!replaying_) reach_ = place();
@@ -153,13 +160,18 @@ void Runner::guard(const Stage& stage) const {
     }
 }
 
+// Back to the start of the present step.
+void Runner::leave_step() {
+    if (!go_to({step_, 0}) && history_.last()) restore(*history_.last());
+    reach_ = place();
+}
+
 void Runner::fail(Failure failure) {
     failure.step = step_ + 1;
     failure.time = time() + base_dt_;
     if (failure.limit.empty()) failure.limit = lesson_->blow_up_hint();
-    if (!go_to({step_, 0}) && history_.last()) restore(*history_.last());
+    leave_step();
     failure_ = failure;
-    reach_ = place();
     throw Diverged(std::move(failure));
 }
 

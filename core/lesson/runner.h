@@ -45,6 +45,9 @@ public:
     // this step and of the one before are always kept. Throws Refused.
     explicit Runner(const LessonEntry& entry, const Assignments& assignments = {}, std::size_t history_bytes = 64u << 20);
 
+    // Refuses what could not begin, without making it: a lesson of its own tells. Throws Refused.
+    static void check(const LessonEntry& entry, const Assignments& assignments, const std::vector<Event>& events = {});
+
     const LessonInfo& info() const { return entry_->info; }
     const Lesson& lesson() const { return *lesson_; }
 
@@ -53,6 +56,9 @@ public:
     // nothing has changed.
     void assign(const Assignments& assignments);
     void assign(std::string_view key, Real value);
+    // By the parameters themselves, which have to be those of this lesson: else it throws std::logic_error.
+    using Values = std::vector<std::pair<const Parameter*, Real>>;
+    void assign_values(const Values& values) { write_or_reset(own(values)); }
     // As a scene does: these values, every other parameter at its initial one, then a reset.
     void load(const Assignments& assignments);
     // The value that the parameter has, or will have from the next step on.
@@ -70,7 +76,8 @@ public:
 
     // --- forward ---
     // Each throws Diverged when a stage fails or writes a number that is not finite or beyond its bound. The state is then that
-    // of the start of the step, and `failure` tells what happened.
+    // of the start of the step, and `failure` tells what happened. Each tells a Watch which stage it runs, and throws Cancelled:
+    // between two passes it then stands where it was, within one at the start of the step.
     void step_pass();
     void step_stage();
     void step();
@@ -97,6 +104,8 @@ public:
     const std::vector<Execution>& executed_before() const { return executed_before_; }
 
     // --- where we are ---
+    // Another number whenever something may have changed that a picture or a panel shows.
+    long revision() const { return revision_; }
     Place place() const { return {step_, passes_}; }
     bool inside_step() const { return passes_ > 0; }
     // The stages that the present scene uses, in order.
@@ -129,14 +138,16 @@ public:
 
 private:
     friend class Revisit;
-    using Values = std::vector<std::pair<Parameter*, Real>>;
 
-    Values parse(const Assignments& assignments) const;
-    void write(const Values& values);  // all or, when the lesson refuses them, none
-    void write_or_reset(const Values& values);
+    using Writes = std::vector<std::pair<Parameter*, Real>>;
+    Writes parse(const Assignments& assignments) const;
+    Writes own(const Values& values) const;
+    void write(const Writes& values);  // all or, when the lesson refuses them, none
+    void write_or_reset(const Writes& values);
     void apply_events();
     void apply(const Event& event);
-    void note_assigned(const Values& values);
+    void note_assigned(const Writes& values);
+    void reset_or_leave();
     void start_fresh();
     void collect_active();
     void renew_references();
@@ -147,6 +158,7 @@ private:
     void run_pass(const Stage& stage);
     void finish_stage(const Stage& stage, bool loop);
     void guard(const Stage& stage) const;
+    void leave_step();
     [[noreturn]] void fail(Failure failure);
 
     void store_snapshot();
@@ -158,13 +170,14 @@ private:
     std::unique_ptr<Lesson> lesson_;
     std::vector<const Stage*> active_;
     std::vector<StageCost> costs_;
-    Values pending_;
+    Writes pending_;
     std::vector<Event> events_;
     Recording recording_;
     std::optional<Pull> pull_;
     std::optional<Failure> failure_;
     History history_;
     bool replaying_ = false;
+    long revision_ = 0;
 
     Index step_ = 0, passes_ = 0, stage_passes_ = 0;
     std::size_t stage_ = 0;

@@ -1,5 +1,6 @@
 // How a run goes back: a stored state, run forward again to the wanted place.
 #include <pliant/lesson/runner.h>
+#include <pliant/math/watch.h>
 
 #include <algorithm>
 
@@ -17,6 +18,7 @@ void Runner::store_snapshot() {
 }
 
 void Runner::restore(const Snapshot& s) {
+    ++revision_;
     for (std::size_t i = 0; i < s.parameters.size(); ++i) lesson_->parameters[i]->set(s.parameters[i]);
     if (s.step == 0) start_fresh();
     load_state(*lesson_, s.state);
@@ -58,6 +60,7 @@ bool Runner::restore_start(Index step) {
 
 bool Runner::go_to(Place to) {
     if (to.step < 0 || to.passes < 0 || to > reach_) return false;
+    const Uncancelled replay;
     replaying_ = true;
     bool found = false;
     try {

@@ -1,3 +1,4 @@
+#include <pliant/math/watch.h>
 #include <pliant/solids/springs_frequency.h>
 
 #include <algorithm>
@@ -43,6 +44,7 @@ Real power_iteration(const Springs& springs, const DiagonalMass& mass, const std
     for (Index d = 0; d < direction.size(); ++d) direction[d] = std::cos(1 + Real(d) * Real(d));
     Real eigenvalue = 0;
     for (int n = 0; n < iterations; ++n) {
+        tell_progress("largest_frequency", n, iterations);
         const Real norm = direction.norm();
         if (norm == 0) return 0;
         direction /= norm;

@@ -1,6 +1,7 @@
 // The runner on the bead chain, whose exact motion is known.
 #include <pliant/lesson/recorder.h>
 #include <pliant/lesson/report.h>
+#include <pliant/lesson/revisit.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/until.h>
 #include <catch2/catch_approx.hpp>
@@ -10,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 using namespace pliant;
 using Catch::Matchers::ContainsSubstring;
@@ -383,4 +386,44 @@ TEST_CASE("recorder: a million steps take no more than its cap, and leave the ru
     CHECK(energy.steps().back() == million);
     CHECK(std::ranges::min(energy.values()) == low);
     CHECK(std::ranges::max(energy.values()) == high);
+}
+
+TEST_CASE("runner: parameters are set by themselves as by their names, to the bit") {
+    Runner by_name(chain()), by_number(chain());
+    const Parameter& dt = by_number.lesson().parameter("time_step");
+    const Real value = Real{1} / 300;
+    by_name.assign({{"time_step", dt.text(value)}}), by_number.assign_values({{&dt, value}});
+    for (int i = 0; i < 20; ++i) by_name.step(), by_number.step();
+    CHECK(state_hash(by_name.lesson()) == state_hash(by_number.lesson()));
+    CHECK_THROWS_AS(by_number.assign_values({{&dt, -1}}), Refused);
+    CHECK_THROWS_AS(by_number.assign_values({{&dt, std::nan("")}}), Refused);
+    CHECK(dt.value() == value);
+    CHECK_THROWS_AS(by_number.assign_values({{&by_name.lesson().parameter("time_step"), value}}), std::logic_error);
+}
+
+TEST_CASE("runner: its revision tells whether a picture may have changed") {
+    Runner runner(chain());
+    long last = runner.revision();
+    const auto changed = [&] { return std::exchange(last, runner.revision()) != last; };
+    CHECK_FALSE(changed());
+    runner.step_pass();
+    CHECK(changed());
+    runner.step();
+    CHECK(changed());
+    runner.assign("time_step", 0.01);
+    CHECK(changed());
+    runner.step_back();
+    CHECK(changed());
+    runner.reset();
+    CHECK(changed());
+    runner.load({});
+    CHECK(changed());
+    runner.step(), runner.step(), changed();
+    // A look back brings back the same bits.
+    {
+        Revisit revisit(runner);
+        REQUIRE(revisit.start_of(0));
+        revisit.pass();
+    }
+    CHECK_FALSE(changed());
 }

@@ -115,11 +115,10 @@ public:
         wait_frames(2 * frames_to_notice);
         return state()[key] == value;
     }
-    void wait_frames(long count) const {
-        const long first = state()["frame"];
-        std::this_thread::sleep_for(30ms);
-        becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count; }, 30s);
-    }
+    // Until so many frames are drawn, or the lab rests: it then shows all that it was told.
+    void wait_frames(long count) const { wait_frames_after(state()["frame"], count); }
+    // Frames drawn so far.
+    long frames() const { return state()["frame"]; }
 
     // Presses a key and lets it go; "ctrl+z" as a hand does it, with the first key held around the second.
     void key(const std::string& name) {
@@ -169,8 +168,14 @@ public:
 
 private:
     void act(const Arguments& arguments, long frames = frames_to_notice) const {
+        const long before = state()["frame"];
         xdotool(arguments);
-        wait_frames(frames);
+        // What changes nothing for the lab, such as a mouse that stays where it is, makes no frame.
+        becomes([&](const Json& s) { return s["frame"].get<long>() > before; }, 500ms);
+        wait_frames_after(before, frames);
+    }
+    void wait_frames_after(long first, long count) const {
+        becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count || s["resting"] == true; }, 30s);
     }
     std::string xdotool(const Arguments& arguments) const {
         const Outcome outcome = run_process("xdotool", arguments, {{"DISPLAY", screen_.display()}}, 20s);

@@ -2,6 +2,7 @@
 #include <pliant/lesson/share.h>
 
 #include "app/lab.h"
+#include "app/redraw.h"
 #include "app/settings.h"
 #include "app/state_report.h"
 #include "command_line/options.h"
@@ -10,6 +11,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -54,6 +56,19 @@ private:
     std::optional<std::size_t> shown_;
 };
 
+// To those who look at the lab from outside.
+void tell(Lab& lab, StateReport& report, NotesPrinter& notes, const WindowOptions& o) {
+    if (lab.busy()) {
+        if (lab.card_shows())
+            report.write_busy(busy_words(lab.worker()->watch().progress(), lab.worker()->seconds()), lab.cancel_button(),
+                              lab.busy_frames());
+        return;
+    }
+    lab.state().resting = false;
+    if (o.notes) notes.look_at(lab.session().walkthrough);
+    report.write(lab.state());
+}
+
 }  // namespace
 
 int window(const WindowOptions& o) {
@@ -76,20 +91,27 @@ int window(const WindowOptions& o) {
     NotesPrinter notes;
 
     using Clock = std::chrono::steady_clock;
-    auto last = Clock::now();
-    for (long frame = 0; !context->close_requested() && (o.frames == 0 || frame < o.frames); ++frame) {
-        // A lab at rest leaves the processor alone.
-        const bool at_rest = !lab.session().playing && !lab.state().animation.progress && !lab.state().cost_shown;
-        context->poll_events(at_rest ? 1.0 / 60 : 0);
-        const auto now = Clock::now();
-        const Real seconds = std::chrono::duration<Real>(now - last).count();
-        lab.frame(seconds);
-        settings.keep(lab.state(), seconds);
-        last = now;
-        context->present();
-        if (o.notes) notes.look_at(lab.session().walkthrough);
-        report.write(lab.state());
+    const auto start = Clock::now();
+    const auto now = [&] { return std::chrono::duration<Real>(Clock::now() - start).count(); };
+    lab.work_beside({});
+    Redraw redraw;
+    Real last = 0, kept = 0;
+    for (long frame = 0; !context->close_requested() && (o.frames == 0 || frame < o.frames);) {
+        context->poll_events(redraw.wait(now()));
+        const bool damaged = context->take_damage();
+        if (damaged || lab.has_input()) redraw.input(now());
+        if (!lab.busy()) settings.keep(lab.state(), now() - std::exchange(kept, now()));
+        if (!redraw.due(now())) {
+            if (redraw.resting(now()) && !lab.busy() && !std::exchange(lab.state().resting, true)) report.write(lab.state());
+            continue;
+        }
+        const Real begun = now();
+        if (lab.frame(begun - std::exchange(last, begun))) context->present(), ++frame;
+        // A number of frames that was asked for is drawn without a rest.
+        redraw.drawn(begun, o.frames == 0 ? lab.next_change() : 0);
+        tell(lab, report, notes, o);
     }
+    lab.call_off();
     settings.finish(lab.state());
     return 0;
 }

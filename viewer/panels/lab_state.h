@@ -56,6 +56,20 @@ struct LabelType {
     }
 };
 
+// A law or an assumption: whether it holds, and what its tip says.
+struct Light {
+    Holds holds;
+    std::string name, help;
+};
+
+// Numbers of the run as it was when it moved last; of the last whole step while one that plays is cut by a frame, so that what is
+// only of use inside a step does not flash up.
+struct HeldNumbers {
+    std::pair<int, long> of{-1, -1};  // which lesson that was opened, and the revision of its run
+    std::vector<std::pair<std::optional<Real>, std::optional<Real>>> key_numbers{};  // and their exact values
+    std::vector<Light> lights{};
+};
+
 struct LabState {
     Session session;
     Theme theme = Theme::dark;
@@ -71,6 +85,7 @@ struct LabState {
     bool cost_shown = false;  // cost and error in the place of the plots
     LiveError live_error{};
 
+    HeldNumbers held{};
     bool value_changed = false;  // in the present drag of a slider: one step of undo
     TypedNumber typed{};
 
@@ -120,6 +135,8 @@ struct LabState {
     bool focus_menu = false;            // the menus get the keys
     AnimationOrder animation{};
 
+    bool resting = false;  // nothing is drawn until something changes
+
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls;
     // Remembers the last item under a name.
@@ -157,6 +174,8 @@ std::string words(std::string_view key);
 
 inline constexpr float stage_height = 60, least_stage_width = 104, stage_scrollbar = 9;  // px at scale 1
 
+// Measures key numbers and lights anew, if the run has moved.
+void measure_held_numbers(LabState& lab);
 void draw_menu_bar(LabState& lab);
 void draw_animation_panel(LabState& lab);
 void draw_lesson_list(LabState& lab);

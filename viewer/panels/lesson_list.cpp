@@ -100,7 +100,7 @@ void draw_lesson_list(LabState& lab) {
     if (has_walkthrough(lab)) {
         const bool active = lab.session.walkthrough.has_value();
         if (ImGui::Button(active ? "Leave the walkthrough" : "Walkthrough", {-1, 0}))
-            active ? lab.session.walkthrough.reset() : lab.session.start_walkthrough();
+            active ? lab.session.end_walkthrough() : lab.session.start_walkthrough();
         lab.note_control("walkthrough");
     }
 }

@@ -130,7 +130,7 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
         across_slider(lab, axes[static_cast<std::size_t>(k)], state.across[next++]);
     }
     const Inspector& looked = s.inspector;
-    const Scene scene = s.scene();
+    const Scene& scene = s.scene();
     std::vector<Real> rows;
     row_values(*field, s.colours.component, rows);
     if (s.shows_change())
@@ -159,7 +159,7 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
 void plot_map(LabState& lab, Plot& plot, Point size) {
     Session& s = lab.session;
     const Field* field = s.lesson().find_field(s.colours.field);
-    const Scene scene = s.scene();
+    const Scene& scene = s.scene();
     if (!field || scene.grids.empty() || scene.grids[0].values.empty())
         return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
     const GridMarks& g = scene.grids[0];

@@ -58,7 +58,7 @@ PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark&
 std::vector<PlacedLabel> placed_labels(LabState& lab, const View& view, ImFont* font) {
     std::vector<PlacedLabel> placed;
     const float scale = font->FontSize / lab.fonts.normal->FontSize;
-    for (const LabelMark& l : view.scene.labels) {
+    for (const LabelMark& l : view.picture->scene.labels) {
         const Eigen::Vector3f p = view.projection.pixel(l.at);
         ImGui::PushFont(font_of(lab, l, font));
         placed.push_back(p.z() < 1 ? placed_label(lab, view, l, p, scale) : PlacedLabel{});
@@ -100,11 +100,11 @@ float mark_scale(const LabState& lab) {
 }
 
 void draw_labels(LabState& lab, const View& view) {
-    if (!view.scene.show_labels || view.scene.labels.empty()) return;
+    if (!view.picture->scene.show_labels || view.picture->scene.labels.empty()) return;
     ImFont* const font = chosen_font(lab, view);
     const std::vector<PlacedLabel> placed = placed_labels(lab, view, font);
     for (std::size_t i = 0; i < placed.size(); ++i) {
-        const LabelMark& label = view.scene.labels[i];
+        const LabelMark& label = view.picture->scene.labels[i];
         ImGui::PushFont(font_of(lab, label, font));
         float y = view.origin.y + placed[i].at.y;
         for (const std::string& line : placed[i].lines) {
@@ -126,7 +126,7 @@ void draw_notes(LabState& lab, const View& view) {
         ImGui::PopFont();
     };
     if (!view.heading.empty()) write(lab.fonts.medium, Ink::accent, view.heading);
-    for (const std::string& note : view.scene.notes) write(lab.fonts.normal, Ink::text, note);
+    for (const std::string& note : view.picture->scene.notes) write(lab.fonts.normal, Ink::text, note);
 }
 
 }  // namespace pliant::viewer

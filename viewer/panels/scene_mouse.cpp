@@ -74,7 +74,8 @@ void handle_mouse(LabState& lab, const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool inside = ImGui::IsItemHovered();
     if (!lab.pulling && !lab.turning && (inside || view.first))
-        lab.hovered = inside && view.lesson ? pick(view.scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
+        lab.hovered =
+            inside && view.lesson ? pick(view.picture->scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) begin_drag(lab);
     if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, view);
     const bool drags = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
@@ -89,7 +90,7 @@ void handle_mouse(LabState& lab, const View& view) {
 void note_handles(LabState& lab, const View& view) {
     constexpr std::size_t most = 16;  // a lattice of nodes needs no names
     const auto pulled = lab.session.lesson().can_pull();
-    for (const PointMarks& marks : view.scene.points) {
+    for (const PointMarks& marks : view.picture->scene.points) {
         if (!marks.pick.pickable || marks.pick.on != pulled || marks.at.size() > most) continue;
         const float reach = lab.px(marks.radius);
         for (std::size_t i = 0; i < marks.at.size(); ++i) {

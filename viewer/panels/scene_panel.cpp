@@ -20,8 +20,8 @@ namespace {
 void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, float right_margin, const char* name) {
     const Size pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
     const GLuint texture =
-        renderer.render(view.scene, view.dimension, lab.session.seen_by(), palette(lab.theme), lab.session.colour_scale(), pixels,
-                        lab.px(mark_scale(lab)), right_margin, lab.session.patterns);
+        renderer.render(*view.picture, view.dimension, lab.session.seen_by(), palette(lab.theme), lab.session.colour_scale(),
+                        pixels, lab.px(mark_scale(lab)), right_margin, lab.session.patterns);
     const ImVec2 end{view.origin.x + view.size.x, view.origin.y + view.size.y};
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), view.origin, end,
                                          {0, 1}, {1, 0});
@@ -38,7 +38,8 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
         // Above the hints, where they are shown.
         const bool hinted = lab.hints_shown && lab.layout == Layout::lab;
         const float low = hinted ? 3 * ImGui::GetTextLineHeight() + lab.px(32) : 0;
-        draw_matrices(lab, view.scene.matrices, {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y - low});
+        draw_matrices(lab, view.picture->scene.matrices,
+                      {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y - low});
     }
     if (!lab.session.message() && !lab.session.autopsy() && lab.layout != Layout::deck) draw_notes(lab, view);
 }
@@ -55,7 +56,7 @@ void look_at(LabState& lab, const Frame& frame, std::span<const Position> moving
 }
 
 struct Side {
-    Scene scene;
+    KeptPicture picture;
     const Lesson* lesson;
     std::string heading;
     bool first;
@@ -66,15 +67,16 @@ Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, cons
     Session& s = lab.session;
     const float gap = lab.px(2), width = std::floor((place.width - right - gap) / 2);
     if (width < 8) return {};
-    std::vector<Position> moving = moving_parts(a.scene);
-    std::ranges::copy(moving_parts(b.scene), std::back_inserter(moving));
+    std::vector<Position> moving = moving_parts(a.picture->scene);
+    std::ranges::copy(moving_parts(b.picture->scene), std::back_inserter(moving));
     const int dimension = s.lesson().dimension();
-    look_at(lab, about(frame_of(a.scene, dimension), frame_of(b.scene, dimension)), moving, width / place.height);
+    look_at(lab, about(frame_of(a.picture->scene, dimension), frame_of(b.picture->scene, dimension)), moving,
+            width / place.height);
     const Projection projection(s.seen_by(), dimension, width, place.height);
     const ImVec2 size{width, place.height};
     const auto view = [&](Side& side, float x) {
-        return View{std::move(side.scene), projection,   {x, place.y}, size,
-                    side.lesson,           side.heading, side.first,   s.lesson().dimension()};
+        return View{std::move(side.picture), projection, {x, place.y}, size, side.lesson, side.heading, side.first,
+                    s.lesson().dimension()};
     };
     if (!lab.renderer_beside) lab.renderer_beside = std::make_unique<SceneRenderer>();
     const float second = place.x + width + gap;
@@ -85,10 +87,10 @@ Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, cons
 }
 
 // A on the left and B on the right.
-void draw_two(LabState& lab, SceneRenderer& renderer, Scene of_a, const Rectangle& place, float right) {
+void draw_two(LabState& lab, SceneRenderer& renderer, KeptPicture of_a, const Rectangle& place, float right) {
     Session& s = lab.session;
     Side a{std::move(of_a), &s.lesson(), run_name(s, false), true},
-        b{s.scene_beside(), &s.companion()->lesson(), run_name(s, true), false};
+        b{s.picture_beside(), &s.companion()->lesson(), run_name(s, true), false};
     tell_stopped(lab, draw_pair(lab, renderer, std::move(a), std::move(b), place, right));
 }
 
@@ -98,7 +100,7 @@ std::string heading_of(const Session& s, std::string_view moment) {
 }
 
 // What a stage found on the left, and what it left on the right.
-void draw_before_and_after(LabState& lab, SceneRenderer& renderer, Scene before, Scene after, const Rectangle& place,
+void draw_before_and_after(LabState& lab, SceneRenderer& renderer, KeptPicture before, KeptPicture after, const Rectangle& place,
                            float right) {
     Session& s = lab.session;
     Side left{std::move(before), nullptr, heading_of(s, "before"), false},
@@ -106,15 +108,15 @@ void draw_before_and_after(LabState& lab, SceneRenderer& renderer, Scene before,
     draw_pair(lab, renderer, std::move(left), std::move(now), place, right);
 }
 
-void draw_alone(LabState& lab, SceneRenderer& renderer, Scene scene, const Rectangle& place, float right) {
+void draw_alone(LabState& lab, SceneRenderer& renderer, KeptPicture picture, const Rectangle& place, float right) {
     Session& s = lab.session;
     const int dimension = s.lesson().dimension();
-    look_at(lab, frame_of(scene, dimension), moving_parts(scene), (place.width - right) / place.height);
+    look_at(lab, frame_of(picture->scene, dimension), moving_parts(picture->scene), (place.width - right) / place.height);
     const std::string of_a = differing_text(s, false);
     const std::string heading = !s.shows_difference() ? ""
                                 : of_a.empty()        ? "A − B, of the same parameters"
                                                       : fmt::format("A − B:  {}  −  {}", of_a, differing_text(s, true));
-    const View view{std::move(scene),
+    const View view{std::move(picture),
                     Projection(s.seen_by(), dimension, place.width, place.height, right),
                     {place.x, place.y},
                     {place.width, place.height},
@@ -126,7 +128,8 @@ void draw_alone(LabState& lab, SceneRenderer& renderer, Scene scene, const Recta
 }
 
 // What a stage found, drawn over what it left up to a line that can be moved.
-void draw_swipe(LabState& lab, SceneRenderer& renderer, Scene before, Scene after, const Rectangle& place, float right) {
+void draw_swipe(LabState& lab, SceneRenderer& renderer, const Picture& before, KeptPicture after, const Rectangle& place,
+                float right) {
     Session& s = lab.session;
     float& swipe = s.inspector.swipe;
     draw_alone(lab, renderer, std::move(after), place, right);
@@ -160,19 +163,18 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     const ColourBarPlace bar = colour_bar_place(lab, room.x);
     const Rectangle place{origin.x, origin.y, room.x, room.y - bar.below};
     if (place.width < 8 || place.height < 8) return;
-    Scene scene = s.scene();
-    lab.scene_has_grid = !scene.grids.empty();
-    if (s.pinned()) lay_under(scene, s.pinned()->ghost);
+    KeptPicture picture = s.picture();
+    lab.scene_has_grid = !picture->scene.grids.empty();
     const bool two = s.companion() && !s.shows_difference();
-    std::optional<Scene> before = two || s.inspector.compare == Compare::before ? std::nullopt : s.other_scene();
+    KeptPicture before = two || s.inspector.compare == Compare::before ? nullptr : s.other_picture();
     if (two)
-        draw_two(lab, renderer, std::move(scene), place, bar.right);
+        draw_two(lab, renderer, std::move(picture), place, bar.right);
     else if (before && s.inspector.compare == Compare::side_by_side)
-        draw_before_and_after(lab, renderer, *std::move(before), std::move(scene), place, bar.right);
+        draw_before_and_after(lab, renderer, std::move(before), std::move(picture), place, bar.right);
     else if (before)
-        draw_swipe(lab, renderer, *std::move(before), std::move(scene), place, bar.right);
+        draw_swipe(lab, renderer, *before, std::move(picture), place, bar.right);
     else
-        draw_alone(lab, renderer, std::move(scene), place, bar.right);
+        draw_alone(lab, renderer, std::move(picture), place, bar.right);
     draw_colour_bar(lab, {place.x, place.y, place.width, place.height + bar.below});
     name_pinned(lab, place);
     draw_hints(lab, place);

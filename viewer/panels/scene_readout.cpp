@@ -41,7 +41,7 @@ Point pixel_of(const View& view, const Position& place) {
 // Where what moves is in the window, thinned out.
 std::vector<Point> seen_parts(const View& view) {
     constexpr std::size_t most = 400;
-    const std::vector<Position> parts = moving_parts(view.scene);
+    const std::vector<Position> parts = moving_parts(view.picture->scene);
     std::vector<Point> seen;
     for (std::size_t i = 0; i < parts.size(); i += 1 + parts.size() / most) seen.push_back(pixel_of(view, parts[i]));
     return seen;
@@ -58,7 +58,7 @@ void mark_thing(LabState& lab, const View& view) {
     const auto& autopsy = lab.session.autopsy();
     const auto& thing = autopsy && autopsy->thing ? autopsy->thing : lab.session.inspector.thing;
     if (!thing || (thing == lab.session.inspector.thing && !lab.show_inspector)) return;
-    if (const auto at = place_of(view.scene, thing->on, thing->index)) mark(lab, view, *at, 11, 3);
+    if (const auto at = place_of(view.picture->scene, thing->on, thing->index)) mark(lab, view, *at, 11, 3);
 }
 
 void read_out(LabState& lab, const View& view, const Picked& picked) {

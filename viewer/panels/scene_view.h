@@ -5,7 +5,7 @@
 namespace pliant::viewer {
 
 struct View {
-    Scene scene;
+    KeptPicture picture;
     Projection projection;
     ImVec2 origin, size;
     const Lesson* lesson;  // whose numbers are read out; none in a picture of the past

@@ -92,12 +92,12 @@ bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, floa
 void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
     const Runner& runner = lab.session.runner();
     const bool done_last = runner.last_stage() == i;
-    const bool next = runner.inside_step() && runner.next_stage() == i;
+    const bool inside = runner.inside_step() && !lab.session.shows_last_step(), next = inside && runner.next_stage() == i;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float line = std::max(2.f, lab.px(2));
     draw->AddRectFilled(at, {at.x + width, at.y + height},
-                        ImGui::GetColorU32(done_last && runner.inside_step() ? ImGuiCol_Header : ImGuiCol_FrameBg), lab.px(4));
+                        ImGui::GetColorU32(done_last && inside ? ImGuiCol_Header : ImGuiCol_FrameBg), lab.px(4));
     if (next) draw->AddRect(at, {at.x + width, at.y + height}, lab.ink(Ink::accent), lab.px(4), 0, line);
 
     draw->PushClipRect(at, {at.x + width, at.y + height}, true);
