@@ -69,7 +69,12 @@ void Runner::step_pass() {
         failure.stage = stage.name;
         fail(std::move(failure));
     } catch (const Cancelled&) {
-        leave_step();
+        // Without running the step before again, which may take as long.
+        const Uncancelled back;
+        if (const Snapshot* start = history_.find(step_))
+            restore(*start), reach_ = place();
+        else
+            leave_step();
         throw;
     }
     if (stage_ == active_.size()) end_step();

@@ -19,12 +19,13 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-// What the test lets through. Closed, the work waits at it, and can be called off.
+// What the test lets through. Closed, the first that comes waits at it, and can be called off.
 struct Gate {
-    std::atomic<bool> open = true;
+    std::atomic<bool> open = true, holds = false;
     std::atomic<int> waiting = 0;
+    void close() { holds = true, open = false; }
     void pass() {
-        if (open) return;
+        if (open || !holds.exchange(false)) return;
         ++waiting;
         while (!open) {
             try {
@@ -115,7 +116,7 @@ Real x_of(Session& s) { return *s.lesson().probe("x").value(); }
 
 TEST_CASE("no frame waits for a pass, and the run ends as it would have", "[busy]") {
     Bench b;
-    gate.open = false;
+    gate.close();
     b.session().step();
     b.meet_gate();
     const long drawn = b.lab.busy_frames();
@@ -138,7 +139,7 @@ TEST_CASE("a pass is called off by Escape and by the button, and the run stands 
     b.settle();
     for (const bool by_key : {true, false}) {
         CAPTURE(by_key);
-        gate.open = false;
+        gate.close();
         b.session().step();
         b.meet_gate();
         b.lab.frame(0.01);
@@ -160,7 +161,7 @@ TEST_CASE("a pass is called off by Escape and by the button, and the run stands 
 
 TEST_CASE("a reset that takes long is called off, and the parameters are as before", "[busy]") {
     Bench b;
-    gate.open = false;
+    gate.close();
     {
         const Session::Held drawing(b.session());
         b.session().assign(b.session().lesson().parameter("size"), 5);
@@ -185,7 +186,7 @@ TEST_CASE("a reset that takes long is called off, and the parameters are as befo
 
 TEST_CASE("what is pressed while the card covers the lab does nothing afterwards", "[busy]") {
     Bench b;
-    gate.open = false;
+    gate.close();
     b.session().step();
     b.meet_gate();
     b.lab.frame(0.01);
@@ -202,7 +203,7 @@ TEST_CASE("what is pressed while the card covers the lab does nothing afterwards
 TEST_CASE("a lab that is closed while it computes ends its work", "[busy]") {
     {
         Bench b;
-        gate.open = false;
+        gate.close();
         b.session().playing = true;
         b.meet_gate();
     }

@@ -72,6 +72,7 @@ bool Companion::ahead(const Runner& a) const {
 }
 
 bool Companion::behind(const Runner& a) const {
+    if (runner_.inside_step()) return true;
     if (runner_.is_static()) return runner_.place().step < a.place().step && !lesson().at_rest();
     return runner_.time() + (1 - rounding) * runner_.time_step() <= a.time();
 }
