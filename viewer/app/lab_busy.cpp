@@ -116,7 +116,7 @@ void Lab::lay_out_card(ImDrawList& draw, const ImVec2& display) {
     y += 0.8f * line;
     busy_card_ = {.card = {a.x, a.y, width, height}, .button = {}};
     if (watch.cancelling()) return write("Called off; it ends at the next place where it can.");
-    if (!watch.cancellable()) return write("It is nearly done, and cannot be left here.");
+    if (!watch.cancellable()) return write("It cannot be left half way.");
     const std::string label = "Cancel (Escape)";
     const ImVec2 words_size = font.CalcTextSizeA(size, std::numeric_limits<float>::max(), 0, label.c_str());
     busy_card_.button = {a.x + pad, y, words_size.x + 2 * pad, 1.5f * line};
