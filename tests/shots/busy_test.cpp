@@ -73,16 +73,16 @@ private:
 const LessonEntry gated{{.id = "time/gated", .title = "Gated", .summary = ""}, [] { return std::unique_ptr<Lesson>(new Gated); }};
 
 // A lab with a worker, at rest.
-class Bench {
+class SlowLab {
 public:
-    Bench() {
+    SlowLab() {
         gate.open = true;
         lab.frame(0);
         lab.session().open(gated);
         lab.work_beside({.budget = Budget::unlimited(), .patience_ms = 0, .card_after = 0});
         settle();
     }
-    ~Bench() { gate.open = true; }
+    ~SlowLab() { gate.open = true; }
     Session& session() { return lab.session(); }
 
     // Frames until the worker has nothing to do.
@@ -115,7 +115,7 @@ Real x_of(Session& s) { return *s.lesson().probe("x").value(); }
 }  // namespace
 
 TEST_CASE("no frame waits for a pass, and the run ends as it would have", "[busy]") {
-    Bench b;
+    SlowLab b;
     gate.close();
     b.session().step();
     b.meet_gate();
@@ -134,7 +134,7 @@ TEST_CASE("no frame waits for a pass, and the run ends as it would have", "[busy
 }
 
 TEST_CASE("a pass is called off by Escape and by the button, and the run stands at the start of its step", "[busy]") {
-    Bench b;
+    SlowLab b;
     b.session().step();
     b.settle();
     for (const bool by_key : {true, false}) {
@@ -160,7 +160,7 @@ TEST_CASE("a pass is called off by Escape and by the button, and the run stands 
 }
 
 TEST_CASE("a reset that takes long is called off, and the parameters are as before", "[busy]") {
-    Bench b;
+    SlowLab b;
     gate.close();
     {
         const Session::Held drawing(b.session());
@@ -185,7 +185,7 @@ TEST_CASE("a reset that takes long is called off, and the parameters are as befo
 }
 
 TEST_CASE("what is pressed while the card covers the lab does nothing afterwards", "[busy]") {
-    Bench b;
+    SlowLab b;
     gate.close();
     b.session().step();
     b.meet_gate();
@@ -202,7 +202,7 @@ TEST_CASE("what is pressed while the card covers the lab does nothing afterwards
 
 TEST_CASE("a lab that is closed while it computes ends its work", "[busy]") {
     {
-        Bench b;
+        SlowLab b;
         gate.close();
         b.session().playing = true;
         b.meet_gate();

@@ -18,9 +18,9 @@ using namespace pliant::viewer;
 namespace {
 
 // A window in which a scene is looked at.
-class Watch {
+class Onlooker {
 public:
-    explicit Watch(Size size = {480, 270}, Layout layout = Layout::slide) : context_(open_headless(size)), lab(*context_) {
+    explicit Onlooker(Size size = {480, 270}, Layout layout = Layout::slide) : context_(open_headless(size)), lab(*context_) {
         lab.state().layout = layout;
         lab.state().hints_shown = false;
     }
@@ -58,11 +58,11 @@ Index steps_to_watch(const Runner& r) {
     return static_cast<Index>(std::min(std::ceil(watched / dt), dt >= 0.005 ? 600.0 : 30000.0));
 }
 
-void check_in_sight(Watch& watch) { CHECK(watch.outermost() <= 1.001f); }
+void check_in_sight(Onlooker& watch) { CHECK(watch.outermost() <= 1.001f); }
 
 // Plays a scene and looks at it now and then, more often at first. What moves in the picture is found by its ink; a scene whose
 // marks never move is left after the first moments.
-void watch_scene(Watch& watch, const SceneFile& scene) {
+void watch_scene(Onlooker& watch, const SceneFile& scene) {
     Session& s = watch.lab.session();
     s.open_scene(scene);
     watch.draw();
@@ -91,12 +91,12 @@ void watch_scene(Watch& watch, const SceneFile& scene) {
 }  // namespace
 
 TEST_CASE("the scene that the lab opens with stays in the picture", "[shots][sight]") {
-    Watch watch({1440, 810}, Layout::lab);
+    Onlooker watch({1440, 810}, Layout::lab);
     watch_scene(watch, {.lesson = "mesh/mass_spring", .parameters = {}});
 }
 
 TEST_CASE("every lesson's and preset's first 30 s stay in the picture", "[shots][sight][slow]") {
-    Watch watch;
+    Onlooker watch;
     for (const LessonEntry& entry : lessons()) {
         watch_scene(watch, {.lesson = std::string(entry.info.id), .parameters = {}});
         for (const std::string& name : preset_names(entry.info.id)) {
@@ -109,7 +109,7 @@ TEST_CASE("every lesson's and preset's first 30 s stay in the picture", "[shots]
 TEST_CASE("a scene that is drawn fills its room, in every layout", "[shots][sight]") {
     for (const Layout layout : {Layout::lab, Layout::slide})
         for (const LessonEntry& entry : lessons()) {
-            Watch watch({1280, 720}, layout);
+            Onlooker watch({1280, 720}, layout);
             Session& s = watch.lab.session();
             s.open(entry);
             watch.draw();
@@ -124,7 +124,7 @@ TEST_CASE("a scene that is drawn fills its room, in every layout", "[shots][sigh
 }
 
 TEST_CASE("a camera that the person has moved stays where it is; Home gives it back", "[shots][sight]") {
-    Watch watch({1440, 810}, Layout::lab);
+    Onlooker watch({1440, 810}, Layout::lab);
     Session& s = watch.lab.session();
     watch.draw();
     Camera own = s.seen_by();
@@ -146,14 +146,14 @@ TEST_CASE("a camera that the person has moved stays where it is; Home gives it b
 }
 
 TEST_CASE("two runs beside each other are both in sight", "[shots][sight]") {
-    Watch watch({1440, 810}, Layout::lab);
+    Onlooker watch({1440, 810}, Layout::lab);
     Session& s = watch.lab.session();
     s.open_companion({{"drop_height", "1.5"}});
     s.run(Until::after_steps(3000));
     watch.draw();
     const Rectangle place = watch.lab.state().controls.at("scene B");
     const Projection projection(s.seen_by(), 3, place.width, place.height);
-    for (const Scene& scene : {s.scene(), s.scene_beside()})
+    for (const Scene& scene : {s.scene(), s.picture_beside()->scene})
         for (const Position& p : moving_parts(scene)) {
             const Eigen::Vector3f at = projection.pixel(p);
             REQUIRE(at.x() >= 0);
@@ -164,7 +164,7 @@ TEST_CASE("two runs beside each other are both in sight", "[shots][sight]") {
 }
 
 TEST_CASE("on every slide of every deck the picture has its room, and what moves is in it", "[shots][sight][slow]") {
-    Watch watch({1280, 720}, Layout::deck);
+    Onlooker watch({1280, 720}, Layout::deck);
     Session& s = watch.lab.session();
     for (const LessonEntry& entry : lessons()) {
         s.open(entry);
