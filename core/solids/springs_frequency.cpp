@@ -14,8 +14,8 @@ Mat<Dim> stiffness_block(const Vec<Dim>& x_ij, Real rest, Real k) {
     const Real length = x_ij.norm();
     if (length == 0) return (rest == 0 ? k : 0) * Mat<Dim>::Identity();
     const Vec<Dim> n = x_ij / length;
-    const Real across = std::max(Real(0), (length - rest) / length);
-    return k * ((1 - across) * (n * n.transpose()) + across * Mat<Dim>::Identity());
+    const Real transverse = std::max(Real(0), (length - rest) / length);
+    return k * ((1 - transverse) * (n * n.transpose()) + transverse * Mat<Dim>::Identity());
 }
 
 template <int Dim>
