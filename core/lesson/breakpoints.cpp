@@ -85,7 +85,7 @@ std::string Breakpoints::words_of(const Runner& runner, const Watch& now) {
         const std::string_view unit = lesson.probe(c.probe).unit;
         return fmt::format("{} is off by {}, and {} is tolerated", c.probe,
                            format_quantity(runner.drift(static_cast<std::size_t>(k)), unit),
-                           format_quantity(c.tolerance(), unit));
+                           format_quantity(runner.tolerance(static_cast<std::size_t>(k)), unit));
     }
     return "";
 }

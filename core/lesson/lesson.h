@@ -98,12 +98,18 @@ struct Assumption {
 
 enum class Law { constant, never_grows, zero };
 
-// A probe that should obey a law while `expected` says so. `tolerance` is in the unit of the probe.
+// A probe that should obey a law while `expected` says so. Tolerances are in the unit of the probe.
+//
+// What should stay constant or never grow is measured against the moment at which the law begins to hold, and so is its
+// tolerance: it is asked for then, once, so that a run that blows up cannot widen it. That of a law `zero` is asked for now: a
+// part of what has to cancel. `cancels` is the size of the terms whose sum the probe is, now; to the tolerance comes the part
+// of it that is lost to rounding.
 struct Conserved {
     std::string_view probe;
     Law law = Law::constant;
     std::function<Real()> tolerance;
     std::function<bool()> expected{};
+    std::function<Real()> cancels{};
 };
 
 // A person's hand in the scene: something picked (index < 0: a place, not a thing) at `from`, now drawn to `to`, in metres.
@@ -146,8 +152,12 @@ public:
     // Size of a step in s; 0 for a static lesson, whose step is one whole solve.
     virtual Real time_step() const = 0;
 
-    // Nothing changes any more: a static lesson after its solve, a body that lies still.
+    // Nothing changes any more: a static lesson after its solve, a body that lies still, a flow that is steady. Known after any
+    // whole step, from the parameters and the state.
     virtual bool at_rest() const { return false; }
+    // Why this scene never comes to rest, as a sentence without its full stop; empty where it does. A run to rest is refused
+    // with it. A lesson that moves says here what keeps it going, or overrides at_rest().
+    virtual std::string unrest() const { return time_step() > 0 ? "nothing is known of a state that it stays in" : ""; }
 
     // The picture of now, coloured by scene.colour_by.
     virtual void draw(Scene& scene) const = 0;

@@ -62,7 +62,7 @@ Json conserved_json(const Runner& runner) {
         const Conserved& c = runner.lesson().conserved[i];
         const Holds holds = runner.holds(i);
         Json& j = list[std::string(c.probe)] = {{"unit", runner.lesson().probe(c.probe).unit}, {"status", name_of(holds)}};
-        if (holds != Holds::not_expected) j["drift"] = number(runner.drift(i)), j["tolerance"] = number(c.tolerance());
+        if (holds != Holds::not_expected) j["drift"] = number(runner.drift(i)), j["tolerance"] = number(runner.tolerance(i));
     }
     return list;
 }
@@ -80,6 +80,17 @@ Json failure_json(const Failure& f) {
 
 std::string table_row(std::string_view name, std::string_view value, std::string_view rest = "") {
     return fmt::format("  {:<28} {:>16}  {}\n", name, value, rest);
+}
+
+std::string law_row(const Runner& runner, std::size_t i) {
+    const Conserved& c = runner.lesson().conserved[i];
+    const Holds holds = runner.holds(i);
+    const std::string_view unit = runner.lesson().probe(c.probe).unit;
+    std::string rest;
+    if (holds == Holds::no)
+        rest = fmt::format("off by {}, tolerated {}", format_quantity(runner.drift(i), unit, 3),
+                           format_quantity(runner.tolerance(i), unit, 3));
+    return table_row(c.probe, name_of(holds), rest);
 }
 
 }  // namespace
@@ -125,7 +136,7 @@ std::string run_text(const Runner& runner) {
                                       value <= limit ? "" : fmt::format(": {}", a.broken)));
     }
     if (!lesson.conserved.empty()) text += "\nConserved\n";
-    for (const std::size_t i : runner.shown_laws()) text += table_row(lesson.conserved[i].probe, name_of(runner.holds(i)));
+    for (const std::size_t i : runner.shown_laws()) text += law_row(runner, i);
     text += "\nCost\n";
     for (const Stage* s : runner.stages()) {
         const StageCost& c = runner.cost(*s);

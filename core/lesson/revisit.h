@@ -34,7 +34,7 @@ private:
     Runner::Writes pending_;
     std::optional<Failure> failure_;
     std::optional<Pull> pull_;
-    std::vector<std::optional<Real>> references_;
+    std::vector<std::optional<LawStart>> law_starts_;
     Real base_time_, base_dt_;
     Index base_step_;
     long revision_;

@@ -36,7 +36,7 @@ Runner::Runner(const LessonEntry& entry, const Assignments& assignments, std::si
 
 void Runner::begin_step() {
     failure_.reset();
-    if (!pending_.empty()) write(std::exchange(pending_, {})), renew_references();
+    if (!pending_.empty()) write(std::exchange(pending_, {})), renew_laws();
     apply_events();
     lesson_->pull(pull_);
     collect_active();
@@ -118,7 +118,7 @@ void Runner::end_step() {
     executed_before_.swap(executed_);
     executed_.clear();
     if (!replaying_) step_ms_ = running_ms_;
-    update_references();
+    update_laws();
 }
 
 void Runner::step_stage() {

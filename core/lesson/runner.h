@@ -131,8 +131,10 @@ public:
     // Throws Diverged for the first probe, or closed form, that is not finite.
     void check_probes() const;
     Holds holds(std::size_t conserved) const;  // index in lesson().conserved
-    Real drift(
-        std::size_t conserved) const;  // from what the law demands, in the unit of the probe; infinite where that is not finite
+    // Distance from what the law demands, infinite where the probe is not finite, and how much of it is tolerated, in the unit of
+    // the probe.
+    Real drift(std::size_t conserved) const;
+    Real tolerance(std::size_t conserved) const;
     // The laws to show: of several laws for one probe those that are expected to hold now, or else the first.
     std::vector<std::size_t> shown_laws() const;
 
@@ -150,8 +152,9 @@ private:
     void reset_or_leave();
     void start_fresh();
     void collect_active();
-    void renew_references();
-    void update_references();
+    void renew_laws();
+    void update_laws();
+    std::optional<LawStart> start_of(const Conserved& law) const;
 
     void begin_step();
     void end_step();
@@ -188,7 +191,7 @@ private:
     Index base_step_ = 0;               // the time step has been base_dt_ since this step,
     Real base_time_ = 0, base_dt_ = 0;  // which began at base_time_
     Real step_ms_ = 0, running_ms_ = 0, stage_ms_ = 0;
-    std::vector<std::optional<Real>> references_;  // what each conserved quantity was when its law began to hold
+    std::vector<std::optional<LawStart>> law_starts_;  // of each conserved quantity whose law holds now
 };
 
 }  // namespace pliant

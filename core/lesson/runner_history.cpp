@@ -12,7 +12,7 @@ void Runner::store_snapshot() {
     s.parameters.clear();
     for (const Parameter* p : lesson_->parameters) s.parameters.push_back(p->value());
     s.pull = pull_;
-    s.references = references_;
+    s.law_starts = law_starts_;
     save_state(*lesson_, s.state);
     history_.added();
 }
@@ -24,7 +24,7 @@ void Runner::restore(const Snapshot& s) {
     load_state(*lesson_, s.state);
     pull_ = s.pull;
     lesson_->pull(pull_);
-    references_ = s.references;
+    law_starts_ = s.law_starts;
     base_step_ = s.base_step, base_time_ = s.base_time, base_dt_ = s.base_dt;
     step_ = s.step;
     passes_ = stage_passes_ = 0;

@@ -70,7 +70,7 @@ void Runner::write_or_reset(const Writes& values) {
     std::vector<Real> before;
     for (const Parameter* p : lesson_->parameters) before.push_back(p->value());
     write(values);
-    if (!rebuild) return note_assigned(values), renew_references();
+    if (!rebuild) return note_assigned(values), renew_laws();
     try {
         reset_or_leave();
     } catch (const Error&) {
@@ -128,7 +128,7 @@ void Runner::apply_events() {
 }
 
 void Runner::apply(const Event& e) {
-    if (!e.assign.empty()) write(parse(e.assign)), renew_references();
+    if (!e.assign.empty()) write(parse(e.assign)), renew_laws();
     if (e.pull) pull_ = e.pull;
     if (e.release) pull_.reset();
 }
@@ -163,7 +163,7 @@ void Runner::start_fresh() {
     last_stage_.reset();
     executed_.clear(), executed_before_.clear();
     collect_active();
-    renew_references();
+    renew_laws();
 }
 
 // In place: whoever goes through the stages may have the run go back and forth meanwhile.

@@ -93,6 +93,7 @@ public:
 
     // The form to be filled by a scheme before begin().
     ImplicitForm& form() { return form_; }
+    const ImplicitForm& form() const { return form_; }
 
     // Starts at the form's prediction or at x, the positions of the start of the step: where the potential is lower. Throws
     // Refused for lower bounds with conjugate gradients or without a potential, and for conjugate gradients of a system

@@ -98,6 +98,13 @@ TEST_CASE("calls that lack something or have too much are refused", "[process]")
     refusal({"run", "moduli", "--set", ""}, {"KEY=VALUE"});
 }
 
+TEST_CASE("a run to rest of a scene that never rests is refused before its first step", "[process]") {
+    refusal({"run", "navier_stokes", "--set", "scene=box", "--rest"}, {"never comes to rest", "stirring", "--steps or --time"});
+    refusal({"run", "navier_stokes", "--set", "scene=karman", "--rest", "--json"}, {"never comes to rest", "reynolds"});
+    refusal({"run", "mass_spring", "--preset", "slippery_bouncer", "--rest"}, {"never comes to rest", "damping_mode"});
+    refusal({"run", "advection", "--rest"}, {"never comes to rest"});
+}
+
 TEST_CASE("a length of the run that is none is refused", "[process]") {
     for (const char* steps : {"-1", "1.5", "many", "nan", "1e3x", "99999999999999999999"})
         refusal({"run", "mesh/mass_spring", "--steps", steps}, {"steps"});

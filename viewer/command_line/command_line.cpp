@@ -37,7 +37,7 @@ void add_run_options(CLI::App& command, RunOptions& o) {
     add_scene_options(command, o);
     command.add_option("--steps", o.steps, "run so many steps");
     command.add_option("--time", o.time, "run so many simulated seconds, to the nearest whole step");
-    command.add_flag("--rest", o.rest, "run until nothing changes any more");
+    command.add_flag("--rest", o.rest, "run until nothing changes any more; refused where the scene never comes to rest");
     add_threads(command);
 }
 

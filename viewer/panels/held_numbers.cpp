@@ -26,7 +26,7 @@ void add_laws(const Runner& runner, std::vector<Light>& lights) {
             help = fmt::format("{}: not expected to hold here", words(c.probe));
         else
             help += fmt::format(": off by {}, tolerance {}", format_quantity(runner.drift(i), unit),
-                                format_quantity(c.tolerance(), unit));
+                                format_quantity(runner.tolerance(i), unit));
         lights.push_back({holds, words(c.probe), help});
     }
 }

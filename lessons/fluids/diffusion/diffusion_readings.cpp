@@ -42,6 +42,14 @@ Real DiffusionLesson::scale() const {
     return start == Start::zero && walls > 0 ? walls : std::max(Real(1), walls);
 }
 
+// What changes in the time L²/ν, in which diffusion crosses the row, is a small part of the largest u.
+bool DiffusionLesson::at_rest() const {
+    constexpr Real part = 1e-4;
+    if (elapsed_[0] == 0) return false;
+    const Real cells = static_cast<Real>(Index(resolution));
+    return (u_ - previous_).lpNorm<Eigen::Infinity>() * cells * cells <= part * scale() * rate();
+}
+
 // -------------------------------------------------------------------------------------------------------------- probes
 
 void DiffusionLesson::declare_probes() {

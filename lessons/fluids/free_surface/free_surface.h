@@ -23,6 +23,8 @@ public:
     void check() const override;
     void reset() override;
     Real time_step() const override { return dt; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& picture) const override;
     std::optional<On> can_pull() const override;
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
@@ -59,6 +61,7 @@ private:
     Real paddle_place(Real t) const;  // of its middle, m
     Real paddle_speed(Real t) const;  // m/s
     Real paddle_width() const;        // m
+    bool starts_level() const;        // does the liquid lie still at the start?
     std::vector<CellType> solids() const;
 
     // --- the stages (free_surface_stages.cpp) ---

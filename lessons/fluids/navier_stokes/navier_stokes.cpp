@@ -246,6 +246,7 @@ void NavierStokes::reset() {
     smoke_ = VecX::Zero(scene().drives.smoke ? cells : 0);
     fill_source();
     elapsed_.setZero();
+    elapsed_[4] = max_speed(velocity_);
     wake_.reset();
     if (scene().readings.wake) {
         // Two and a half diameters behind the middle of the disc.
@@ -260,6 +261,7 @@ void NavierStokes::reset() {
     }
     fields_of_flow_.reset(*grid_, velocity_);
     initial_energy_ = specific_energy();
+    compared_ = velocity_;
 }
 
 std::string NavierStokes::blow_up_hint() const {

@@ -94,7 +94,20 @@ void NavierStokes::end_step() {
     if (with_viscosity) elapsed_[1] += nu() * dt;
     if (with_forces) elapsed_[2] += uniform_force()[0] * dt;
     elapsed_[3] = largest_divergence();
+    compare_velocity();
     if (scene().readings.wake) wake_.note(time(), wake_velocity(), 0.05 * reference_speed());
+}
+
+// Once in the time in which the fastest fluid goes the length L: what the solver leaves open in a single step evens out.
+void NavierStokes::compare_velocity() {
+    elapsed_[4] = std::max(top_speed(), max_speed(velocity_));
+    const Real since = time() - elapsed_[5], crossing = top_speed() > 0 ? size / top_speed() : Real{0};
+    if (since < crossing) return;
+    elapsed_[6] = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        elapsed_[6] = std::max(elapsed_[6], (velocity_[axis] - compared_[axis]).lpNorm<Eigen::Infinity>());
+    elapsed_[5] = time();
+    compared_ = velocity_;
 }
 
 // ------------------------------------------------------------------------------------------------------------------ forces

@@ -256,7 +256,7 @@ void ClothLesson::reset() {
     strain_.setZero(sheet_->springs().size());
     for (VecX* values : {&stretch_, &bending_, &held_, &imbalance_}) values->setZero(count);
     std::ranges::fill(drag_numbers_, Real{0});
-    gust_time_[0] = gust_at_ = unbalanced_work_[0] = 0;
+    gust_time_[0] = gust_at_ = pace_[0] = pace_[1] = 0;
     touches_.assign(static_cast<std::size_t>(count), {});
     touching_ = 0;
     stretch_before_limiting_ = limiter_excess_ = 0;

@@ -109,10 +109,10 @@ void MassSpringLesson::reset() {
     for (Points<3>* force : {&damping_force_, &external_force_}) force->setZero();
     for (VecX* values : {&tension_, &strain_}) values->setZero(block_->springs().size());
     touching_ = 0;
-    energy_wobble_ = 0;
     start_gravity_ = gravity;
     start_mass_ = total_mass;
     interfered_ = false;
+    start_motion_ = kinetic_energy<3>(block_->mass(), velocity_) + elastic_energy();
     start_height_ = centre_of_mass<3>(block_->mass(), position_)[1];
     start_angular_momentum_ = angular_momentum<3>(block_->mass(), position_, velocity_).norm();
 }

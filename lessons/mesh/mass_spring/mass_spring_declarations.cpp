@@ -81,7 +81,7 @@ void MassSpringLesson::declare_stages() {
          .end = [this] { end_integration(); },
          .explain = [this](const Question& q) { return why_integrated(q); }},
         {.name = "contact",
-         .formula = "y ≥ 0;  v_y ← −e v_y;  |Δv_t| ≤ μ |Δv_y|",
+         .formula = "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|",
          .source = "[Bridson2002]",
          .run = [this] { contact_stage(); },
          .reads = {"position", "velocity"},

@@ -219,6 +219,7 @@ void RodLesson::reset() {
     if (history_.size() > 0) rod_strains(slope_, history_.col(0));
     follow_positions();
     start_energy_ = total_energy();
+    start_motion_ = motion_energy();
     start_position_ = runs_a_pulse() ? pulse_position() : Real{0};
     if (hangs_still()) return;
 

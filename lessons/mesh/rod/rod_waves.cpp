@@ -92,7 +92,7 @@ std::optional<Index> RodLesson::turns() const {
 
 std::optional<Real> RodLesson::wave_speed() const {
     const Real t = clock_[elapsed];
-    if (!runs_a_pulse() || t == 0 || damped() || amplitude == 0 || !turns()) return std::nullopt;
+    if (!runs_a_pulse() || t == 0 || damped() || !swings() || !turns()) return std::nullopt;
     const Real n = static_cast<Real>(*turns());
     const Real gone = *turns() % 2 == 0 ? n * length + pulse_position() : (n + 1) * length - pulse_position();
     return (gone - start_position_) / t;
@@ -150,7 +150,7 @@ void RodLesson::declare_wave_probes() {
           .unit = "m",
           .help = "where the energy of the pulse lies on average",
           .value = [this]() -> std::optional<Real> {
-              if (!runs_a_pulse() || amplitude == 0) return std::nullopt;
+              if (!runs_a_pulse() || !swings()) return std::nullopt;
               return pulse_position();
           },
           .exact = [this](Real t) -> std::optional<Real> {

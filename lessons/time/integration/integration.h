@@ -20,6 +20,8 @@ public:
     int dimension() const override { return 2; }
     void reset() override;
     Real time_step() const override { return dt; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& scene) const override;
     std::optional<On> can_pull() const override { return On::handle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
