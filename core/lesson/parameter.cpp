@@ -78,6 +78,7 @@ void Parameter::set(Real value) {
 }
 
 void Parameter::check(Real value) const {
+    if (std::isfinite(value) && accepted().contains(value) && (info.kind == Kind::number || is_whole(value))) return;
     const std::string shown = info.kind == Kind::number ? format_exact(value) : fmt::format("{}", value);
     if (!std::isfinite(value))
         throw Refused(fmt::format("{} = {} is not a finite number: give a number in {}, {}", info.key, shown, accepted().text(),
@@ -85,9 +86,8 @@ void Parameter::check(Real value) const {
     if (info.kind != Kind::number && !is_whole(value))
         throw Refused(
             fmt::format("{} = {} is not a whole number: give a whole number in {}", info.key, shown, accepted().text()));
-    if (!accepted().contains(value))
-        throw Refused(
-            fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
+    throw Refused(
+        fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
 }
 
 Real Parameter::parse(std::string_view text) const {

@@ -99,10 +99,11 @@ std::string_view status_of(const Runner& runner) {
     return runner.failure() ? "diverged" : runner.lesson().at_rest() ? "at_rest" : "ok";
 }
 
-std::string run_json(const Runner& runner) {
+std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused) {
     const Lesson& lesson = runner.lesson();
-    Json j{{"lesson", runner.info().id},   {"parameters", Json::object()}, {"dimension", lesson.dimension()},
-           {"steps", runner.place().step}, {"time", runner.time()},        {"status", status_of(runner)}};
+    Json j{{"lesson", runner.info().id},      {"parameters", Json::object()}, {"unused", unused_json(unused)},
+           {"dimension", lesson.dimension()}, {"steps", runner.place().step}, {"time", runner.time()},
+           {"status", status_of(runner)}};
     for (const Parameter* p : lesson.parameters) j["parameters"][std::string(p->info.key)] = value_json(*p, p->value());
     j["probes"] = Json::object();
     for (const Probe& p : lesson.probes)
@@ -118,7 +119,8 @@ std::string run_json(const Runner& runner) {
 
 std::string run_text(const Runner& runner) {
     const Lesson& lesson = runner.lesson();
-    std::string text = fmt::format("{}: {} steps", runner.info().id, runner.place().step);
+    const Index steps = runner.place().step;
+    std::string text = fmt::format("{}: {} step{}", runner.info().id, steps, steps == 1 ? "" : "s");
     if (!runner.is_static()) text += fmt::format(", t = {}", format_quantity(runner.time(), "s"));
     text += fmt::format(", {}\n\nProbes\n", status_of(runner));
     for (const Probe& p : lesson.probes) {

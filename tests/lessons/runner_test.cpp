@@ -343,7 +343,7 @@ TEST_CASE("report: a number that is not finite is undefined, and takes no other 
     runner.step(), runner.step();
     CHECK_THROWS_AS(runner.check_probes(), Diverged);
     for (std::size_t law = 0; law < 3; ++law) CHECK(runner.holds(law) == Holds::no);
-    const auto report = nlohmann::json::parse(run_json(runner));
+    const auto report = nlohmann::json::parse(run_json(runner, {}));
     CHECK(report["probes"]["sound"]["value"] == 2);
     CHECK(report["probes"]["ratio"]["value"].is_null());
     CHECK(report["probes"]["exact"]["exact"].is_null());

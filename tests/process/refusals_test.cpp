@@ -14,21 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The message of a call that has to be refused, and which says all of `words`.
-std::string refusal(const Arguments& arguments, const std::vector<std::string>& words = {}) {
-    const Outcome outcome = call(arguments);
-    INFO(sentence(arguments) << "\n" << outcome.out << outcome.err);
-    CHECK(outcome.exit_code == refused);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err.starts_with("pliant: "));
-    CHECK(std::ranges::count(outcome.err, '\n') == 1);
-    for (const std::string& w : words) {
-        INFO("the message should say: " << w);
-        CHECK(contains(outcome.err, w));
-    }
-    return outcome.err;
-}
-
 bool is_numeric(const Json& parameter) { return parameter["kind"] == "number" || parameter["kind"] == "whole number"; }
 
 // Does the message tell the range in which this parameter is accepted, as "(-1, 0.5]"?

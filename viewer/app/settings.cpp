@@ -1,6 +1,7 @@
 #include "app/settings.h"
 
 #include <pliant/lesson/file.h>
+#include <pliant/lesson/json_positions.h>
 #include <pliant/math/error.h>
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ void put(Json& json, const char* key, const std::optional<T>& value) {
 }  // namespace
 
 Settings parse_settings(std::string_view text, std::string_view path) {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = parse_json(text, path).value;
     if (!json.is_object()) throw Refused(fmt::format("{} holds no settings: it is not a JSON object", path));
     Settings s;
     if (const auto theme = read<std::string>(json, "theme"))
@@ -85,10 +86,10 @@ SettingsFile::SettingsFile(fs::path path) : path_(std::move(path)) {
     try {
         stored_ = parse_settings(read_file(path_.string()), path_.string());
     } catch (const Error& e) {
-        fs::path aside = path_;
-        aside += ".bad";
-        fs::rename(path_, aside, ignored);
-        trouble_ = fmt::format("{}. It is kept as {}; the lab starts with its first settings.", e.what(), aside.string());
+        const fs::path aside = set_aside(path_, ".bad");
+        trouble_ = aside.empty()
+                       ? fmt::format("{}. The lab starts with its first settings.", e.what())
+                       : fmt::format("{}. It is kept as {}; the lab starts with its first settings.", e.what(), aside.string());
     }
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/until.h>
+#include <pliant/lesson/unused.h>
 
-#include "panels/lab_state.h"
+#include "panels/layout.h"
 #include "platform/context.h"
+#include "render/palette.h"
 
 #include <filesystem>
 #include <optional>
@@ -22,6 +24,7 @@ struct RunOptions {
     bool rest = false;
     std::string csv_path;
     bool json = false, summary = false;
+    bool strict = false;  // what is set without effect is refused
 };
 
 struct PictureOptions {
@@ -47,10 +50,13 @@ struct WindowOptions {
     bool notes = false;           // writes the notes of each slide to standard output
     std::string slides_folder{};  // of pictures of the slides; "" for none
     bool questions = false;       // these go without the answers
+    bool strict = false;          // what the scene or the walkthrough sets without effect is refused
 };
 
 // The scene that lesson, scene file, preset and settings describe together; later ones win. Throws Refused.
 SceneFile scene_from(const RunOptions& options);
+// Tells on standard error what is set without effect, a line each; gives it back. Throws Refused for it when strict.
+const std::vector<UnusedSetting>& tell_unused(const std::vector<UnusedSetting>& unused, bool strict);
 // How far: what was asked for; without any, a static lesson runs to rest and another one for its demo steps.
 Until until_from(const RunOptions& options, const LessonEntry& entry, bool is_static);
 
@@ -93,9 +99,13 @@ struct StudyOptions {
 int study(const RunOptions& run, const StudyOptions& options);
 int share(const RunOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
-int tour(const std::string& folder);
-// notes: prints those of the lecturer as well.
-int walkthrough(const std::string& lesson, bool check, bool notes);
+int tour(const std::string& folder, bool strict);
+struct WalkthroughOptions {
+    bool check = false;   // throws CheckFailed when an expectation is missed
+    bool notes = false;   // prints those of the lecturer as well
+    bool strict = false;  // what it sets without effect is refused
+};
+int walkthrough(const std::string& lesson, const WalkthroughOptions& options);
 int window(const WindowOptions& options);
 // A PNG file of every slide of the walkthrough.
 int slides(const WindowOptions& options);

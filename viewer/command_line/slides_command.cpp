@@ -2,13 +2,14 @@
 #include <pliant/lesson/texts.h>
 
 #include "command_line/options.h"
+#include "command_line/output_paths.h"
 #include "command_line/pictures.h"
+#include "command_line/terminal.h"
 #include "platform/headless_context.h"
 #include "platform/png_file.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 
 namespace pliant::viewer {
@@ -20,6 +21,8 @@ int slides(const WindowOptions& o) {
     const Size size = size_from(o.size);
     const Theme theme = o.theme.empty() ? Theme::projector : theme_from(o.theme);
     const float scale = o.ui_scale == 0 ? 1 : ui_scale_from(o.ui_scale);
+    refuse_file_ending("--out", o.slides_folder);
+    tell_unused(unused_settings(entry, walkthrough_of(entry)), o.strict);
     make_folder(folder);
     const auto context = open_headless(size);
     Lab lab(*context, entry.info.id);
@@ -30,7 +33,7 @@ int slides(const WindowOptions& o) {
         show_slide(lab.session(), n, !o.questions);
         const auto file = folder / fmt::format("slide_{:02}.png", n + 1);
         write_png(capture(lab, *context), file.string());
-        fmt::print("{}\n", file.string());
+        print(file.string() + "\n");
     }
     return 0;
 }

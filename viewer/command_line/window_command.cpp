@@ -6,15 +6,23 @@
 #include "app/settings.h"
 #include "app/state_report.h"
 #include "command_line/options.h"
+#include "command_line/output_paths.h"
+#include "command_line/terminal.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 #include <utility>
 
 namespace pliant::viewer {
 namespace {
+
+// What the scene or the walkthrough to open sets without effect.
+void check_first(const WindowOptions& o, const std::string& lesson) {
+    if (!o.scene_path.empty()) tell_unused(unused_settings(open_scene_text(o.scene_path)), o.strict);
+    const LessonEntry& entry = find_lesson(lesson);
+    if (o.deck) tell_unused(unused_settings(entry, walkthrough_of(entry)), o.strict);
+}
 
 void open_first(Lab& lab, const WindowOptions& o) {
     Session& s = lab.session();
@@ -47,9 +55,8 @@ public:
         if (!player || shown_ == player->slide_number()) return;
         shown_ = player->slide_number();
         const std::string notes = player->slide().notes();
-        fmt::print("{} / {}  {}\n{}\n\n", *shown_ + 1, player->walkthrough().slides.size(), player->slide().title,
-                   notes.empty() ? "(no notes)" : notes);
-        std::fflush(stdout);
+        print_now(fmt::format("{} / {}  {}\n{}\n\n", *shown_ + 1, player->walkthrough().slides.size(), player->slide().title,
+                              notes.empty() ? "(no notes)" : notes));
     }
 
 private:
@@ -76,15 +83,15 @@ int window(const WindowOptions& o) {
     if (!o.theme.empty()) theme_from(o.theme);
     const std::string lesson = o.lesson.empty() ? "mesh/mass_spring" : std::string(find_lesson(o.lesson).info.id);
     if (o.ui_scale != 0) ui_scale_from(o.ui_scale);
+    if (o.frames < 0) throw Refused("--frames", static_cast<Real>(o.frames), "", "a whole number from 0 on");
+    if (!o.state_path.empty()) refuse_other_ending("--state", o.state_path, ".json", "the state is written as JSON");
+    check_first(o, lesson);
     const auto context = open_context(Backend::window, size);
     Lab lab(*context, lesson);
     SettingsFile settings(o.no_settings ? std::filesystem::path() : settings_path());
     restore(lab, settings, o, context->ui_scale());
     settings.begin(lab.state());
-    lab.state().speak = [](const std::string& text) {
-        fmt::print("{}\n", text);
-        std::fflush(stdout);
-    };
+    lab.state().speak = [](const std::string& text) { print_now(text + "\n"); };
     open_first(lab, o);
     if (!settings.trouble().empty()) lab.session().say(Session::Message::Kind::refused, settings.trouble());
     StateReport report(o.state_path);

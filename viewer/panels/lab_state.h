@@ -6,7 +6,9 @@
 #include "app/live_error.h"
 #include "app/session.h"
 #include "app/theme.h"
+#include "app/usage.h"
 #include "panels/file_choice.h"
+#include "panels/layout.h"
 #include "panels/plot_panel.h"
 #include "panels/typed_number.h"
 #include "render/picking.h"
@@ -24,11 +26,6 @@
 #include <vector>
 
 namespace pliant::viewer {
-
-// lab: all panels. slide: the picture, its plots and the numbers that matter, large. deck: a slide of the walkthrough beside
-// them.
-enum class Layout { lab, slide, deck };
-std::string_view name_of(Layout layout);
 
 struct Rectangle {
     float x = 0, y = 0, width = 0, height = 0;  // px
@@ -86,6 +83,7 @@ struct LabState {
     LiveError live_error{};
 
     HeldNumbers held{};
+    UsageReasons usage{};
     bool value_changed = false;  // in the present drag of a slider: one step of undo
     TypedNumber typed{};
 

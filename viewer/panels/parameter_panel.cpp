@@ -24,7 +24,6 @@ std::string describe(const Parameter& p) {
                 "click "
                 "restores the default.";
     text += p.info.effect == Effect::live ? "\nTakes effect with the next step." : "\nRestarts the lesson (↻).";
-    if (!p.used()) text += "\nNot used by the present scene.";
     return text;
 }
 
@@ -105,10 +104,16 @@ std::optional<Real> value_in_other_run(const Session& s, const Parameter& p) {
     return std::nullopt;
 }
 
-std::string help_of(const LabState& lab, const Parameter& p) {
+std::string help_of(LabState& lab, const Parameter& p) {
     if (lab.session.locked(p)) return "Locked on this slide; End the walkthrough or press L to unlock.";
+    if (!p.used()) return fmt::format("{}\n{}", lab.usage.reason(lab.session.addressed(), p), describe(p));
     const auto other = value_in_other_run(lab.session, p);
     return describe(p) + (other ? fmt::format("\nThe other run has {}.", setting_text(p, *other)) : "");
+}
+
+// What would be in the tooltip is looked for only where it is shown.
+void parameter_tip(LabState& lab, const Parameter& p) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(help_of(lab, p), lab.scale);
 }
 
 std::string label_of(const LabState& lab, const Parameter& p) {
@@ -137,7 +142,7 @@ void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     ImGui::SetCursorPosY(top + drop - ImGui::GetTextLineHeight());
     fitted_text(label_of(lab, p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
-    tooltip(help_of(lab, p), lab.scale);
+    parameter_tip(lab, p);
     if (!number) return;
     ImGui::SameLine();
     ImGui::SetCursorPosX(right);
@@ -174,7 +179,7 @@ void draw_parameter(LabState& lab, const Parameter& p, bool large) {
     lab.note_control(std::string(p.info.key));
     ImGui::EndDisabled();
     ImGui::PopFont();
-    tooltip(help_of(lab, p), lab.scale);
+    parameter_tip(lab, p);
     ImGui::PopID();
 }
 

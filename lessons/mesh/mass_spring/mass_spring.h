@@ -97,7 +97,7 @@ private:
     LatticeKind lattice() const { return setting == Setting::swing ? LatticeKind::chain : LatticeKind{kind}; }
     BlockTest block_test() const { return lattice() == LatticeKind::chain ? BlockTest::stretch : BlockTest{test}; }
     bool has_diagonals() const { return lattice() != LatticeKind::triangular && lattice() != LatticeKind::chain; }
-    bool damped() const { return damping_mode != SpringDamping::none; }
+    bool damped() const { return !tested() && damping_mode != SpringDamping::none; }
     std::string_view telling_probe() const;
     bool held() const { return setting == Setting::hang || setting == Setting::swing; }
     bool pulled() const { return load_.pull.node >= 0 && pull_stiffness > 0; }

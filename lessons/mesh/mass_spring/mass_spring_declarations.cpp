@@ -58,7 +58,7 @@ void MassSpringLesson::declare_stages() {
          .run = [this] { damping_stage(); },
          .reads = {"position", "velocity"},
          .writes = {"damping_force"},
-         .active = [this] { return damped() && !tested(); },
+         .active = [this] { return damped(); },
          .explain = [this](const Question& q) { return why_damping_force(q.index, q.component, Input::now); }},
         {.name = "external_forces",
          .formula = "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)",

@@ -58,7 +58,7 @@ RodLesson::RodLesson()
                                .accepted = Interval{0, 1e12, true},
                                .scale = Scale::log,
                                .effect = Effect::rebuild,
-                               .used = [this] { return hangs_still() || by_hand(); }}),
+                               .used = [this] { return hangs() || by_hand(); }}),
       total_mass(*this, {.key = "mass",
                          .symbol = "M",
                          .unit = "kg",

@@ -65,6 +65,8 @@ private:
 
     // --- what the parameters mean ---
     bool implicit() const { return is_implicit(scheme); }
+    // Is there an equation to solve, in the run or beside it?
+    bool solves() const { return implicit() || compare != Compare::none; }
     bool is(System one) const { return system == one; }
     bool measures_map() const { return is(System::oscillator) && omega > 0; }
     NewtonOptions newton() const { return {newton_tolerance, static_cast<int>(Index(newton_cap))}; }
