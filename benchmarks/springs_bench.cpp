@@ -74,14 +74,14 @@ void stiffness_matrix(benchmark::State& state) {
 }
 BENCHMARK(stiffness_matrix)->Arg(17);
 
-void frequency_bound(benchmark::State& state) {
+void frequency_estimate(benchmark::State& state) {
     Block block(state.range(0));
     const DiagonalMass inertia(block.mass, 3);
     for (auto _ : state)
-        benchmark::DoNotOptimize(spring_rate_bounds<3>(block.springs, inertia, SpringDamping::projected, block.x));
+        benchmark::DoNotOptimize(spring_rate_estimates<3>(block.springs, inertia, SpringDamping::projected, block.x));
     report(state, block);
 }
-BENCHMARK(frequency_bound)->Arg(17);
+BENCHMARK(frequency_estimate)->Arg(17);
 
 void implicit_step(benchmark::State& state) {
     Block block(state.range(0));

@@ -1,10 +1,30 @@
-# Run by pliant_embed_text: OUTPUT, ROOT and FILES are given on the command line.
+# Run by pliant_embed: OUTPUT, ROOT, KIND and FILES are given on the command line.
 set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${file} text)
   file(RELATIVE_PATH name ${ROOT} ${file})
-  # A raw string literal may hold 64 KiB on every compiler; walkthroughs and scenes are far smaller.
+  # A raw string literal may hold 64 KiB on every compiler; walkthroughs, scenes and tables are far smaller.
   string(APPEND entries "    {\"${name}\", R\"~~~~(${text})~~~~\"},\n")
 endforeach()
-file(WRITE ${OUTPUT}
-  "#include <pliant/lesson/texts.h>\n\nnamespace {\nconst pliant::TextRegistration texts{{\n${entries}}};\n}\n")
+if(KIND STREQUAL "assets")
+  set(source "#include \"render/assets.h\"
+
+namespace pliant::viewer {
+
+std::string_view asset(std::string_view path) {
+    struct Asset {
+        std::string_view path, text;
+    };
+    static constexpr Asset assets[] = {
+${entries}    };
+    for (const Asset& a : assets)
+        if (a.path == path) return a.text;
+    return {};
+}
+
+}  // namespace pliant::viewer
+")
+else()
+  set(source "#include <pliant/lesson/texts.h>\n\nnamespace {\nconst pliant::TextRegistration texts{{\n${entries}}};\n}\n")
+endif()
+file(WRITE ${OUTPUT} "${source}")

@@ -1,8 +1,15 @@
-# Files of a folder compiled as one unit: the headers that they share are read once, and a build from nothing takes about a
-# quarter of the time. Off where people edit (preset `edit`): there a change compiles one file.
+# Files of a folder compiled as one unit: the headers that they share are read once, and what they share of templates is made
+# once, so that a build from nothing takes a fraction of the time. Off where people edit (preset `edit`): there a change
+# compiles one file.
 option(PLIANT_UNITY "Compile the files of a folder together" OFF)
 
-# pliant_unity(TARGET BYTES FILES...): the files of each folder, in their order, in units of at most BYTES of source.
+# A unit has room for its garbage: collecting it takes GCC a tenth of the time.
+if(PLIANT_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:--param ggc-min-expand=200 --param ggc-min-heapsize=1000000>")
+endif()
+
+# pliant_unity(TARGET BYTES FILES...): the files of each folder that lies in the calling one, with those of the folders in it, in
+# their order, in units of at most BYTES of source.
 function(pliant_unity target most)
   if(NOT PLIANT_UNITY)
     return()
@@ -16,7 +23,8 @@ function(pliant_unity target most)
   set(filled 0)
   foreach(source IN LISTS ARGN)
     get_filename_component(path ${source} ABSOLUTE)
-    get_filename_component(folder ${path} DIRECTORY)
+    file(RELATIVE_PATH folder ${CMAKE_CURRENT_SOURCE_DIR} ${path})
+    string(REGEX REPLACE "/.*" "" folder ${folder})
     file(SIZE ${path} bytes)
     math(EXPR filled "${filled} + ${bytes}")
     if(NOT folder STREQUAL before)
@@ -27,8 +35,6 @@ function(pliant_unity target most)
       set(filled ${bytes})
     endif()
     set(before ${folder})
-    file(RELATIVE_PATH group ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
-    string(REPLACE "/" "_" group "${group}_${number}")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${number})
   endforeach()
 endfunction()

@@ -1,10 +1,10 @@
 #include <pliant/lesson/breakpoints.h>
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/quantity_text.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace pliant {
@@ -35,10 +35,9 @@ Condition parse_condition(std::string_view text, const Lesson& lesson) {
     const std::size_t length = at + 1 < text.size() && text[at + 1] == '=' ? 2 : 1;
     Condition c{std::string(trimmed(text.substr(0, at))), std::string(text.substr(at, length)), 0};
     if (c.probe.empty()) throw refuse();
-    lesson.probe(c.probe);
-    const std::string_view number = trimmed(text.substr(at + length));
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), c.limit);
-    if (error != std::errc() || end != number.data() + number.size() || !std::isfinite(c.limit)) throw refuse();
+    const QuantityText limit = read_quantity(text.substr(at + length), lesson.probe(c.probe).unit);
+    if (limit.problem != QuantityText::Problem::none || !std::isfinite(limit.value)) throw refuse();
+    c.limit = limit.value;
     return c;
 }
 
@@ -86,7 +85,7 @@ std::string Breakpoints::words_of(const Runner& runner, const Watch& now) {
         const std::string_view unit = lesson.probe(c.probe).unit;
         return fmt::format("{} is off by {}, and {} is tolerated", c.probe,
                            format_quantity(runner.drift(static_cast<std::size_t>(k)), unit),
-                           format_quantity(c.tolerance(), unit));
+                           format_quantity(runner.tolerance(static_cast<std::size_t>(k)), unit));
     }
     return "";
 }
@@ -111,15 +110,6 @@ std::optional<std::string> Breakpoints::stops(const Runner& runner) {
     const Stage& next = *running[whole_step ? 0 : runner.next_stage()];
     if (runner.passes_in_stage() == 0 && stages.contains(next.name)) return fmt::format("before {}", next.name);
     return std::nullopt;
-}
-
-std::optional<std::string> run_to_break(Runner& runner, Breakpoints& breakpoints, const std::function<bool()>& go_on) {
-    breakpoints.arm(runner);
-    while (true) {
-        runner.step_pass();
-        if (auto reason = breakpoints.stops(runner)) return reason;
-        if (!runner.inside_step() && !go_on()) return std::nullopt;
-    }
 }
 
 }  // namespace pliant

@@ -53,8 +53,4 @@ private:
     std::optional<std::size_t> failed_assumption_;
 };
 
-// Runs on, pass by pass, until a breakpoint stops it or `go_on` (asked behind every whole step) is false. Empty: not stopped by
-// one. Throws Diverged as the runner does.
-std::optional<std::string> run_to_break(Runner& runner, Breakpoints& breakpoints, const std::function<bool()>& go_on);
-
 }  // namespace pliant

@@ -8,6 +8,11 @@
 
 namespace pliant {
 
+// What a conserved quantity was when its law began to hold, and what it may be off by.
+struct LawStart {
+    Real value = 0, tolerance = 0;
+};
+
 // All that a run needs to go on from the start of a step.
 struct Snapshot {
     Index step = 0;
@@ -15,11 +20,11 @@ struct Snapshot {
     Index base_step = 0;
     std::vector<Real> parameters;
     std::optional<Pull> pull;
-    std::vector<std::optional<Real>> references;
+    std::vector<std::optional<LawStart>> law_starts;
     std::vector<Real> state;  // every state array, one after the other
 
     std::size_t bytes() const {
-        return sizeof(Snapshot) + sizeof(Real) * (state.size() + parameters.size() + 2 * references.size());
+        return sizeof(Snapshot) + sizeof(Real) * (state.size() + parameters.size() + 3 * law_starts.size());
     }
 };
 

@@ -137,6 +137,11 @@ TextPlace PlacedJson::at(const std::string& pointer) const {
 }
 
 PlacedJson parse_json(std::string_view text, std::string_view path) {
+    // The parser would take it for the end.
+    if (const auto at = text.find('\0'); at != std::string_view::npos) {
+        const TextPlace p = place_of(text, at);
+        throw Refused(fmt::format("{}:{}:{}: this is not JSON: a NUL byte stands here", path, p.line, p.column));
+    }
     std::size_t read = 0;
     PlaceRecorder recorder(text, path, read);
     const CountingIterator first{text.data(), &read}, last{text.data() + text.size(), nullptr};

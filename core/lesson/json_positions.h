@@ -22,7 +22,7 @@ struct PlacedJson {
 // A key as it stands in a JSON pointer, with '~' and '/' spelt out (RFC 6901, section 3).
 std::string pointer_part(std::string_view key);
 
-// Throws Refused as "path:line:column: ..." for text that is not JSON, and for a key given twice.
+// Throws Refused as "path:line:column: ..." for text that is not one JSON value alone, and for a key given twice.
 PlacedJson parse_json(std::string_view text, std::string_view path);
 
 }  // namespace pliant

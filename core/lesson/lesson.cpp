@@ -23,6 +23,26 @@ auto& named(const List& list, std::string_view name, std::string_view what, Name
 
 }  // namespace
 
+Curve curve_of(const std::function<void(Curve&)>& sample) {
+    Curve curve;
+    try {
+        if (sample) sample(curve);
+    } catch (const Diverged&) {
+        return {};
+    }
+    return curve;
+}
+
+std::vector<const Stage*> Lesson::stages_in_use() const {
+    std::vector<const Stage*> used;
+    for (const Stage& stage : stages)
+        if (stage.in_use()) used.push_back(&stage);
+    const auto order = stage_order();
+    const auto rank = [&](const Stage* stage) { return std::ranges::find(order, stage->name) - order.begin(); };
+    if (!order.empty()) std::ranges::stable_sort(used, {}, rank);
+    return used;
+}
+
 Parameter& Lesson::parameter(std::string_view key) const {
     return *named(parameters, key, "parameter", [](const Parameter* p) { return p->info.key; });
 }

@@ -55,6 +55,10 @@ struct Probe {
 struct Curve {
     std::vector<Real> position, value;
 };
+// The points that `sample` gives; none where its computation gives up (Diverged) or there is none: a curve beside a run never
+// takes the run's own numbers along.
+Curve curve_of(const std::function<void(Curve&)>& sample);
+
 // One more curve in the picture of a line: a rival model, a mark at the present value.
 struct CompareCurve {
     std::string_view name;
@@ -94,12 +98,18 @@ struct Assumption {
 
 enum class Law { constant, never_grows, zero };
 
-// A probe that should obey a law while `expected` says so. `tolerance` is in the unit of the probe.
+// A probe that should obey a law while `expected` says so. Tolerances are in the unit of the probe.
+//
+// What should stay constant or never grow is measured against the moment at which the law begins to hold, and so is its
+// tolerance: it is asked for then, once, so that a run that blows up cannot widen it. That of a law `zero` is asked for now: a
+// part of what has to cancel. `cancels` is the size of the terms whose sum the probe is, now; to the tolerance comes the part
+// of it that is lost to rounding.
 struct Conserved {
     std::string_view probe;
     Law law = Law::constant;
     std::function<Real()> tolerance;
     std::function<bool()> expected{};
+    std::function<Real()> cancels{};
 };
 
 // A person's hand in the scene: something picked (index < 0: a place, not a thing) at `from`, now drawn to `to`, in metres.
@@ -131,6 +141,10 @@ public:
     // Refuses combinations of parameters that are each legal alone. Throws Refused.
     virtual void check() const {}
 
+    // The names of the stages in the order in which they run, where the parameters make it another than that of `stages`, which
+    // never move. Stages that it leaves out come last. Takes effect with the next step.
+    virtual std::vector<std::string_view> stage_order() const { return {}; }
+
     // The initial state, from the parameters alone: two resets give equal bits. Every field in use has its size and finite
     // numbers afterwards.
     virtual void reset() = 0;
@@ -138,8 +152,12 @@ public:
     // Size of a step in s; 0 for a static lesson, whose step is one whole solve.
     virtual Real time_step() const = 0;
 
-    // Nothing changes any more: a static lesson after its solve, a body that lies still.
+    // Nothing changes any more: a static lesson after its solve, a body that lies still, a flow that is steady. Known after any
+    // whole step, from the parameters and the state.
     virtual bool at_rest() const { return false; }
+    // Why this scene never comes to rest, as a sentence without its full stop; empty where it does. A run to rest is refused
+    // with it. A lesson that moves says here what keeps it going, or overrides at_rest().
+    virtual std::string unrest() const { return time_step() > 0 ? "nothing is known of a state that it stays in" : ""; }
 
     // The picture of now, coloured by scene.colour_by.
     virtual void draw(Scene& scene) const = 0;
@@ -176,6 +194,9 @@ public:
 
     // The probes that a lecturer would read out, at most three, to show in large type.
     virtual std::vector<std::string_view> key_numbers() const { return {}; }
+
+    // The stages that the scene uses, in the order in which they run.
+    std::vector<const Stage*> stages_in_use() const;
 
     Parameter& parameter(std::string_view key) const;      // throws Refused, with the nearest known key
     const Field& field(std::string_view name) const;       // throws Refused, likewise; names fields in use

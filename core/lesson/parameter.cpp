@@ -1,11 +1,12 @@
 #include <pliant/lesson/format.h>
 #include <pliant/lesson/lesson.h>
+#include <pliant/lesson/number_text.h>
 #include <pliant/lesson/parameter.h>
+#include <pliant/lesson/quantity_text.h>
 #include <pliant/lesson/suggest.h>
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 namespace pliant {
@@ -17,16 +18,42 @@ ParameterInfo of_kind(ParameterInfo info, Kind kind) {
     return info;
 }
 
-bool is_whole(Real value) { return value == std::floor(value) && std::abs(value) < 9e15; }
-
 std::string with_unit(std::string_view number, std::string_view unit) {
     return unit.empty() ? fmt::format("{} (dimensionless)", number) : fmt::format("{} {}", number, unit);
+}
+
+std::string with_comma_as(std::string_view text, std::string_view sign) {
+    std::string other(text);
+    return other.replace(other.find(','), 1, sign);
 }
 
 std::string option_keys(const std::vector<Option>& options) {
     std::string keys;
     for (const Option& o : options) keys += (keys.empty() ? "" : ", ") + std::string(o.key);
     return keys;
+}
+
+[[noreturn]] void refuse_text(const Parameter& p, std::string_view text, const QuantityText& read) {
+    const std::string range = p.accepted().text();
+    const std::string_view unit = p.info.unit;
+    switch (read.problem) {
+        case QuantityText::Problem::out_of_range:
+            throw Refused(
+                fmt::format("{} = {} is too large or too small for a number: give a value in {}", p.info.key, text, range));
+        case QuantityText::Problem::ambiguous:
+            throw Refused(fmt::format("{} = {} can be read in two ways: give {} or {}, whichever is meant", p.info.key, text,
+                                      with_comma_as(text, "."), with_comma_as(text, "")));
+        case QuantityText::Problem::other_unit:
+            if (unit.empty())
+                throw Refused(
+                    fmt::format("{} = '{}' has a unit, {}, and this number has none: give a number in {}, dimensionless",
+                                p.info.key, text, read.unit, range));
+            throw Refused(fmt::format("{} = '{}' is in another unit, {}: give a number in {} {}; {} may stand behind it",
+                                      p.info.key, text, read.unit, range, unit, units_accepted(unit)));
+        default:
+            throw Refused(fmt::format("{} = '{}' is not a number: give a number in {}, {}", p.info.key, text, range,
+                                      unit_or_dimensionless(unit)));
+    }
 }
 
 }  // namespace
@@ -51,6 +78,7 @@ void Parameter::set(Real value) {
 }
 
 void Parameter::check(Real value) const {
+    if (std::isfinite(value) && accepted().contains(value) && (info.kind == Kind::number || is_whole(value))) return;
     const std::string shown = info.kind == Kind::number ? format_exact(value) : fmt::format("{}", value);
     if (!std::isfinite(value))
         throw Refused(fmt::format("{} = {} is not a finite number: give a number in {}, {}", info.key, shown, accepted().text(),
@@ -58,9 +86,8 @@ void Parameter::check(Real value) const {
     if (info.kind != Kind::number && !is_whole(value))
         throw Refused(
             fmt::format("{} = {} is not a whole number: give a whole number in {}", info.key, shown, accepted().text()));
-    if (!accepted().contains(value))
-        throw Refused(
-            fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
+    throw Refused(
+        fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
 }
 
 Real Parameter::parse(std::string_view text) const {
@@ -77,18 +104,10 @@ Real Parameter::parse(std::string_view text) const {
         if (text == "false" || text == "off" || text == "0") return 0;
         throw Refused(fmt::format("{} = {} is not a switch position: give true or false", info.key, text));
     }
-    Real value = 0;
-    const char* last = text.data() + text.size();
-    const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
-    const auto [end, error] = std::from_chars(first, last, value);
-    if (error == std::errc::result_out_of_range)
-        throw Refused(
-            fmt::format("{} = {} is too large or too small for a number: give a value in {}", info.key, text, accepted().text()));
-    if (error != std::errc() || end != last || text.empty())
-        throw Refused(fmt::format("{} = '{}' is not a number: give a number in {}, {}", info.key, text, accepted().text(),
-                                  unit_or_dimensionless(info.unit)));
-    check(value);
-    return value;
+    const QuantityText read = read_quantity(text, info.unit);
+    if (read.problem != QuantityText::Problem::none) refuse_text(*this, text, read);
+    check(read.value);
+    return read.value;
 }
 
 std::string Parameter::text(Real value) const {

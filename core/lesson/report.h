@@ -1,6 +1,7 @@
 // What a lesson declares and what a run found, as text, JSON and Markdown. Everything here is made from the declarations.
 #pragma once
 #include <pliant/lesson/runner.h>
+#include <pliant/lesson/unused.h>
 
 #include <string>
 
@@ -16,9 +17,9 @@ std::string describe_json(const LessonEntry& entry);
 // The page of the lesson in docs/lessons.
 std::string describe_markdown(const LessonEntry& entry);
 
-// `pliant run LESSON`: one object with lesson, parameters, dimension, steps, time, status, probes, lines, assumptions, conserved,
-// cost and, when the run stopped early, failure.
-std::string run_json(const Runner& runner);
+// `pliant run LESSON`: one object with lesson, parameters, unused (what is set without effect, and what it needs), dimension,
+// steps, time, status, probes, lines, assumptions, conserved, cost and, when the run stopped early, failure.
+std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused);
 // The same for people: probes against exact, assumptions, conserved quantities, milliseconds per stage.
 std::string run_text(const Runner& runner);
 

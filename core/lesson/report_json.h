@@ -1,6 +1,7 @@
 // What the reports share.
 #pragma once
 #include <pliant/lesson/parameter.h>
+#include <pliant/lesson/unused.h>
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,13 @@ inline nlohmann::ordered_json value_json(const Parameter& p, Real value) {
             break;
     }
     return value;
+}
+
+// What each of them needs, by key.
+inline nlohmann::ordered_json unused_json(const std::vector<UnusedSetting>& unused) {
+    auto j = nlohmann::ordered_json::object();
+    for (const UnusedSetting& u : unused) j[u.key] = u.needs;
+    return j;
 }
 
 }  // namespace pliant

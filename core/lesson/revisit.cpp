@@ -9,10 +9,11 @@ Revisit::Revisit(Runner& runner)
       pending_(runner.pending_),
       failure_(runner.failure_),
       pull_(runner.pull_),
-      references_(runner.references_),
+      law_starts_(runner.law_starts_),
       base_time_(runner.base_time_),
       base_dt_(runner.base_dt_),
-      base_step_(runner.base_step_) {
+      base_step_(runner.base_step_),
+      revision_(runner.revision_) {
     if (runner.replaying_) throw Refused("the run is already being looked back at");
     for (const Parameter* p : runner.lesson_->parameters) parameters_.push_back(p->value());
     runner_.replaying_ = true;
@@ -54,9 +55,10 @@ void Revisit::come_back() {
     runner_.pending_ = pending_;
     runner_.failure_ = failure_;
     runner_.pull_ = pull_;
-    runner_.references_ = references_;
+    runner_.law_starts_ = law_starts_;
     runner_.base_time_ = base_time_, runner_.base_dt_ = base_dt_, runner_.base_step_ = base_step_;
     if (here_.passes == 0) runner_.collect_active();
+    runner_.revision_ = revision_;  // the same bits
 }
 
 }  // namespace pliant

@@ -1,6 +1,7 @@
 // Runs earlier passes of a run again, to look at what they found, and brings the run back to the present, to the bit.
 #pragma once
 #include <pliant/lesson/runner.h>
+#include <pliant/math/watch.h>
 
 namespace pliant {
 
@@ -24,17 +25,19 @@ public:
     Place here() const { return here_; }
 
 private:
+    const Uncancelled replay_{};
     Runner& runner_;
     const Place here_;
     StepTrace trace_;
     StepTrace* const outer_;
     std::vector<Real> parameters_;
-    Runner::Values pending_;
+    Runner::Writes pending_;
     std::optional<Failure> failure_;
     std::optional<Pull> pull_;
-    std::vector<std::optional<Real>> references_;
+    std::vector<std::optional<LawStart>> law_starts_;
     Real base_time_, base_dt_;
     Index base_step_;
+    long revision_;
     bool moved_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include <pliant/lesson/format.h>
 #include <pliant/lesson/runner.h>
+#include <pliant/math/watch.h>
 
 #include <fmt/format.h>
 
@@ -30,12 +31,12 @@ Runner::Runner(const LessonEntry& entry, const Assignments& assignments, std::si
     : entry_(&entry), lesson_(entry.make()), history_(history_bytes) {
     costs_.resize(lesson_->stages.size());
     write(parse(assignments));
-    reset();
+    reset_or_leave();
 }
 
 void Runner::begin_step() {
     failure_.reset();
-    if (!pending_.empty()) write(std::exchange(pending_, {})), renew_references();
+    if (!pending_.empty()) write(std::exchange(pending_, {})), renew_laws();
     apply_events();
     lesson_->pull(pull_);
     collect_active();
@@ -49,6 +50,8 @@ void Runner::begin_step() {
 }
 
 void Runner::step_pass() {
+    if (!replaying_) cancel_point();
+    ++revision_;
     if (!inside_step()) begin_step();
     if (active_.empty()) {
         end_step();
@@ -56,6 +59,7 @@ void Runner::step_pass() {
         return;
     }
     const Stage& stage = *active_[stage_];
+    if (!replaying_) tell_progress(stage.name, stage_passes_);
     try {
         run_pass(stage);
         const bool more = stage.again && stage.again();
@@ -64,6 +68,14 @@ void Runner::step_pass() {
         Failure failure = d.failure;
         failure.stage = stage.name;
         fail(std::move(failure));
+    } catch (const Cancelled&) {
+        // Without running the step before again, which may take as long.
+        const Uncancelled back;
+        if (const Snapshot* start = history_.find(step_))
+            restore(*start), reach_ = place();
+        else
+            leave_step();
+        throw;
     }
     if (stage_ == active_.size()) end_step();
     if (!replaying_) reach_ = place();
@@ -106,7 +118,7 @@ void Runner::end_step() {
     executed_before_.swap(executed_);
     executed_.clear();
     if (!replaying_) step_ms_ = running_ms_;
-    update_references();
+    update_laws();
 }
 
 void Runner::step_stage() {
@@ -153,13 +165,18 @@ void Runner::guard(const Stage& stage) const {
     }
 }
 
+// Back to the start of the present step.
+void Runner::leave_step() {
+    if (!go_to({step_, 0}) && history_.last()) restore(*history_.last());
+    reach_ = place();
+}
+
 void Runner::fail(Failure failure) {
     failure.step = step_ + 1;
     failure.time = time() + base_dt_;
     if (failure.limit.empty()) failure.limit = lesson_->blow_up_hint();
-    if (!go_to({step_, 0}) && history_.last()) restore(*history_.last());
+    leave_step();
     failure_ = failure;
-    reach_ = place();
     throw Diverged(std::move(failure));
 }
 

@@ -45,6 +45,9 @@ public:
     // this step and of the one before are always kept. Throws Refused.
     explicit Runner(const LessonEntry& entry, const Assignments& assignments = {}, std::size_t history_bytes = 64u << 20);
 
+    // Refuses what could not begin, without making it: a lesson of its own tells. Throws Refused.
+    static void check(const LessonEntry& entry, const Assignments& assignments, const std::vector<Event>& events = {});
+
     const LessonInfo& info() const { return entry_->info; }
     const Lesson& lesson() const { return *lesson_; }
 
@@ -53,6 +56,9 @@ public:
     // nothing has changed.
     void assign(const Assignments& assignments);
     void assign(std::string_view key, Real value);
+    // By the parameters themselves, which have to be those of this lesson: else it throws std::logic_error.
+    using Values = std::vector<std::pair<const Parameter*, Real>>;
+    void assign_values(const Values& values) { write_or_reset(own(values)); }
     // As a scene does: these values, every other parameter at its initial one, then a reset.
     void load(const Assignments& assignments);
     // The value that the parameter has, or will have from the next step on.
@@ -70,7 +76,8 @@ public:
 
     // --- forward ---
     // Each throws Diverged when a stage fails or writes a number that is not finite or beyond its bound. The state is then that
-    // of the start of the step, and `failure` tells what happened.
+    // of the start of the step, and `failure` tells what happened. Each tells a Watch which stage it runs, and throws Cancelled:
+    // between two passes it then stands where it was, within one at the start of the step.
     void step_pass();
     void step_stage();
     void step();
@@ -97,6 +104,8 @@ public:
     const std::vector<Execution>& executed_before() const { return executed_before_; }
 
     // --- where we are ---
+    // Another number whenever something may have changed that a picture or a panel shows.
+    long revision() const { return revision_; }
     Place place() const { return {step_, passes_}; }
     bool inside_step() const { return passes_ > 0; }
     // The stages that the present scene uses, in order.
@@ -114,36 +123,45 @@ public:
     void note_failure(const Failure& failure) { failure_ = failure; }
 
     // --- what it costs, and whether it holds ---
-    const StageCost& cost(std::size_t stage) const { return costs_[stage]; }  // index in lesson().stages
-    Real step_ms() const { return step_ms_; }                                 // of the latest whole step
+    const StageCost& cost(const Stage& stage) const { return costs_[number(stage)]; }  // of lesson().stages
+    Real step_ms() const { return step_ms_; }                                          // of the latest whole step
     // Empty where undefined. Throws Diverged when it is not finite.
     std::optional<Real> value(const Probe& probe) const;
     std::optional<Real> exact(const Probe& probe) const;
+    // Throws Diverged for the first probe, or closed form, that is not finite.
+    void check_probes() const;
     Holds holds(std::size_t conserved) const;  // index in lesson().conserved
-    Real drift(std::size_t conserved) const;   // distance from what the law demands, in the unit of the probe
+    // Distance from what the law demands, infinite where the probe is not finite, and how much of it is tolerated, in the unit of
+    // the probe.
+    Real drift(std::size_t conserved) const;
+    Real tolerance(std::size_t conserved) const;
     // The laws to show: of several laws for one probe those that are expected to hold now, or else the first.
     std::vector<std::size_t> shown_laws() const;
 
 private:
     friend class Revisit;
-    using Values = std::vector<std::pair<Parameter*, Real>>;
 
-    Values parse(const Assignments& assignments) const;
-    void write(const Values& values);  // all or, when the lesson refuses them, none
-    void write_or_reset(const Values& values);
+    using Writes = std::vector<std::pair<Parameter*, Real>>;
+    Writes parse(const Assignments& assignments) const;
+    Writes own(const Values& values) const;
+    void write(const Writes& values);  // all or, when the lesson refuses them, none
+    void write_or_reset(const Writes& values);
     void apply_events();
     void apply(const Event& event);
-    void note_assigned(const Values& values);
+    void note_assigned(const Writes& values);
+    void reset_or_leave();
     void start_fresh();
     void collect_active();
-    void renew_references();
-    void update_references();
+    void renew_laws();
+    void update_laws();
+    std::optional<LawStart> start_of(const Conserved& law) const;
 
     void begin_step();
     void end_step();
     void run_pass(const Stage& stage);
     void finish_stage(const Stage& stage, bool loop);
     void guard(const Stage& stage) const;
+    void leave_step();
     [[noreturn]] void fail(Failure failure);
 
     void store_snapshot();
@@ -155,13 +173,14 @@ private:
     std::unique_ptr<Lesson> lesson_;
     std::vector<const Stage*> active_;
     std::vector<StageCost> costs_;
-    Values pending_;
+    Writes pending_;
     std::vector<Event> events_;
     Recording recording_;
     std::optional<Pull> pull_;
     std::optional<Failure> failure_;
     History history_;
     bool replaying_ = false;
+    long revision_ = 0;
 
     Index step_ = 0, passes_ = 0, stage_passes_ = 0;
     std::size_t stage_ = 0;
@@ -172,7 +191,7 @@ private:
     Index base_step_ = 0;               // the time step has been base_dt_ since this step,
     Real base_time_ = 0, base_dt_ = 0;  // which began at base_time_
     Real step_ms_ = 0, running_ms_ = 0, stage_ms_ = 0;
-    std::vector<std::optional<Real>> references_;  // what each conserved quantity was when its law began to hold
+    std::vector<std::optional<LawStart>> law_starts_;  // of each conserved quantity whose law holds now
 };
 
 }  // namespace pliant

@@ -1,5 +1,6 @@
 // How a run goes back: a stored state, run forward again to the wanted place.
 #include <pliant/lesson/runner.h>
+#include <pliant/math/watch.h>
 
 #include <algorithm>
 
@@ -11,18 +12,19 @@ void Runner::store_snapshot() {
     s.parameters.clear();
     for (const Parameter* p : lesson_->parameters) s.parameters.push_back(p->value());
     s.pull = pull_;
-    s.references = references_;
+    s.law_starts = law_starts_;
     save_state(*lesson_, s.state);
     history_.added();
 }
 
 void Runner::restore(const Snapshot& s) {
+    ++revision_;
     for (std::size_t i = 0; i < s.parameters.size(); ++i) lesson_->parameters[i]->set(s.parameters[i]);
     if (s.step == 0) start_fresh();
     load_state(*lesson_, s.state);
     pull_ = s.pull;
     lesson_->pull(pull_);
-    references_ = s.references;
+    law_starts_ = s.law_starts;
     base_step_ = s.base_step, base_time_ = s.base_time, base_dt_ = s.base_dt;
     step_ = s.step;
     passes_ = stage_passes_ = 0;
@@ -58,6 +60,7 @@ bool Runner::restore_start(Index step) {
 
 bool Runner::go_to(Place to) {
     if (to.step < 0 || to.passes < 0 || to > reach_) return false;
+    const Uncancelled replay;
     replaying_ = true;
     bool found = false;
     try {

@@ -3,8 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pliant {
+
+namespace {
+// Of the terms of a sum, after many steps with a rounding in each.
+constexpr Real rounding_of_sums = 1e-11;
+}  // namespace
 
 Real Runner::time() const { return base_time_ + static_cast<Real>(step_ - base_step_) * base_dt_; }
 
@@ -28,34 +34,51 @@ std::optional<Real> Runner::exact(const Probe& probe) const {
     return probe.exact ? finite(probe.exact(time()), probe, step_, time()) : std::nullopt;
 }
 
-void Runner::renew_references() {
-    references_.assign(lesson_->conserved.size(), std::nullopt);
-    update_references();
+void Runner::check_probes() const {
+    for (const Probe& probe : lesson_->probes) value(probe), exact(probe);
 }
 
-void Runner::update_references() {
-    for (std::size_t i = 0; i < references_.size(); ++i) {
+std::optional<LawStart> Runner::start_of(const Conserved& c) const {
+    const std::optional<Real> value = lesson_->probe(c.probe).value();
+    return value ? std::optional(LawStart{*value, c.tolerance()}) : std::nullopt;
+}
+
+void Runner::renew_laws() {
+    law_starts_.assign(lesson_->conserved.size(), std::nullopt);
+    update_laws();
+}
+
+void Runner::update_laws() {
+    for (std::size_t i = 0; i < law_starts_.size(); ++i) {
         const Conserved& c = lesson_->conserved[i];
         if (c.expected && !c.expected())
-            references_[i].reset();
-        else if (!references_[i])
-            references_[i] = lesson_->probe(c.probe).value();
+            law_starts_[i].reset();
+        else if (!law_starts_[i])
+            law_starts_[i] = start_of(c);
     }
 }
 
 Real Runner::drift(std::size_t i) const {
     const Conserved& c = lesson_->conserved[i];
-    const std::optional<Real> now = value(lesson_->probe(c.probe));
-    if (!now || !references_[i]) return 0;
+    const std::optional<Real> now = lesson_->probe(c.probe).value();
+    if (!now || !law_starts_[i]) return 0;
+    if (!std::isfinite(*now)) return std::numeric_limits<Real>::infinity();
+    const Real start = law_starts_[i]->value;
     switch (c.law) {
         case Law::constant:
-            return std::abs(*now - *references_[i]);
+            return std::abs(*now - start);
         case Law::never_grows:
-            return std::max(Real{0}, *now - *references_[i]);
+            return std::max(Real{0}, *now - start);
         case Law::zero:
             return std::abs(*now);
     }
     return 0;
+}
+
+Real Runner::tolerance(std::size_t i) const {
+    const Conserved& c = lesson_->conserved[i];
+    const bool since_the_start = c.law != Law::zero && law_starts_[i];
+    return (since_the_start ? law_starts_[i]->tolerance : c.tolerance()) + (c.cancels ? rounding_of_sums * c.cancels() : 0);
 }
 
 std::vector<std::size_t> Runner::shown_laws() const {
@@ -74,8 +97,8 @@ std::vector<std::size_t> Runner::shown_laws() const {
 
 Holds Runner::holds(std::size_t i) const {
     const Conserved& c = lesson_->conserved[i];
-    if (!references_[i] || (c.expected && !c.expected())) return Holds::not_expected;
-    return drift(i) <= c.tolerance() ? Holds::yes : Holds::no;
+    if (!law_starts_[i] || (c.expected && !c.expected())) return Holds::not_expected;
+    return drift(i) <= tolerance(i) ? Holds::yes : Holds::no;
 }
 
 }  // namespace pliant

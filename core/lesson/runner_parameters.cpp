@@ -1,13 +1,15 @@
 // How parameters, scenes and events reach a lesson; how a run starts.
 #include <pliant/lesson/runner.h>
+#include <pliant/math/watch.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace pliant {
 
-Runner::Values Runner::parse(const Assignments& assignments) const {
-    Values values;
+Runner::Writes Runner::parse(const Assignments& assignments) const {
+    Writes values;
     for (const auto& [key, text] : assignments) {
         Parameter& p = lesson_->parameter(key);
         values.emplace_back(&p, p.parse(text));
@@ -15,7 +17,29 @@ Runner::Values Runner::parse(const Assignments& assignments) const {
     return values;
 }
 
-void Runner::write(const Values& values) {
+void Runner::check(const LessonEntry& entry, const Assignments& assignments, const std::vector<Event>& events) {
+    const auto lesson = entry.make();
+    for (const auto& [key, text] : assignments) {
+        Parameter& p = lesson->parameter(key);
+        p.set(p.parse(text));
+    }
+    lesson->check();
+    for (const Event& e : events)
+        for (const auto& [key, text] : e.assign) lesson->parameter(key).parse(text);
+}
+
+Runner::Writes Runner::own(const Values& values) const {
+    Writes writes;
+    for (const auto& [parameter, value] : values) {
+        const auto found = std::ranges::find(lesson_->parameters, parameter);
+        if (found == lesson_->parameters.end()) throw std::logic_error("a parameter of another lesson is assigned");
+        writes.emplace_back(*found, value);
+    }
+    return writes;
+}
+
+void Runner::write(const Writes& values) {
+    ++revision_;
     std::vector<Real> before;
     for (const Parameter* p : lesson_->parameters) before.push_back(p->value());
     try {
@@ -31,7 +55,7 @@ void Runner::assign(const Assignments& assignments) { write_or_reset(parse(assig
 
 void Runner::assign(std::string_view key, Real value) { write_or_reset({{&lesson_->parameter(key), value}}); }
 
-void Runner::write_or_reset(const Values& values) {
+void Runner::write_or_reset(const Writes& values) {
     // What was run before after this place is another future now.
     reach_ = place();
     const bool rebuild = std::ranges::any_of(
@@ -39,15 +63,16 @@ void Runner::write_or_reset(const Values& values) {
     if (!rebuild && inside_step()) {
         for (const auto& [parameter, value] : values) parameter->check(value);
         note_assigned(values);
+        ++revision_;
         pending_.insert(pending_.end(), values.begin(), values.end());
         return;
     }
     std::vector<Real> before;
     for (const Parameter* p : lesson_->parameters) before.push_back(p->value());
     write(values);
-    if (!rebuild) return note_assigned(values), renew_references();
+    if (!rebuild) return note_assigned(values), renew_laws();
     try {
-        reset();
+        reset_or_leave();
     } catch (const Error&) {
         for (std::size_t i = 0; i < before.size(); ++i) lesson_->parameters[i]->set(before[i]);
         reset();
@@ -56,14 +81,14 @@ void Runner::write_or_reset(const Values& values) {
 }
 
 // Inside a step they take effect with the next one; before anything has run they are what the run begins with.
-void Runner::note_assigned(const Values& values) {
+void Runner::note_assigned(const Writes& values) {
     for (const auto& [parameter, value] : values)
         if (parameter->info.effect == Effect::live)
             recording_.assign(*parameter, value, inside_step() ? step_ + 1 : step_, place() == Place{});
 }
 
 void Runner::load(const Assignments& assignments) {
-    Values values;
+    Writes values;
     for (Parameter* p : lesson_->parameters) values.emplace_back(p, p->info.initial);
     for (const auto& value : parse(assignments)) values.push_back(value);
     pending_.clear();
@@ -103,12 +128,18 @@ void Runner::apply_events() {
 }
 
 void Runner::apply(const Event& e) {
-    if (!e.assign.empty()) write(parse(e.assign)), renew_references();
+    if (!e.assign.empty()) write(parse(e.assign)), renew_laws();
     if (e.pull) pull_ = e.pull;
     if (e.release) pull_.reset();
 }
 
 void Runner::reset() {
+    const Uncancelled begun;  // there is nothing to go back to
+    reset_or_leave();
+}
+
+// Called off, it leaves the lesson half made.
+void Runner::reset_or_leave() {
     lesson_->check();
     pending_.clear();
     pull_.reset();
@@ -122,6 +153,7 @@ void Runner::reset() {
 
 // The initial state, without touching the stored past.
 void Runner::start_fresh() {
+    ++revision_;
     lesson_->pull(std::nullopt);
     lesson_->reset();
     failure_.reset();
@@ -131,13 +163,13 @@ void Runner::start_fresh() {
     last_stage_.reset();
     executed_.clear(), executed_before_.clear();
     collect_active();
-    renew_references();
+    renew_laws();
 }
 
+// In place: whoever goes through the stages may have the run go back and forth meanwhile.
 void Runner::collect_active() {
-    active_.clear();
-    for (const Stage& s : lesson_->stages)
-        if (s.in_use()) active_.push_back(&s);
+    const auto used = lesson_->stages_in_use();
+    active_.assign(used.begin(), used.end());
 }
 
 }  // namespace pliant

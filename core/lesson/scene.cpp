@@ -19,13 +19,12 @@ void Scene::clear() {
 std::vector<float> Scene::values(const Lesson& lesson, On on) const {
     const Field* field = lesson.find_field(colour_by.field);
     if (!field || field->on != on || !field->in_use()) return {};
-    std::vector<float> numbers(static_cast<std::size_t>(field->size()));
-    if (override_values && override_values->size() == numbers.size()) {
-        std::ranges::transform(*override_values, numbers.begin(), [](Real x) { return static_cast<float>(x); });
-        return numbers;
-    }
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = static_cast<float>(row_value(*field, static_cast<Index>(i), colour_by.component));
+    // A field is looked at once: its numbers may be computed when they are asked for.
+    std::vector<Real> own;
+    row_values(*field, colour_by.component, own);
+    const std::vector<Real>& shown = override_values && override_values->size() == own.size() ? *override_values : own;
+    std::vector<float> numbers(shown.size());
+    std::ranges::transform(shown, numbers.begin(), [](Real x) { return static_cast<float>(x); });
     return numbers;
 }
 

@@ -29,7 +29,8 @@ public:
         SceneFile scene;
         if (!root.contains("lesson")) refuse("", "the key \"lesson\" is missing: name a lesson such as \"mesh/mass_spring\"");
         const LessonEntry* entry = nullptr;
-        checked("/lesson", [&] { entry = &find_lesson(text_at(root, "lesson", "/lesson")); });
+        const std::string name = text_at(root, "lesson", "/lesson");
+        checked("/lesson", [&] { entry = &find_lesson(name); });
         scene.lesson = entry->info.id;
         lesson_ = entry->make();
         if (root.contains("parameters")) scene.parameters = assignments(root["parameters"], "/parameters");

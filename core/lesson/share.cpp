@@ -12,8 +12,8 @@
 namespace pliant {
 namespace {
 
-constexpr std::string_view name = "pliant", prefix = "pliant1:", blanks = " \t\r\n\v\f";
-constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr std::string_view share_name = "pliant", share_prefix = "pliant1:", share_blanks = " \t\r\n\v\f";
+constexpr std::string_view share_letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr const char* copy_again = "copy the whole share string again";
 
 using Bytes = std::vector<unsigned char>;
@@ -24,9 +24,9 @@ std::string to_letters(const Bytes& bytes) {
     int count = 0;
     for (const unsigned char b : bytes) {
         bits = (bits << 8) | b;
-        for (count += 8; count >= 6; count -= 6) text += letters[(bits >> (count - 6)) & 63];
+        for (count += 8; count >= 6; count -= 6) text += share_letters[(bits >> (count - 6)) & 63];
     }
-    if (count > 0) text += letters[(bits << (6 - count)) & 63];
+    if (count > 0) text += share_letters[(bits << (6 - count)) & 63];
     return text;
 }
 
@@ -36,7 +36,7 @@ Bytes from_letters(std::string_view text) {
     std::uint32_t bits = 0;
     int count = 0;
     for (const char c : text) {
-        const auto at = letters.find(c);
+        const auto at = share_letters.find(c);
         if (at == std::string_view::npos)
             throw Refused(
                 fmt::format("the share string holds the character {}, which is not one of A-Z, a-z, 0-9, - and _: {}",
@@ -95,14 +95,14 @@ std::string inflated(const Bytes& bytes) {
 
 std::string without_blanks(std::string_view text) {
     std::string rest(text);
-    std::erase_if(rest, [](char c) { return blanks.find(c) != std::string_view::npos; });
+    std::erase_if(rest, [](char c) { return share_blanks.find(c) != std::string_view::npos; });
     return rest;
 }
 
 // The number in "pliant12:", as it is written.
 std::optional<std::string> version_of(std::string_view text) {
-    if (!text.starts_with(name)) return std::nullopt;
-    text.remove_prefix(name.size());
+    if (!text.starts_with(share_name)) return std::nullopt;
+    text.remove_prefix(share_name.size());
     const auto end = text.find_first_not_of("0123456789");
     if (end == 0 || end == std::string_view::npos || text[end] != ':') return std::nullopt;
     return std::string(text.substr(0, end));
@@ -121,7 +121,7 @@ std::string share_text(const SceneFile& scene) {
         throw Refused(fmt::format(
             "this scene has {} bytes, a share string holds {}: too much was done in it. Save it as a file, or reset it first",
             text.size(), largest_shared_scene));
-    return fmt::format("{}{}", prefix, to_letters(deflated(text)));
+    return fmt::format("{}{}", share_prefix, to_letters(deflated(text)));
 }
 
 SceneFile read_share(std::string_view given) {
@@ -131,10 +131,10 @@ SceneFile read_share(std::string_view given) {
         throw Refused(
             fmt::format("this is no share string, which begins with \"{}\": copy one with File > Copy share string or "
                         "`pliant share`",
-                        prefix));
-    if (!text.starts_with(prefix))
+                        share_prefix));
+    if (!text.starts_with(share_prefix))
         throw Refused(fmt::format("this share string is of version {}, this program reads version 1: update Pliant", *version));
-    return parse_scene(inflated(from_letters(std::string_view(text).substr(prefix.size()))), "share string");
+    return parse_scene(inflated(from_letters(std::string_view(text).substr(share_prefix.size()))), "share string");
 }
 
 SceneFile open_scene_text(const std::string& share_or_path) {

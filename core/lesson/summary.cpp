@@ -64,7 +64,7 @@ std::string law_sentence(const Runner& r, std::size_t i) {
     const std::string_view unit = r.lesson().probe(c.probe).unit;
     return fmt::format("{} should {}, and this {}: off by {}, tolerated {}.\n", spoken(c.probe), law_words(c.law),
                        holds == Holds::yes ? "holds" : "fails", format_quantity(r.drift(i), unit, 3),
-                       format_quantity(c.tolerance(), unit, 3));
+                       format_quantity(r.tolerance(i), unit, 3));
 }
 
 std::string failure_sentence(const Failure& f) {

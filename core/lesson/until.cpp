@@ -14,6 +14,8 @@ void one_step(Runner& runner, const std::function<void()>& after_step) {
 }
 
 void run_to_rest(Runner& runner, const std::function<void()>& after_step) {
+    if (const std::string why = runner.lesson().unrest(); !why.empty())
+        throw Refused(fmt::format("this scene never comes to rest: {}. Give --steps or --time", why));
     for (Index i = 0; !runner.lesson().at_rest(); ++i) {
         if (i == max_steps_to_rest)
             throw Diverged({.stage = {},

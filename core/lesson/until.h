@@ -19,8 +19,8 @@ struct Until {
 
 // Runs whole steps; calls after_step, where given, behind each of them. A time that is not a multiple of the time step is rounded
 // to the nearest one: steps are never shortened. A static lesson has no clock: any time runs it to rest. Throws Refused for a
-// negative count, or a time that is negative or not finite; Diverged as the runner does, and when rest is not reached in
-// max_steps_to_rest.
+// negative count, a time that is negative or not finite, or a scene that never comes to rest; Diverged as the runner does, and
+// when rest is not reached in max_steps_to_rest.
 void advance(Runner& runner, const Until& until, const std::function<void()>& after_step = {});
 
 inline constexpr Index max_steps_to_rest = 200000;

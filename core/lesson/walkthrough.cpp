@@ -1,5 +1,6 @@
 // Plays a walkthrough: its actions, and what it expects.
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/number_text.h>
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/until.h>
 #include <pliant/lesson/walkthrough.h>
@@ -7,22 +8,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace pliant {
-namespace {
-
-std::optional<Real> as_number(std::string_view text) {
-    Real value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
-}  // namespace
-
 WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
     : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {
     check_controls();
@@ -98,37 +86,28 @@ void WalkthroughPlayer::reveal() {
 
 namespace {
 
-Runner::Assignments assignments_of(const std::vector<std::string>& words) {
-    Runner::Assignments result;
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        const auto equals = words[i].find('=');
-        if (equals == std::string::npos) throw Refused(fmt::format("'{}' is not KEY=VALUE", words[i]));
-        result.emplace_back(words[i].substr(0, equals), words[i].substr(equals + 1));
-    }
-    return result;
-}
-
 // "run 20 steps", "run 0.5 s", "run rest", "run to advection".
 void run_for(Runner& runner, const std::vector<std::string>& words, const std::function<void()>& after_step) {
     if (words.size() == 2 && words[1] == "rest") return advance(runner, Until::at_rest(), after_step);
-    const auto amount = words.size() == 3 ? as_number(words[1]) : std::nullopt;
-    if (amount && words[2] == "s") return advance(runner, Until::after_time(*amount), after_step);
-    if (amount && words[2].starts_with("step"))
-        return advance(runner, Until::after_steps(static_cast<Index>(*amount)), after_step);
+    if (words.size() == 3 && words[2] == "s")
+        if (const auto seconds = finite_number(words[1])) return advance(runner, Until::after_time(*seconds), after_step);
+    if (words.size() == 3 && (words[2] == "steps" || words[2] == "step"))
+        if (const auto steps = whole_number(words[1])) return advance(runner, Until::after_steps(*steps), after_step);
     if (words.size() == 3 && words[1] == "to") return runner.run_to_stage(words[2]);
     throw Refused("run needs one of: N steps, T s, rest, to STAGE");
 }
 
 Pull pull_of(const std::vector<std::string>& words) {
-    std::array<Real, 4> numbers{};
-    constexpr std::array<std::size_t, 4> where{1, 3, 4, 5};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto value = words.size() == 6 ? as_number(words[where[i]]) : std::nullopt;
-        if (!value) throw Refused("pull needs: INDEX to X Y Z");
-        numbers[i] = *value;
+    const auto index = words.size() == 6 && words[2] == "to" ? whole_number(words[1]) : std::nullopt;
+    Vec<3> to;
+    bool complete = index.has_value();
+    for (std::size_t i = 0; complete && i < 3; ++i) {
+        const auto value = finite_number(words[3 + i]);
+        complete = value.has_value();
+        to[static_cast<Index>(i)] = value.value_or(0);
     }
-    const Vec<3> to(numbers[1], numbers[2], numbers[3]);
-    return {static_cast<Index>(numbers[0]), to, to};
+    if (!complete) throw Refused("pull needs: INDEX to X Y Z");
+    return {*index, to, to};
 }
 
 }  // namespace
@@ -145,15 +124,16 @@ void WalkthroughPlayer::act(const std::string& line, int number) {
 }
 
 void WalkthroughPlayer::perform(const std::vector<std::string>& words) {
-    if (words[0] == "set") return runner_.assign(assignments_of(words));
-    if (words[0] == "reset") return runner_.reset();
+    if (words[0] == "set" && words.size() > 1) return runner_.assign(assignments_of(words));
+    if (words[0] == "reset" && words.size() == 1) return runner_.reset();
     if (words[0] == "run") return run_for(runner_, words, after_step_);
-    if (words[0] == "release") return runner_.pull(std::nullopt);
+    if (words[0] == "release" && words.size() == 1) return runner_.pull(std::nullopt);
     if (words[0] == "pull") return runner_.pull(pull_of(words));
     if (words[0] == "preset" && words.size() == 2)
         return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
     if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
-    throw Refused("unknown action; known: set, reset, run, show, pull, release, preset");
+    throw Refused(
+        "no such action; there are: set KEY=VALUE ..., reset, run, show FIELD, pull INDEX to X Y Z, release, preset NAME");
 }
 
 Real WalkthroughPlayer::quantity(std::string_view name) const {
@@ -175,11 +155,11 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
     // The right side, with its optional factor.
     std::size_t at = 2;
     Real factor = 1;
-    if (const auto number_first = as_number(words[at]); number_first && at + 1 < words.size() && words[at + 1] != "within")
+    if (const auto number_first = finite_number(words[at]); number_first && at + 1 < words.size() && words[at + 1] != "within")
         factor = *number_first, ++at;
     const std::string& term = words[at++];
     Real right = 0;
-    if (const auto constant = as_number(term))
+    if (const auto constant = finite_number(term))
         right = *constant;
     else if (term == "exact")
         right = runner_.exact(runner_.lesson().probe(words[0])).value();
@@ -192,15 +172,18 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
     const std::string& op = words[1];
     bool met = false;
     if (op == "=") {
-        const auto tolerance = at + 1 < words.size() && words[at] == "within" ? as_number(words[at + 1]) : std::nullopt;
+        const auto tolerance = at + 1 < words.size() && words[at] == "within" ? finite_number(words[at + 1]) : std::nullopt;
         if (!tolerance) throw Refused("= needs a tolerance: within 1e-6, or within 1e-6 relative");
-        const bool relative = at + 2 < words.size() && words[at + 2] == "relative";
+        at += 2;
+        const bool relative = at < words.size() && words[at] == "relative";
+        if (relative) ++at;
         met = std::abs(left - right) <= *tolerance * (relative ? std::abs(right) : 1);
     } else if (op == "<" || op == "<=" || op == ">" || op == ">=") {
         met = op == "<" ? left < right : op == "<=" ? left <= right : op == ">" ? left > right : left >= right;
     } else {
         throw Refused(fmt::format("unknown comparison '{}'; known: < <= > >= =", op));
     }
+    if (at < words.size()) throw Refused(fmt::format("'{}' is more than an expectation says: leave it out", words[at]));
     return {line, met, fmt::format("{} = {}, against {}", words[0], format_exact(left), format_exact(right)), number};
 } catch (const Refused& e) {
     refuse(number, fmt::format("{} (in '{}')", e.what(), line));

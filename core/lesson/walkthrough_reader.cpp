@@ -18,6 +18,16 @@ std::vector<std::string> words_of_line(const std::string& line) {
     return {std::istream_iterator<std::string>(in), {}};
 }
 
+Runner::Assignments assignments_of(const std::vector<std::string>& words) {
+    Runner::Assignments result;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const auto equals = words[i].find('=');
+        if (equals == std::string::npos) throw Refused(fmt::format("'{}' is not KEY=VALUE", words[i]));
+        result.emplace_back(words[i].substr(0, equals), words[i].substr(equals + 1));
+    }
+    return result;
+}
+
 std::string trimmed(std::string_view line) {
     const auto first = line.find_first_not_of(" \t\r"), last = line.find_last_not_of(" \t\r");
     return first == std::string_view::npos ? "" : std::string(line.substr(first, last - first + 1));
@@ -62,6 +72,8 @@ private:
     }
 
     void take(const std::string& line) {
+        if (const auto at = line.find('\0'); at != std::string::npos)
+            refuse(fmt::format("a NUL byte stands in column {}: this is no text, or it was damaged", at + 1));
         if (line.starts_with("```")) return fence(trimmed(line.substr(3)));
         if (inside_) return block().lines.push_back(line);
         if (line.starts_with("## ")) return result_.slides.push_back({trimmed(line.substr(3)), {}});

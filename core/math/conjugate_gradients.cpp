@@ -1,5 +1,6 @@
 #include <pliant/math/conjugate_gradients.h>
 #include <pliant/math/error.h>
+#include <pliant/math/watch.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
@@ -164,7 +165,7 @@ bool ConjugateGradients::has_drifted() {
 }
 
 void ConjugateGradients::solve() {
-    while (running()) iterate();
+    while (running()) cancel_point(), iterate();
 }
 
 Real ConjugateGradients::condition_seen() const {

@@ -5,7 +5,7 @@
 
 namespace pliant {
 
-ConstrainedSystem::ConstrainedSystem(const SparseMatrix& full, const std::vector<char>& prescribed) : full_size_(full.rows()) {
+ConstrainedSystem::ConstrainedSystem(const SparseMatrix& full, const std::vector<char>& prescribed) {
     if (full.rows() != full.cols() || static_cast<std::size_t>(full.cols()) != prescribed.size())
         throw Refused(fmt::format("a {} × {} matrix does not fit {} unknowns", full.rows(), full.cols(), prescribed.size()));
 

@@ -17,7 +17,6 @@ public:
 
     const SparseMatrix& matrix() const { return matrix_; }  // free × free
     Index size() const { return static_cast<Index>(free_.size()); }
-    Index full_size() const { return full_size_; }
     const std::vector<int>& free() const { return free_; }  // numbers of the free unknowns, ascending
 
     // Free entries of a full vector; and a full vector's free entries set, the prescribed ones left as they are.
@@ -25,7 +24,6 @@ public:
     void expand(const VecX& reduced, VecX& full) const;
 
 private:
-    Index full_size_;
     std::vector<int> free_;
     SparseMatrix matrix_;
     std::vector<int> source_;  // per entry of matrix_: index of its value in the full matrix

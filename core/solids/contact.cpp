@@ -16,35 +16,74 @@ void require_valid(const Ground& ground) {
         throw Refused("friction", ground.friction, "", "a finite number >= 0");
 }
 
-template <int Dim>
-Touch touch_of(const Ground& ground, const DiagonalMass& mass, PointsIn<Dim> x, std::span<const Real> arrested, Index node) {
-    if (mass.fixed(Dim * node + up)) return Touch::none;
-    if (x(up, node) < ground.height) return Touch::below;
-    return !arrested.empty() && arrested[static_cast<std::size_t>(node)] > 0 ? Touch::arrested : Touch::none;
+Real Approach::impact() const {
+    const Real u = speed_at_start(), twice = acceleration() + (late ? acceleration_there : acceleration());
+    return std::sqrt(std::max(u * u + height * twice, Real(0)));
+}
+
+Real Approach::rebound(Real restitution) const {
+    const Real w = restitution * impact();
+    if (!late) return w;
+    return w <= dt * acceleration_there ? 0 : std::max(w + dt / 2 * acceleration_there, Real(0));
 }
 
 template <int Dim>
-Index resolve_ground_contact(const Ground& ground, const DiagonalMass& mass, Real moved_for, PointsOut<Dim> x, PointsOut<Dim> v,
-                             std::span<const Real> arrested) {
+void GroundContact<Dim>::begin(Real dt, PointsIn<Dim> x, PointsIn<Dim> v) {
+    dt_ = dt;
+    start_x_ = x;
+    start_v_ = v;
+    arrested_.clear();
+    touches_.assign(static_cast<std::size_t>(x.cols()), Touch::none);
+    approaches_.assign(touches_.size(), {});
+}
+
+template <int Dim>
+void GroundContact<Dim>::arrest(const TimeIntegrator& integrator, const DiagonalMass& mass) {
+    arrested_.resize(touches_.size());
+    for (Index n = 0; n < mass.size() / Dim; ++n)
+        arrested_[static_cast<std::size_t>(n)] =
+            integrator.impulse_time() * integrator.solver().reaction(Dim * n + up) * mass.inverse()[Dim * n + up];
+}
+
+template <int Dim>
+Touch GroundContact<Dim>::touch_of(const Ground& ground, const DiagonalMass& mass, PointsIn<Dim> x, Index node) const {
+    if (mass.fixed(Dim * node + up)) return Touch::none;
+    if (x(up, node) < ground.height) return Touch::below;
+    return taken(node) > 0 ? Touch::arrested : Touch::none;
+}
+
+template <int Dim>
+Index GroundContact<Dim>::resolve(const Ground& ground, const DiagonalMass& mass, Scheme scheme, const ForceAt& force,
+                                  PointsOut<Dim> x, PointsOut<Dim> v) {
+    const bool late = scheme == Scheme::semi_implicit_euler;
     Index touching = 0;
     for (Index n = 0; n < x.cols(); ++n) {
-        const Touch touch = touch_of<Dim>(ground, mass, x, arrested, n);
-        if (touch == Touch::none) continue;
-        const Real already = arrested.empty() ? 0 : arrested[static_cast<std::size_t>(n)];
-        const bool below = touch == Touch::below;
-        ++touching;
-        if (below) x(up, n) = ground.height;
-        const Real impact = already + (below ? std::max(-v(up, n), Real(0)) : 0);
-        if (impact == 0) continue;
-        v(up, n) = std::max(v(up, n), Real(0)) + ground.restitution * impact;
+        Touch& touch = touches_[static_cast<std::size_t>(n)];
+        touch = touch_of(ground, mass, x, n);
+        touching += touch != Touch::none;
+        if (touch == Touch::below) x(up, n) = ground.height;
+    }
+    if (touching == 0) return 0;
+    force_.setZero(x.size());
+    if (late) force(flat(x), flat(v), force_);
+    for (Index n = 0; n < x.cols(); ++n) {
+        if (touch(n) == Touch::none) continue;
+        Approach& approach = approaches_[static_cast<std::size_t>(n)];
+        approach = {.height = std::max(start_x_(up, n) - ground.height, Real(0)),
+                    .speed = -start_v_(up, n),
+                    .free_speed = taken(n) - v(up, n),
+                    .dt = dt_,
+                    .late = late,
+                    .acceleration_there = -force_[Dim * n + up] * mass.inverse()[Dim * n + up]};
+        v(up, n) = approach.rebound(ground.restitution);
 
         Vec<Dim> along = v.col(n);
         along[up] = 0;
-        const Real speed = along.norm(), most = ground.friction * (1 + ground.restitution) * impact;
+        const Real speed = along.norm(), most = ground.friction * std::max(v(up, n) + approach.free_speed, Real(0));
         if (speed == 0) continue;
         const Vec<Dim> change = -std::min(Real(1), most / speed) * along;
         v.col(n) += change;
-        x.col(n) += moved_for * change;
+        if (late) x.col(n) += dt_ * change;
     }
     return touching;
 }
@@ -55,22 +94,9 @@ void set_ground_bounds(const Ground& ground, PointsIn<Dim> x, VecX& lower_bound)
     for (Index n = 0; n < x.cols(); ++n) lower_bound[Dim * n + up] = std::min(ground.height, x(up, n));
 }
 
-template <int Dim>
-void arrested_speeds(const ImplicitSolver& solver, const DiagonalMass& mass, Real dt, std::vector<Real>& arrested) {
-    arrested.resize(static_cast<std::size_t>(mass.size() / Dim));
-    for (Index n = 0; n < mass.size() / Dim; ++n)
-        arrested[static_cast<std::size_t>(n)] = dt * solver.reaction(Dim * n + up) * mass.inverse()[Dim * n + up];
-}
-
-#define PLIANT_INSTANTIATE(Dim)                                                                                          \
-    template Touch touch_of<Dim>(const Ground&, const DiagonalMass&, PointsIn<Dim>, std::span<const Real>, Index);       \
-    template Index resolve_ground_contact<Dim>(const Ground&, const DiagonalMass&, Real, PointsOut<Dim>, PointsOut<Dim>, \
-                                               std::span<const Real>);                                                   \
-    template void set_ground_bounds<Dim>(const Ground&, PointsIn<Dim>, VecX&);                                           \
-    template void arrested_speeds<Dim>(const ImplicitSolver&, const DiagonalMass&, Real, std::vector<Real>&);
-
-PLIANT_INSTANTIATE(2)
-PLIANT_INSTANTIATE(3)
-#undef PLIANT_INSTANTIATE
+template class GroundContact<2>;
+template class GroundContact<3>;
+template void set_ground_bounds<2>(const Ground&, PointsIn<2>, VecX&);
+template void set_ground_bounds<3>(const Ground&, PointsIn<3>, VecX&);
 
 }  // namespace pliant

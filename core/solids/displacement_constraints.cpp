@@ -70,6 +70,15 @@ void DisplacementConstraints<Dim>::prescribe(const std::vector<Index>& nodes, co
 }
 
 template <int Dim>
+Real DisplacementConstraints<Dim>::distance_from(const Points<Dim>& displacement) const {
+    Real largest = 0;
+    for (Index i = 0; i < displacement.size(); ++i)
+        if (flags_[static_cast<std::size_t>(i)])
+            largest = std::max(largest, std::abs(values_.data()[i] - displacement.data()[i]));
+    return largest;
+}
+
+template <int Dim>
 MatX rigid_modes(const Points<Dim>& points) {
     constexpr int rotations = Dim * (Dim - 1) / 2;
     MatX modes = MatX::Zero(points.size(), Dim + rotations);

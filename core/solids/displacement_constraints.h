@@ -22,6 +22,8 @@ public:
     const std::vector<char>& flags() const { return flags_; }
     // The prescribed values, and 0 elsewhere.
     const Points<Dim>& values() const { return values_; }
+    // How far displacements (Dim × nodes) are from what is prescribed, at most [m].
+    Real distance_from(const Points<Dim>& displacement) const;
 
 private:
     std::vector<char> flags_;

@@ -1,3 +1,4 @@
+#include <pliant/continuum/deformation.h>
 #include <pliant/math/error.h>
 #include <pliant/math/small_eigen.h>
 #include <pliant/solids/element_materials.h>
@@ -43,12 +44,6 @@ Mat<Dim> HyperelasticFem<Dim>::deformation_gradient(Index element, const Points<
 }
 
 template <int Dim>
-void HyperelasticFem<Dim>::deformation_gradients(const Points<Dim>& displacement, Tensors<Dim>& F) const {
-    F.resize(Dim * Dim, mesh_->simplex_count());
-    for (Index e = 0; e < mesh_->simplex_count(); ++e) tensor<Dim>(F, e) = deformation_gradient(e, displacement);
-}
-
-template <int Dim>
 void HyperelasticFem<Dim>::stress(const Points<Dim>& displacement, Tensors<Dim>& P) const {
     P.resize(Dim * Dim, mesh_->simplex_count());
     Index e = 0;
@@ -88,6 +83,20 @@ template <int Dim>
 void HyperelasticFem<Dim>::stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const {
     std::fill_n(matrix.valuePtr(), static_cast<std::size_t>(matrix.nonZeros()), Real{0});
     for (Index e = 0; e < mesh_->simplex_count(); ++e) assembly_.add(e, element_stiffness(e, displacement, definite), matrix);
+}
+
+// Both ends of a step may be admitted with a mirror image between them: two axes turned over make a proper body again.
+template <int Dim>
+Real HyperelasticFem<Dim>::admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const {
+    constexpr Real margin = 0.9;
+    Real share = 1;
+    for (Index e = 0; e < mesh_->simplex_count(); ++e) {
+        if (density(e).admits(Mat<Dim>::Zero())) continue;
+        const Mat<Dim> F = deformation_gradient(e, displacement), dF = mesh_->field_gradient(e, change);
+        const Real relative = (cofactor<Dim>(F).transpose() * dF).norm() / volume_ratio<Dim>(F);
+        if (share * relative > margin) share = margin / relative;
+    }
+    return share;
 }
 
 // V B^T (dP/dF) B with B: corner displacements to F in columns; block (a, b) contracts the tangent with both gradients.

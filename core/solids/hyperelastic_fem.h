@@ -27,7 +27,6 @@ public:
     const EnergyDensity<Dim>& density(Index element) const { return densities_[static_cast<std::size_t>(element)]; }
 
     Mat<Dim> deformation_gradient(Index element, const Points<Dim>& displacement) const;
-    void deformation_gradients(const Points<Dim>& displacement, Tensors<Dim>& F) const;
     // First Piola-Kirchhoff stress [Pa]. Throws Diverged, naming the element, where the energy does not admit its F.
     void stress(const Points<Dim>& displacement, Tensors<Dim>& P) const;
 
@@ -39,6 +38,11 @@ public:
     // is positive semi-definite and Newton's direction goes downhill [Teran2005 §6]. `matrix` has the pattern.
     void stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const;
     const SparseMatrix& pattern() const { return assembly_.pattern(); }
+
+    // The share, at most 1, of a change of the displacements [m] that can be made without turning an element inside out on the
+    // way: F + s dF stays invertible up to s = 1/|F^-1 dF|. A margin is left. 1 for elements whose energy admits every F. The
+    // displacements themselves are admitted.
+    Real admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const;
 
 private:
     ElementMatrix element_stiffness(Index element, const Points<Dim>& displacement, bool definite) const;

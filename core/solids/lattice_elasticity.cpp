@@ -62,7 +62,13 @@ Plates plates_of(const SpringLattice& lattice, const Points<3>& rest, BlockTest 
     return plates;
 }
 
-[[noreturn]] void report_mechanisms(const SparseMatrix& matrix, const Diverged& cause) {
+std::string against_mechanisms(const FamilyStiffness& stiffness) {
+    if (stiffness[shear] == 0) return "Give shear springs a stiffness: edges alone fold";
+    if (stiffness[structural] == 0) return "Give structural springs a stiffness: diagonals alone leave their nodes loose";
+    return "Bring the stiffnesses of the springs nearer to each other: next to the stiffest the others are lost in rounding";
+}
+
+[[noreturn]] void report_mechanisms(const SparseMatrix& matrix, const FamilyStiffness& stiffness, const Diverged& cause) {
     std::string mechanisms = "mechanisms";
     if (matrix.cols() <= most_counted) {
         const Index count = null_dimension(matrix.cols(), [&](const VecX& x, VecX& y) { y = matrix * x; });
@@ -71,12 +77,12 @@ Plates plates_of(const SpringLattice& lattice, const Points<3>& rest, BlockTest 
     Failure failure = cause.failure;
     failure.index = -1;
     failure.what = fmt::format("singular: {} unconstrained, motions that no spring resists", mechanisms);
-    failure.limit = "Give shear springs a stiffness: edges alone fold";
+    failure.limit = against_mechanisms(stiffness);
     throw Diverged(failure);
 }
 
 // Displacements in balance, with the plates where they shall be.
-Points<3> solve(const SparseMatrix& K, const Plates& plates) {
+Points<3> solve(const SparseMatrix& K, const Plates& plates, const FamilyStiffness& stiffness) {
     ConstrainedSystem system(K, plates.flags);
     VecX u = flat(plates.value), right_side, free;
     system.reduce(VecX(-(K * u)), right_side);
@@ -84,7 +90,7 @@ Points<3> solve(const SparseMatrix& K, const Plates& plates) {
     try {
         cholesky.factorize(system.matrix());
     } catch (const Diverged& cause) {
-        report_mechanisms(system.matrix(), cause);
+        report_mechanisms(system.matrix(), stiffness, cause);
     }
     cholesky.solve(right_side, free);
     system.expand(free, u);
@@ -101,13 +107,13 @@ Real mean_strain_across(const Points<3>& rest, const Points<3>& u) {
 }  // namespace
 
 Real LatticeConstants::youngs_modulus() const {
-    if (dimension == 1) return c11;
+    if (dimension == 1 || c11 == 0) return c11;
     if (dimension == 2) return (c11 * c11 - c12 * c12) / c11;
     return (c11 - c12) * (c11 + 2 * c12) / (c11 + c12);
 }
 
 Real LatticeConstants::poisson_ratio() const {
-    if (dimension == 1) return 0;
+    if (dimension == 1 || c11 == 0) return 0;
     return dimension == 2 ? c12 / c11 : c12 / (c11 + c12);
 }
 
@@ -154,7 +160,7 @@ BlockResponse test_block(const SpringLattice& lattice, const FamilyStiffness& st
     SpringMatrix<3> matrix(springs);
     matrix.add_stiffness(springs, rest, SpringCurvature::exact);
     BlockResponse response;
-    response.displacement = solve(matrix.matrix(), plates_of(lattice, rest, test));
+    response.displacement = solve(matrix.matrix(), plates_of(lattice, rest, test), stiffness);
 
     // Energy of each spring, family by family, in the order in which lattice_springs appends them.
     const Points<3>& u = response.displacement;

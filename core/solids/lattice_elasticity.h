@@ -16,8 +16,8 @@ using FamilyStiffness = std::array<Real, spring_families>;  // N/m, of every spr
 struct LatticeConstants {
     int dimension = 3;
     Real c11 = 0, c12 = 0, c44 = 0;
-    Real youngs_modulus() const;                                // along an axis
-    Real poisson_ratio() const;                                 // pulled along an axis
+    Real youngs_modulus() const;                                // along an axis; 0 without springs
+    Real poisson_ratio() const;                                 // pulled along an axis; 0 where nothing is to narrow
     Real zener_ratio() const { return 2 * c44 / (c11 - c12); }  // 1 where isotropic
 };
 

@@ -10,19 +10,11 @@ LinearFem<Dim>::LinearFem(const SimplexMesh<Dim>& mesh, const Lame& material)
 
 template <int Dim>
 LinearFem<Dim>::LinearFem(const SimplexMesh<Dim>& mesh, std::vector<Lame> materials)
-    : mesh_(&mesh), assembly_(mesh.simplices(), mesh.node_count()), stiffness_(assembly_.pattern()) {
-    set_materials(std::move(materials));
-}
-
-template <int Dim>
-void LinearFem<Dim>::set_material(const Lame& material) {
-    set_materials(std::vector<Lame>(static_cast<std::size_t>(mesh_->simplex_count()), material));
-}
-
-template <int Dim>
-void LinearFem<Dim>::set_materials(std::vector<Lame> materials) {
-    check_materials<Dim>(materials, mesh_->simplex_count());
-    materials_ = std::move(materials);
+    : mesh_(&mesh),
+      materials_(std::move(materials)),
+      assembly_(mesh.simplices(), mesh.node_count()),
+      stiffness_(assembly_.pattern()) {
+    check_materials<Dim>(materials_, mesh_->simplex_count());
     assemble();
 }
 

@@ -21,10 +21,6 @@ public:
     LinearFem(const SimplexMesh<Dim>& mesh, const Lame& material);
     LinearFem(const SimplexMesh<Dim>& mesh, std::vector<Lame> materials);
 
-    // Keeps the sparsity pattern.
-    void set_material(const Lame& material);
-    void set_materials(std::vector<Lame> materials);
-
     const SimplexMesh<Dim>& mesh() const { return *mesh_; }
     const Lame& material(Index element) const { return materials_[static_cast<std::size_t>(element)]; }
 

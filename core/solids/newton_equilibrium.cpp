@@ -60,16 +60,7 @@ void NewtonEquilibrium<Dim>::measure() {
     residual_size_ = residual_force_.cwiseAbs().maxCoeff();
     const Real scale = std::max(internal_.cwiseAbs().maxCoeff(), force_.cwiseAbs().maxCoeff());
     residual_ = scale > 0 ? residual_size_ / scale : 0;
-    if (distance_to_supports() == 0 && residual_ <= settings_.tolerance) status_ = Status::converged;
-}
-
-template <int Dim>
-Real NewtonEquilibrium<Dim>::distance_to_supports() const {
-    Real largest = 0;
-    for (Index i = 0; i < u_.size(); ++i)
-        if (constraints_.flags()[static_cast<std::size_t>(i)])
-            largest = std::max(largest, std::abs(constraints_.values().data()[i] - u_.data()[i]));
-    return largest;
+    if (constraints_.distance_from(u_) == 0 && residual_ <= settings_.tolerance) status_ = Status::converged;
 }
 
 // K d = residual over the free components, with the supports moved by what they lack.
@@ -134,7 +125,7 @@ bool NewtonEquilibrium<Dim>::try_step(Real length, Real slope) {
     const Real work = flat(force_).dot(flat(trial_)), energy = body_->energy(trial_);
     const Real potential = energy - work;
     if (!std::isfinite(potential)) return false;
-    const bool moves_supports = distance_to_supports() > 0;
+    const bool moves_supports = constraints_.distance_from(u_) > 0;
     const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * (std::abs(energy) + std::abs(work));
     if (!moves_supports && potential > potential_ + enough_decrease * length * slope + rounding) return false;
     u_.swap(trial_);
@@ -148,8 +139,8 @@ void NewtonEquilibrium<Dim>::iterate() {
     if (!running()) return;
     find_direction();
     const Real downhill = slope(), residual_before = residual_size_;
-    const bool moves_supports = distance_to_supports() > 0;
-    Real length = 1;
+    const bool moves_supports = constraints_.distance_from(u_) > 0;
+    Real length = body_->admissible_share(u_, step_);
     while (!try_step(length, downhill)) {
         length /= 2;
         if (length < shortest_step) {
@@ -187,23 +178,7 @@ void NewtonEquilibrium<Dim>::reaction(Points<Dim>& reaction) const {
     for (const int i : system_.free()) reaction.data()[i] = 0;
 }
 
-template <int Dim>
-Points<Dim> solve_equilibrium(const HyperelasticFem<Dim>& body, const DisplacementConstraints<Dim>& constraints,
-                              const Points<Dim>& force, const Points<Dim>& u0,
-                              const typename NewtonEquilibrium<Dim>::Settings& settings) {
-    NewtonEquilibrium<Dim> newton(body, constraints, settings);
-    newton.begin(u0, force, constraints);
-    newton.solve();
-    newton.require_convergence();
-    return newton.displacement();
-}
-
-#define PLIANT_INSTANTIATE(Dim)                                                                                   \
-    template class NewtonEquilibrium<Dim>;                                                                        \
-    template Points<Dim> solve_equilibrium<Dim>(const HyperelasticFem<Dim>&, const DisplacementConstraints<Dim>&, \
-                                                const Points<Dim>&, const Points<Dim>&, const NewtonEquilibrium<Dim>::Settings&)
-PLIANT_INSTANTIATE(2);
-PLIANT_INSTANTIATE(3);
-#undef PLIANT_INSTANTIATE
+template class NewtonEquilibrium<2>;
+template class NewtonEquilibrium<3>;
 
 }  // namespace pliant

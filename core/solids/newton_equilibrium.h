@@ -2,7 +2,8 @@
 // time.
 //
 // Prescribed displacements are part of each step: the first one carries the supports to where they shall be as far as the energy
-// stays finite, and what is left follows in the next iterations.
+// stays finite, and what is left follows in the next iterations. No step carries an element through the state in which its
+// energy is infinite.
 #pragma once
 #include <pliant/math/constrained_system.h>
 #include <pliant/math/sparse_cholesky.h>
@@ -68,7 +69,6 @@ private:
     bool solve_tangent(bool definite);
     bool try_step(Real length, Real slope);
     Real slope() const;
-    Real distance_to_supports() const;
 
     const HyperelasticFem<Dim>* body_;
     Settings settings_;
@@ -83,11 +83,5 @@ private:
     bool made_definite_ = false;
     Status status_ = Status::converged;
 };
-
-// Solved at once. Throws Refused and Diverged as above.
-template <int Dim>
-Points<Dim> solve_equilibrium(const HyperelasticFem<Dim>& body, const DisplacementConstraints<Dim>& constraints,
-                              const Points<Dim>& force, const Points<Dim>& u0,
-                              const typename NewtonEquilibrium<Dim>::Settings& settings = {});
 
 }  // namespace pliant

@@ -33,10 +33,9 @@ Real UniformRod::wave_number(Index j, RodEnd end) const {
 
 // F(ξ) or F′(ξ), where u = F(s − ct) − F(−s − ct) and F(ξ) = ∓F(ξ − 2L) at a free or a fixed end.
 Real RunningPulse::image(Real xi, bool slope) const {
-    const Real nearest = std::round((xi - start) / (2 * length));
+    const Real nearest = std::round((xi - start) / (2 * length)), reach = 1 + std::ceil(3 * width / length);
     Real sum = 0;
-    for (const Real beside : {-1, 0, 1}) {
-        const Real m = nearest + beside;
+    for (Real m = nearest - reach; m <= nearest + reach; ++m) {
         const Real off = (xi - start - 2 * length * m) / width;
         const Real value = amplitude * std::exp(-off * off) * (slope ? -2 * off / width : 1);
         sum += end == RodEnd::free && std::fmod(std::abs(m), 2) == 1 ? -value : value;
@@ -61,18 +60,5 @@ Real MassChain::phase(Index j, RodEnd end) const {
 }
 
 Real MassChain::frequency(Index j, RodEnd end) const { return 2 * std::sqrt(stiffness / mass) * std::sin(0.5 * phase(j, end)); }
-
-Real damped_swing(Real omega, Real zeta, Real t) {
-    const Real damped = zeta * omega * t;
-    if (zeta < 1) {
-        const Real root = std::sqrt(1 - zeta * zeta), turn = root * omega * t;
-        return std::exp(-damped) * (std::cos(turn) + (root > 0 ? zeta / root * std::sin(turn) : damped));
-    }
-    const Real root = std::sqrt(zeta * zeta - 1);
-    if (root * omega * t < 1e-6) return std::exp(-damped) * (1 + damped);
-    // The two decay rates; slow = ω²/fast keeps its digits.
-    const Real fast = omega * (zeta + root), slow = omega / (zeta + root);
-    return (fast * std::exp(-slow * t) - slow * std::exp(-fast * t)) / (fast - slow);
-}
 
 }  // namespace pliant

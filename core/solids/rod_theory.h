@@ -30,7 +30,7 @@ struct UniformRod {
 };
 
 // u = A exp(−((s − s₀)/w)²) at t = 0, running towards larger s with speed c, and what the ends make of it: a free end reflects it
-// as it is, a fixed one with its sign turned.
+// as it is, a fixed one with its sign turned. Its width is at most a few lengths: of a wider one the ends leave nothing.
 struct RunningPulse {
     Real amplitude = 0, width = 1, start = 0;  // A, w, s₀, m
     Real length = 1, speed = 1;                // m, m/s
@@ -55,8 +55,5 @@ struct MassChain {
     Real phase(Index j, RodEnd end) const;
     Real frequency(Index j, RodEnd end) const;  // rad/s
 };
-
-// x(t)/x(0) of x'' + 2ζω x' + ω² x = 0 from rest. omega: rad/s; zeta >= 0; t: s.
-Real damped_swing(Real omega, Real zeta, Real t);
 
 }  // namespace pliant

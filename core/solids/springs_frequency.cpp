@@ -1,4 +1,4 @@
-#include <pliant/math/small_eigen.h>
+#include <pliant/math/watch.h>
 #include <pliant/solids/springs_frequency.h>
 
 #include <algorithm>
@@ -9,35 +9,13 @@
 namespace pliant {
 namespace {
 
-// How many times over a spring acts on a node: by the motion of the node itself, and by its partner's unless that is fixed.
-template <int Dim>
-Real weight(const DiagonalMass& mass, Index partner) {
-    for (int c = 0; c < Dim; ++c)
-        if (!mass.fixed(Dim * partner + c)) return 2;
-    return 1;
-}
-
-// Largest eigenvalue over the nodes of block_n / m_n. blocks: Dim x Dim N.
-template <int Dim>
-Real largest_rate(const DiagonalMass& mass, const Eigen::Matrix<Real, Dim, Eigen::Dynamic>& blocks) {
-    Real largest = 0;
-    for (Index n = 0; n < blocks.cols() / Dim; ++n) {
-        const Real inverse_mass = mass.inverse().template segment<Dim>(Dim * n).maxCoeff();
-        if (inverse_mass == 0) continue;
-        const Mat<Dim> block = blocks.template middleCols<Dim>(Dim * n);
-        const Real norm = symmetric_eigenvalues<Dim>(block)[Dim - 1];
-        largest = std::max(largest, norm * inverse_mass);
-    }
-    return largest;
-}
-
 template <int Dim>
 Mat<Dim> stiffness_block(const Vec<Dim>& x_ij, Real rest, Real k) {
     const Real length = x_ij.norm();
     if (length == 0) return (rest == 0 ? k : 0) * Mat<Dim>::Identity();
     const Vec<Dim> n = x_ij / length;
-    const Real across = std::max(Real(0), (length - rest) / length);
-    return k * ((1 - across) * (n * n.transpose()) + across * Mat<Dim>::Identity());
+    const Real transverse = std::max(Real(0), (length - rest) / length);
+    return k * ((1 - transverse) * (n * n.transpose()) + transverse * Mat<Dim>::Identity());
 }
 
 template <int Dim>
@@ -66,6 +44,7 @@ Real power_iteration(const Springs& springs, const DiagonalMass& mass, const std
     for (Index d = 0; d < direction.size(); ++d) direction[d] = std::cos(1 + Real(d) * Real(d));
     Real eigenvalue = 0;
     for (int n = 0; n < iterations; ++n) {
+        tell_progress("largest_frequency", n, iterations);
         const Real norm = direction.norm();
         if (norm == 0) return 0;
         direction /= norm;
@@ -86,28 +65,6 @@ Real power_iteration(const Springs& springs, const DiagonalMass& mass, const std
 }
 
 }  // namespace
-
-template <int Dim>
-SpringRates spring_rate_bounds(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x) {
-    using Blocks = Eigen::Matrix<Real, Dim, Eigen::Dynamic>;
-    Blocks stiffness = Blocks::Zero(Dim, Dim * springs.node_count()), damping = stiffness;
-    SpringRates rates;
-    rates.relaxation_time = shortest_relaxation(springs, mode);
-    for (Index s = 0; s < springs.size(); ++s) {
-        const Index i = springs.i(s), j = springs.j(s);
-        const Real k = springs.stiffness()[s], d = springs.damping()[s];
-        const Vec<Dim> x_ij = x.col(j) - x.col(i);
-        const Mat<Dim> k_block = stiffness_block<Dim>(x_ij, springs.rest_length()[s], k),
-                       d_block = damping_block<Dim>(x_ij, mode, d);
-        for (const auto& [node, partner] : {std::array<Index, 2>{i, j}, std::array<Index, 2>{j, i}}) {
-            stiffness.template middleCols<Dim>(Dim * node) += weight<Dim>(mass, partner) * k_block;
-            damping.template middleCols<Dim>(Dim * node) += weight<Dim>(mass, partner) * d_block;
-        }
-    }
-    rates.omega = std::sqrt(largest_rate<Dim>(mass, stiffness));
-    rates.damping = largest_rate<Dim>(mass, damping);
-    return rates;
-}
 
 template <int Dim>
 SpringRates spring_rate_estimates(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x,
@@ -136,8 +93,6 @@ Real stability_limit(Scheme scheme, const SpringRates& rates) {
     return stability_limit(scheme, rates.omega, rates.omega > 0 ? rates.damping / (2 * rates.omega) : 0);
 }
 
-template SpringRates spring_rate_bounds<2>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<2>);
-template SpringRates spring_rate_bounds<3>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<3>);
 template SpringRates spring_rate_estimates<2>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<2>, int);
 template SpringRates spring_rate_estimates<3>(const Springs&, const DiagonalMass&, SpringDamping, PointsIn<3>, int);
 

@@ -6,21 +6,16 @@
 
 namespace pliant {
 
-// Rates that bound a net's motion near positions x. A net without springs has zeros.
+// How fast a net can move near positions x. A net without springs has zeros.
 struct SpringRates {
-    Real omega = 0;            // rad/s: no mode oscillates faster
-    Real damping = 0;          // 1/s: no mode's damping rate 2 zeta omega is larger
+    Real omega = 0;            // rad/s, of the fastest mode
+    Real damping = 0;          // 1/s: the largest damping rate 2 zeta omega of a mode
     Real relaxation_time = 0;  // s: smallest damping/stiffness of a spring, 0 when one is undamped
 };
 
-// Rigorous bounds from every node's springs (Gershgorin discs of M^-1 K and M^-1 C by nodes, each spring counted along its own
-// direction): omega^2 <= max_i 2 |sum_j K_ij| / m_i, where a fixed neighbour counts once instead of twice. Curvature across
-// compressed springs is negative and left out: it makes buckling, not oscillation. One pass over the springs.
-template <int Dim>
-SpringRates spring_rate_bounds(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x);
-
-// The same rates by power iterations on M^-1 K and M^-1 C: they approach the largest ones from below, those of a lattice within
-// about 1 % after 100 iterations, and so make sharper estimates but no bounds.
+// By power iterations on M^-1 K and M^-1 C, each spring counted along its own direction: they approach the largest rates from
+// below, those of a lattice within about 1 % after 100 iterations. Curvature across compressed springs is negative and left out:
+// it makes buckling, not oscillation.
 template <int Dim>
 SpringRates spring_rate_estimates(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x,
                                   int iterations = 100);

@@ -1,11 +1,11 @@
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/number_text.h>
 #include <pliant/study/map_knobs.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -28,13 +28,11 @@ void check_count(std::string_view key, Index count) {
 }
 
 Index count_of(std::string_view key, const std::string& text) {
-    Index count = 0;
-    const char* last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, count);
-    if (error != std::errc() || end != last || text.empty())
+    const auto count = whole_number(text);
+    if (!count)
         throw Refused(
             fmt::format("{}: '{}' is no number of values: give a whole number from 2 to {}", key, text, most_knob_values));
-    return count;
+    return *count;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ public:
         }
         if (!began) return cell;
         cell.steps = runner_.place().step;
-        for (std::size_t s = 0; s < runner_.lesson().stages.size(); ++s) cell.passes += runner_.cost(s).passes;
+        for (const Stage& stage : runner_.lesson().stages) cell.passes += runner_.cost(stage).passes;
         return cell;
     }
 

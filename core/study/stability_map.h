@@ -2,6 +2,7 @@
 // bound that theory gives.
 #pragma once
 #include <pliant/lesson/runner.h>
+#include <pliant/lesson/unused.h>
 #include <pliant/study/map_knobs.h>
 #include <pliant/study/stability_verdict.h>
 
@@ -53,6 +54,9 @@ Runner::Assignments cell_assignments(const MapOrder& order, const Lesson& lesson
 // Refuses what no cell could run: settings that the lesson does not accept, the same knob twice, a knob that is also set, a
 // static lesson, too few steps, a probe that there is none of. Throws Refused.
 void check_order(const MapOrder& order);
+
+// What the order sets, and the knobs, that no cell uses.
+std::vector<UnusedSetting> unused_settings(const MapOrder& order);
 
 // Called after each cell, one call at a time, in any of the threads.
 using MapProgress = std::function<void(Index done, Index total)>;

@@ -100,7 +100,7 @@ std::string map_json(const StabilityMap& map, const MapCost& cost) {
     }
     for (int k = 0; k < stability_kinds; ++k)
         counts[std::string(name_of(static_cast<Stability>(k)))] = map.count(static_cast<Stability>(k));
-    Json j{{"lesson", map.order.lesson->info.id}, {"settings", settings}};
+    Json j{{"lesson", map.order.lesson->info.id}, {"settings", settings}, {"unused", unused_json(unused_settings(map.order))}};
     if (map.order.time)
         j["time"] = *map.order.time;
     else

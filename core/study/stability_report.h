@@ -15,10 +15,10 @@ struct MapCost {
     int jobs = 1;
 };
 
-// {"lesson", "settings": {...}, "steps" or "time", "probe", "knobs": [{"key", "symbol", "unit", "spacing", "values"} × 2],
-// "cells": {"class", "growth", "steps", "theory_stable", "time_step_over_limit", "contradicts", "reason"} with an array each, row
-// by row, "counts": {...}, "agreement": {"compared", "at_bound", "contradicts"} or null, "bound": [[x, y], [x, y]]...: values of
-// the knobs, "cost": {"passes", "seconds", "jobs"}}
+// {"lesson", "settings": {...}, "unused": {key: what it needs}, "steps" or "time", "probe", "knobs": [{"key", "symbol", "unit",
+// "spacing", "values"} × 2], "cells": {"class", "growth", "steps", "theory_stable", "time_step_over_limit", "contradicts",
+// "reason"} with an array each, row by row, "counts": {...}, "agreement": {"compared", "at_bound", "contradicts"} or null,
+// "bound": [[x, y], [x, y]]...: values of the knobs, "cost": {"passes", "seconds", "jobs"}}
 std::string map_json(const StabilityMap& map, const MapCost& cost);
 
 // Classes with their counts, the agreement with theory, the time.

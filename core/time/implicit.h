@@ -93,6 +93,7 @@ public:
 
     // The form to be filled by a scheme before begin().
     ImplicitForm& form() { return form_; }
+    const ImplicitForm& form() const { return form_; }
 
     // Starts at the form's prediction or at x, the positions of the start of the step: where the potential is lower. Throws
     // Refused for lower bounds with conjugate gradients or without a potential, and for conjugate gradients of a system
@@ -112,9 +113,8 @@ public:
     Real residual() const { return residual_norm_; }                // largest free component before the last iteration, N
     // Force with which its lower bound holds a degree of freedom, N, >= 0.
     Real reaction(Index dof) const { return reaction_[dof]; }
-    Real last_step() const { return last_step_; }  // largest component of the last iteration's step, m
-    const VecX& position() const { return x_; }    // the current iterate, m
-    const VecX& velocity() const { return v_; }    // its velocity, m/s
+    const VecX& position() const { return x_; }  // the current iterate, m
+    const VecX& velocity() const { return v_; }  // its velocity, m/s
 
     // --- what the last iteration did ---
     // With the gradient g and the matrix H of its model at the iterate before it, the direction d fulfils

@@ -5,7 +5,7 @@
 namespace pliant {
 
 void Rhythm::note(Real time, Real value, Real least) {
-    if (value < -least) memory_[armed] = 1;
+    if (least > 0 && value < -least) memory_[armed] = 1;
     if (memory_[armed] == 1 && value >= 0) {
         const Real before = memory_[latest_value];
         const Real part = value > before ? -before / (value - before) : 1;

@@ -10,7 +10,8 @@ class Rhythm {
 public:
     void reset() { memory_.setZero(); }
 
-    // The value at a time, s. Swings of less than `least` to below 0 are not counted.
+    // The value at a time, s. Swings of less than `least` to below 0 are not counted; with a `least` of 0, what does not swing
+    // at all but for rounding, none are.
     void note(Real time, Real value, Real least);
 
     // The mean over the latest periods, at most `most_periods`, s; empty before the first is complete.

@@ -115,6 +115,26 @@ Real amplification(Scheme scheme, Real omega, Real zeta, Real dt) {
     return spectral_radius(trace, determinant);
 }
 
+bool dissipates(Scheme scheme) { return scheme == Scheme::implicit_euler || scheme == Scheme::bdf2; }
+
+Real energy_excess(Scheme scheme, Real w, bool linear, bool damped) {
+    constexpr Real closest = 1e-3;  // to the limit of stability, where the bound has a pole
+    switch (scheme) {
+        case Scheme::explicit_euler:
+            return damped ? 2 * w : 0;
+        case Scheme::semi_implicit_euler:
+            return 2 * w / std::max(2 - w, closest);
+        case Scheme::velocity_verlet:
+            return 2 * w * w / std::max(4 - w * w, closest);
+        case Scheme::runge_kutta_4:
+            return linear && !damped ? 0 : w * w * w * w;
+        case Scheme::implicit_euler:
+            return 0;
+        default:
+            return linear && scheme != Scheme::bdf2 ? 0 : std::min(w * w, Real{1});
+    }
+}
+
 Real phase_per_step(Scheme scheme, Real omega, Real zeta, Real dt) {
     const Real w = omega * dt;
     if (root_by_root(scheme)) return std::abs(std::arg(factor_of(scheme, roots(w, zeta)[0])));

@@ -17,6 +17,14 @@ Real stability_limit(Scheme scheme, Real omega, Real zeta);
 // the roots -zeta w +- i w sqrt(1 - zeta^2) reach every point of the complex plane.
 Real amplification(Scheme scheme, Real omega, Real zeta, Real dt);
 
+// Does the scheme take energy out of an oscillation that nothing damps, if its steps are long enough?
+bool dissipates(Scheme scheme);
+
+// Part of the energy of its motion by which a run may come to exceed what it began with, though the time step is stable:
+// symplectic schemes let the energy swing about its mean, between bounds that hold for ever [Hairer2006 §IX.3]. w = omega dt, of
+// the fastest mode. 0 where energy is kept or lost; nonlinear forces let it swing by the order of the scheme.
+Real energy_excess(Scheme scheme, Real w, bool linear, bool damped);
+
 // By how much one step turns the oscillation in the plane of x and v, rad, from 0 to pi: omega dt for the motion itself without
 // damping. pi where the steps alternate in sign.
 Real phase_per_step(Scheme scheme, Real omega, Real zeta, Real dt);

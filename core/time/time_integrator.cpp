@@ -83,6 +83,11 @@ void TimeIntegrator::begin_implicit(const VecX* force) {
     solver_->begin(start_x_);
 }
 
+Real TimeIntegrator::impulse_time() const {
+    const ImplicitForm& form = solver_->form();
+    return (scheme_ == Scheme::implicit_midpoint ? 2 : 1) * form.velocity_rate / form.acceleration_rate;
+}
+
 bool TimeIntegrator::again() const {
     if (implicit()) return solver_->again();
     return passes_ + 1 < static_cast<Index>(nystrom_table(scheme_).size());

@@ -41,6 +41,9 @@ public:
     // Of an implicit scheme only.
     const ImplicitSolver& solver() const { return *solver_; }
     ImplicitSolver& solver() { return *solver_; }
+    // Of an implicit scheme: the velocity at the end of a step that a force at the place it solves for adds, times mass over
+    // force, s. The step's length for implicit Euler and the midpoint rule, half of it for Newmark's scheme, 2/3 for BDF2.
+    Real impulse_time() const;
 
     // Counted since made: by explicit schemes, and for the start of a Newmark step.
     Index force_evaluations() const { return force_evaluations_; }

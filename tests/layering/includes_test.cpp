@@ -36,11 +36,11 @@ const std::map<std::string, Names> allowed_folders{
 };
 
 // The libraries of others, by the first part of what is included. Standard headers have neither folder nor ending.
-const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h"};
-const Names viewer_libraries{"Eigen",  "fmt",       "nlohmann", "CLI",        "GLFW",         "GL",
-                             "GLES3",  "EGL",       "glad",     "backends",   "imgui.h",      "imgui_internal.h",
-                             "png.h",  "gif_lib.h", "zlib.h",   "emscripten", "emscripten.h", "unistd.h",
-                             "dlfcn.h"};
+const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h", "fcntl.h", "sys", "unistd.h"};
+const Names viewer_libraries{"Eigen",   "fmt",       "nlohmann", "CLI",        "GLFW",         "GL",
+                             "GLES3",   "EGL",       "glad",     "backends",   "imgui.h",      "imgui_internal.h",
+                             "png.h",   "gif_lib.h", "zlib.h",   "emscripten", "emscripten.h", "unistd.h",
+                             "dlfcn.h", "fcntl.h",   "signal.h"};
 
 struct Include {
     int line = 0;

@@ -137,6 +137,18 @@ TEST_CASE("advection: a blob between the cells, and one that is lost altogether,
     }
 }
 
+TEST_CASE("advection: of a blob that no cell sees no number is measured, and none is exact", "[advection]") {
+    Runner runner = start_advection({{"blob", "slotted_disc"}, {"radius", "0.01"}, {"resolution", "8"}});
+    run(runner, 2);
+    for (const char* name : {"variance_left", "loss_per_turn", "difference", "measured_viscosity"}) {
+        INFO(name);
+        const Probe& probe = runner.lesson().probe(name);
+        CHECK_FALSE(runner.value(probe));
+        CHECK_FALSE(runner.exact(probe));
+    }
+    CHECK_FALSE(runner.exact(runner.lesson().probe("peak")));
+}
+
 TEST_CASE("advection: the mark of a cell goes where the hand goes", "[advection]") {
     Runner runner = start_advection({{"resolution", "32"}});
     const auto values = runner.lesson().dragged(Pull{0, {0.5, 0.5, 0}, {0.26, 2.0, 0}});

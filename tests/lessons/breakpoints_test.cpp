@@ -10,6 +10,17 @@ using Catch::Matchers::MessageMatches;
 
 namespace {
 
+// Runs on, pass by pass, until a breakpoint stops it or `go_on` (asked behind every whole step) is false. Empty: not stopped by
+// one.
+std::optional<std::string> run_to_break(Runner& runner, Breakpoints& breakpoints, const std::function<bool()>& go_on) {
+    breakpoints.arm(runner);
+    while (true) {
+        runner.step_pass();
+        if (auto reason = breakpoints.stops(runner)) return reason;
+        if (!runner.inside_step() && !go_on()) return std::nullopt;
+    }
+}
+
 bool within(const Runner& runner, Index steps) { return runner.place().step < steps; }
 
 }  // namespace

@@ -217,9 +217,41 @@ TEST_CASE("diffusion: a wave shorter than two cells is taken for a longer one", 
     Runner mended = start_diffusion({{"mode", "29"}});
     mended.assign(resolved.fix()->assign);
     CHECK(assumption(mended, "mode resolved in space").value() <= 0.125);
-    // Modes that vanish on every cell have no factor.
-    CHECK_FALSE(after(1, {{"mode", "0"}, {"boundary", "fixed"}}).lesson().probe("factor_measured").value());
-    CHECK_FALSE(after(1, {{"mode", "32"}, {"boundary", "insulated"}}).lesson().probe("factor_measured").value());
+}
+
+TEST_CASE("diffusion: a mode that is 0 on every cell has no amplitude and no factor, measured or exact", "[diffusion]") {
+    for (const char* dimension : {"1", "2"})
+        for (const auto& [mode, boundary] : {std::pair{"0", "fixed"}, {"64", "fixed"}, {"32", "insulated"}})
+            for (const char* begins : {"mode", "zero", "random"}) {
+                INFO(dimension << "D, mode " << mode << ", " << boundary << ", " << begins);
+                const Runner runner =
+                    after(2, {{"dimension", dimension}, {"mode", mode}, {"boundary", boundary}, {"start", begins}});
+                for (const char* name : {"amplitude", "factor_measured", "factor_theory", "factor_exact"}) {
+                    const Probe& probe = runner.lesson().probe(name);
+                    CHECK_FALSE(runner.value(probe));
+                    CHECK_FALSE(runner.exact(probe));
+                }
+                Scene scene;
+                runner.lesson().draw(scene);
+                CHECK(
+                    std::ranges::any_of(scene.notes, [](const std::string& note) { return note.ends_with("0 in every cell"); }));
+            }
+    CHECK(after(2, {{"mode", "0"}, {"boundary", "insulated"}}).lesson().probe("amplitude").value());
+}
+
+TEST_CASE("diffusion: a channel has its closed form from the first moment on", "[diffusion]") {
+    // Long before the other wall is felt, u = U erfc(y/(2 √(νt))).
+    const Runner runner = start_diffusion({{"start", "zero"},
+                                 {"boundary", "fixed"},
+                                 {"wall_low", "2"},
+                                 {"wall_high", "-1"},
+                                 {"viscosity", "1"},
+                                 {"diffusion_number", "1e-5"},
+                                 {"cell_x", "0"}});
+    const Real cell = 1.0 / 32;
+    for (const Real t : {1e-8, 1e-6, 1e-4})
+        CHECK_THAT(*runner.lesson().probe("u_selected").exact(t), WithinAbs(2 * std::erfc(cell / 2 / (2 * std::sqrt(t))), 1e-14));
+    CHECK_THAT(*runner.lesson().probe("u_selected").exact(0.3), WithinRel(1.9515070625310336, 1e-12));
 }
 
 TEST_CASE("diffusion: what a lamp offers mends what it shows", "[diffusion]") {

@@ -46,6 +46,34 @@ TEST_CASE("free surface: still water has the pressure of its depth, and stays st
     }
 }
 
+TEST_CASE("free surface: a pressure that no surface sets has no offset, and a wave that dries the floor no theory",
+          "[free_surface]") {
+    const auto probe = [](const Runner::Assignments& settings, std::string_view name) {
+        const Runner runner = run(settings, 2);
+        Scene scene;
+        runner.lesson().draw(scene);
+        for (const Line& line : runner.lesson().lines) {
+            Curve curve;
+            line.reference(curve);
+        }
+        return runner.value(runner.lesson().probe(name));
+    };
+    CHECK_FALSE(probe({{"column_width", "1"}, {"column_height", "0.6"}}, "pressure_offset"));
+    CHECK_FALSE(probe({{"scene", "wave"}, {"depth", "0.6"}, {"wave_height", "0"}}, "pressure_offset"));
+    CHECK_FALSE(probe({{"column_width", "0"}}, "pressure_offset"));
+    CHECK_FALSE(probe({{"surface_condition", "closed"}}, "pressure_offset"));
+    CHECK(probe({{"column_width", "1"}, {"column_height", "0.59"}}, "pressure_offset"));
+    const auto theory = [](const char* height) {
+        const Runner wave = run({{"scene", "wave"}, {"depth", "0.1"}, {"wave_height", height}}, 1);
+        return wave.exact(wave.lesson().probe("column_height_at_wall"));
+    };
+    CHECK(theory("0.1"));
+    CHECK_FALSE(theory("0.11"));
+    CHECK_FALSE(theory("-0.11"));
+    CHECK_FALSE(probe({{"scene", "drop"}, {"depth", "0"}, {"drop_radius", "0"}}, "pressure_offset"));
+    CHECK(probe({{"scene", "wave"}, {"depth", "0.1"}, {"wave_height", "-0.11"}}, "column_height_at_wall"));
+}
+
 TEST_CASE("free surface: the mould holds, and the lamp tells", "[free_surface]") {
     const Runner mould = run({{"surface_condition", "closed"}, {"resolution", "40"}}, 20);
     CHECK(value(mould, "front_position") == Approx(0.25).margin(2e-3));

@@ -230,6 +230,60 @@ TEST_CASE("integration: a pendulum swings with the period of its amplitude", "[i
     CHECK_THAT(value(runner, "period"), WithinRel(1.1803405990 * pi, 1e-4));
 }
 
+// A computation with sixty digits from the same doubles. ω = √9.81 rad/s: the pendulum is 1 m long and x is its angle.
+TEST_CASE("integration: the exact pendulum holds up to a start next to the top", "[integration]") {
+    const struct {
+        Real x0, v0, t, x, v;
+    } known[] = {{3.1415926, 0, 8, -3.1337571786092654, -0.02454136535165552},
+                 {3.14159265358, 0, 10, -3.0599964877226236, -0.25549580262100827},
+                 {-3.14159265, 0, 9.3, 3.1395985247846356, 0.0062457937483543419},
+                 {9.42477796, 0, 6, 9.3689844388049732, -0.17472777605315532},
+                 {0, 6.2641839, 12, -3.1406330917894508, 0.0029942716678913299},
+                 {0, 6.26418391, 7, 4.3394154145894042, 3.5313939859490284},
+                 {1e-9, 0, 1.3, -5.9773226402080457e-10, 2.5109849340012788e-9},
+                 {3.1, -0.3, 5, -9.1167620873948198, -0.99820253403505294}};
+    for (const auto& [x0, v0, t, x, v] : known) {
+        INFO("x0 = " << x0 << ", v0 = " << v0);
+        const Runner runner = start_integration(
+            {{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", text(x0)}, {"v0", text(v0)}, {"compare", "none"}});
+        const auto& lesson = runner.lesson();
+        CHECK_THAT(*lesson.probe("x").exact(0), WithinAbs(x0, 1e-15 * (1 + std::abs(x0))));
+        CHECK_THAT(*lesson.probe("x").exact(t), WithinAbs(x, 1e-15 + 2e-7 * std::abs(x)));
+        CHECK_THAT(*lesson.probe("v").exact(t), WithinAbs(v, 1e-15 + 2e-6 * std::abs(v)));
+    }
+    CHECK_THAT(*start_integration({{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", "3.1415926"}})
+                    .lesson()
+                    .probe("x")
+                    .exact(8),
+               WithinAbs(-3.1337571788, 1e-9));
+    // Once it has swung to and fro, which takes 24 s instead of 2. (A scheme that loses 10⁻¹² of the energy swings faster.)
+    Runner runner = start_integration({{"system", "pendulum"},
+                                       {"omega", "3.132091952673165"},
+                                       {"x0", "3.1415926"},
+                                       {"scheme", "runge_kutta_4"},
+                                       {"time_step", "0.01"},
+                                       {"compare", "none"}});
+    while (runner.time() < 45) runner.step();
+    CHECK_THAT(exact(runner, "period"), WithinRel(24.036776750629956, 1e-9));
+}
+
+TEST_CASE("integration: the amplitude of a pendulum is told for the smallest swings and for those that nearly turn over",
+          "[integration]") {
+    for (const Real x0 : {1e-12, 1e-9, 1e-3, 2., 3.1415})
+        CHECK_THAT(
+            value(start_integration({{"system", "pendulum"}, {"omega", "3.132091952673165"}, {"x0", text(x0)}}), "amplitude"),
+            WithinRel(x0, 1e-9));
+}
+
+TEST_CASE("integration: the pair has its closed form at every ratio of its springs", "[integration]") {
+    for (const Real ratio : {1e-8, 1e-3, 1., 1e8}) {
+        INFO(ratio);
+        const Runner runner = start_integration({{"system", "stiff_pair"}, {"stiffness_ratio", text(ratio)}, {"x0", "1"}});
+        CHECK_THAT(*runner.lesson().probe("x").exact(0), WithinAbs(1, 1e-14));
+        CHECK_THAT(*runner.lesson().probe("energy").exact(3), WithinRel(2., 1e-12));
+    }
+}
+
 TEST_CASE("integration: what is measured stays as it is inside a step, and its passes are drawn", "[integration]") {
     Runner runner = after(4, oscillator("runge_kutta_4", 2, 0.1, 0.3));
     const Real growth = value(runner, "growth_measured");

@@ -139,3 +139,42 @@ TEST_CASE("mass-spring: a mechanism is reported, and motions of rest length 0 ar
     check_every_stage(collapses, "rest length 0");
     CHECK(std::isfinite(value(collapses, "energy")));
 }
+
+TEST_CASE("mass-spring: a test of no springs at all is refused, one that folds says which springs are missing") {
+    for (const char* lattice : {"cubic_face", "cubic_body", "square", "triangular", "chain"}) {
+        INFO(lattice);
+        const Assignments none = joined(static_test, {{"lattice", lattice}, {"k_structural", "0"}, {"k_shear", "0"}});
+        CHECK_THROWS_AS(net(none), Refused);
+        CHECK_THROWS_WITH(net(none), ContainsSubstring("no springs") && ContainsSubstring("k_structural"));
+    }
+    // Without a test they are masses that fall freely.
+    CHECK_NOTHROW(net({{"k_structural", "0"}, {"k_shear", "0"}, {"k_bending", "0"}}));
+    const auto told = [](const Assignments& settings) {
+        Runner runner = net(joined(static_test, settings));
+        try {
+            advance(runner, Until::at_rest());
+        } catch (const Diverged& d) {
+            for (const Probe& p : runner.lesson().probes) CHECK_NOTHROW((runner.value(p), runner.exact(p)));
+            return d.failure.limit;
+        }
+        return std::string("none");
+    };
+    CHECK_THAT(told({{"k_shear", "0"}}), ContainsSubstring("shear springs"));
+    CHECK_THAT(told({{"k_structural", "0"}}), ContainsSubstring("structural springs"));
+    CHECK_THAT(told({{"k_structural", "1e15"}, {"k_shear", "1e-3"}}), ContainsSubstring("nearer to each other"));
+}
+
+TEST_CASE("mass-spring: a solid beside the net that its elements cannot bear leaves the net's numbers") {
+    for (const char* kind : {"stretch", "shear", "bend"})
+        for (const char* ratio : {"0.4999999999999999", "-0.9999999999999999"}) {
+            INFO(kind << " " << ratio);
+            Runner runner = net(joined(static_test, {{"test", kind}, {"target_poisson", ratio}})),
+                   usual = net(joined(static_test, {{"test", kind}}));
+            advance(runner, Until::at_rest());
+            advance(usual, Until::at_rest());
+            const char* stiffness = std::string_view(kind) == "bend" ? "bending_stiffness" : "test_stiffness";
+            CHECK(value(runner, stiffness) == value(usual, stiffness));
+            Scene scene;
+            runner.lesson().draw(scene);
+        }
+}

@@ -139,3 +139,30 @@ TEST_CASE("navier_stokes: before and after of every stage are kept, of the veloc
         }
     runner.trace_to(nullptr);
 }
+
+TEST_CASE("navier_stokes: another order moves no stage, and each keeps its cost") {
+    Runner runner = start_navier_stokes_terms({{"resolution", "16"}});
+    const auto declared = [&] {
+        Names names;
+        for (const Stage& s : runner.lesson().stages) names.emplace_back(s.name);
+        return names;
+    };
+    const Names names = declared();
+    const Stage* projection = &*std::ranges::find(runner.lesson().stages, "projection", &Stage::name);
+    runner.step();
+    const Index passes = runner.cost(*projection).passes;
+    CHECK(passes > 1);
+    for (const auto& [order, first] :
+         {std::pair{"projection_first", "projection"}, {"forces_last", "advection"}, {"lecture", "external_forces"}}) {
+        INFO(order);
+        runner.assign({{"order", order}});
+        CHECK(declared() == names);
+        CHECK(stage_names(runner).front() == first);
+        CHECK(runner.cost(*projection).passes == 0);
+        runner.step();
+        CHECK(projection->name == "projection");
+        CHECK(runner.cost(*projection).runs == 1);
+        CHECK(runner.cost(*runner.stages().back()).runs == 1);
+        CHECK_THAT(runner.time(), WithinRel(runner.time_step(), 1e-12));
+    }
+}

@@ -148,3 +148,14 @@ TEST_CASE("poisson: fixes mend, explanations hold within the loop and in corner 
         check_probes(runner, "a stretch that is over");
     }
 }
+
+TEST_CASE("poisson: a long stretch of a cube that widens stays within its bounds", "[poisson]") {
+    for (const char* method : {"incremental", "linear"})
+        for (const char* nu : {"-0.9", "-0.99", "0.4999"}) {
+            if (std::string_view(method) == "linear" && *nu != '-') continue;  // it would leave no width
+            INFO(method << " " << nu);
+            Runner runner(find_lesson("elasticity/poisson"),
+                          {{"method", method}, {"poisson_ratio", nu}, {"axial_strain", "99.9"}, {"increments", "1000"}});
+            CHECK_NOTHROW(advance(runner, Until::at_rest()));
+        }
+}

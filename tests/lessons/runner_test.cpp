@@ -1,12 +1,18 @@
 // The runner on the bead chain, whose exact motion is known.
 #include <pliant/lesson/recorder.h>
+#include <pliant/lesson/report.h>
+#include <pliant/lesson/revisit.h>
 #include <pliant/lesson/runner.h>
 #include <pliant/lesson/until.h>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 using namespace pliant;
 using Catch::Matchers::ContainsSubstring;
@@ -96,7 +102,73 @@ public:
 const LessonEntry looping{{.id = "time/looping", .title = "Looping", .summary = ""},
                           [] { return std::unique_ptr<Lesson>(new Looping); }};
 
+// Three stages that note their names, forward or backward; `middle` left out of the order comes last.
+class Ordered final : public Lesson {
+    Choice<int> order{*this,
+                      {.key = "order", .effect = Effect::rebuild},
+                      {{"forward", "forward"}, {"backward", "backward"}, {"middle_last", "the middle last"}}};
+    VecX x = VecX::Zero(1);
+
+public:
+    std::string log;
+    Ordered() {
+        state = {state_array("x", "", x)};
+        fields = {{.name = "x", .view = view_of(x)}};
+        for (const std::string_view name : {"first", "middle", "last"})
+            stages.push_back({.name = name, .run = [this, name] { log += name[0], x[0] += 1; }, .writes = {"x"}});
+        stages[1].again = [this] { return log.size() % 2 == 0; };
+    }
+    int dimension() const override { return 2; }
+    std::vector<std::string_view> stage_order() const override {
+        if (order == 1) return {"last", "middle", "first"};
+        if (order == 2) return {"first", "last"};
+        return {};
+    }
+    void reset() override { x.setZero(), log.clear(); }
+    Real time_step() const override { return 1; }
+    void draw(Scene&) const override {}
+};
+const LessonEntry ordered{{.id = "time/ordered", .title = "Ordered", .summary = ""},
+                          [] { return std::unique_ptr<Lesson>(new Ordered); }};
+
 }  // namespace
+
+TEST_CASE("runner: stages run in the order that the lesson names, and none of them moves") {
+    Runner runner(ordered);
+    StepTrace trace;
+    runner.trace_to(&trace);
+    const auto& log = static_cast<const Ordered&>(runner.lesson()).log;
+    const Stage *first = &runner.lesson().stages[0], *middle = &runner.lesson().stages[1], *last = &runner.lesson().stages[2];
+    using Order = std::vector<const Stage*>;
+    CHECK(runner.stages() == Order{first, middle, last});
+    runner.step();
+    CHECK(log == "fmml");
+
+    // After a reset for another order the stages are where they were, by name, and with their costs.
+    runner.assign({{"order", "backward"}});
+    CHECK(runner.stages() == Order{last, middle, first});
+    CHECK(std::vector<std::string_view>{first->name, middle->name, last->name} ==
+          std::vector<std::string_view>{"first", "middle", "last"});
+    CHECK(runner.cost(*middle).runs == 0);
+    runner.step();
+    CHECK(log == "lmmf");
+    CHECK(runner.cost(*middle).passes == 2);
+    CHECK(runner.cost(*last).passes == 1);
+    REQUIRE(runner.executed_before().size() == 3);
+    CHECK(runner.executed_before().front().stage == last);
+    CHECK(trace.after(runner.lesson(), *last, "x")[0] == 1);
+    CHECK(trace.after(runner.lesson(), *middle, "x")[0] == 3);
+    CHECK(trace.after(runner.lesson(), *first, "x")[0] == 4);
+
+    runner.assign({{"order", "middle_last"}});
+    CHECK(runner.stages() == Order{first, last, middle});
+    runner.step();
+    CHECK(log == "flm");
+    // The past of one order is gone over again in the same one.
+    runner.step();
+    REQUIRE(runner.step_back());
+    CHECK(runner.stages() == Order{first, last, middle});
+}
 
 TEST_CASE("runner: the bead chain converges to its normal mode at first order") {
     const Real coarse = error_at_one_second("0.01"), middle = error_at_one_second("0.005"), fine = error_at_one_second("0.0025");
@@ -148,8 +220,8 @@ TEST_CASE("runner: inner loops by pass, begin and end, and loops over several st
     runner.step();
     CHECK(log == "a(bbb)c(bbb)c");
     CHECK(runner.place() == Place{1, 0});
-    CHECK(runner.cost(1).runs == 2);
-    CHECK(runner.cost(1).passes == 6);
+    CHECK(runner.cost(runner.lesson().stages[1]).runs == 2);
+    CHECK(runner.cost(runner.lesson().stages[1]).passes == 6);
 }
 
 TEST_CASE("runner: a live parameter waits for the next step; a rebuild one resets") {
@@ -236,6 +308,51 @@ TEST_CASE("runner: a conserved quantity is watched while it should hold") {
     CHECK(unstable.lesson().assumptions[0].value() > unstable.lesson().assumptions[0].limit());
 }
 
+namespace {
+
+// A sound state with one probe that is not a number, and a law for it.
+class Undefined final : public Lesson {
+    VecX x = VecX::Zero(1);
+
+public:
+    Undefined() {
+        state = {state_array("x", "m", x)};
+        stages = {{.name = "move", .run = [this] { x[0] += 1; }}};
+        probes = {{.name = "sound", .value = [this] { return x[0]; }},
+                  {.name = "ratio", .value = [this] { return (x[0] - 2) / (x[0] - 2); }},
+                  {.name = "exact", .value = [] { return 1.0; }, .exact = [this](Real) { return std::log(1 - x[0]); }}};
+        lines = {{.name = "lost", .sample = [](Curve&) { throw Diverged(Failure{}); }}, {.name = "kept", .sample = [](Curve& c) {
+                                                                                             c = {{1}, {2}};
+                                                                                         }}};
+        for (const Law law : {Law::constant, Law::never_grows, Law::zero})
+            conserved.push_back({.probe = "ratio", .law = law, .tolerance = [] { return 10.0; }});
+    }
+    int dimension() const override { return 2; }
+    void reset() override { x.setZero(); }
+    Real time_step() const override { return 1; }
+    void draw(Scene&) const override {}
+};
+const LessonEntry undefined{{.id = "time/undefined", .title = "Undefined", .summary = ""},
+                            [] { return std::unique_ptr<Lesson>(new Undefined); }};
+
+}  // namespace
+
+TEST_CASE("report: a number that is not finite is undefined, and takes no other along") {
+    Runner runner(undefined);
+    CHECK_NOTHROW(runner.check_probes());
+    runner.step(), runner.step();
+    CHECK_THROWS_AS(runner.check_probes(), Diverged);
+    for (std::size_t law = 0; law < 3; ++law) CHECK(runner.holds(law) == Holds::no);
+    const auto report = nlohmann::json::parse(run_json(runner, {}));
+    CHECK(report["probes"]["sound"]["value"] == 2);
+    CHECK(report["probes"]["ratio"]["value"].is_null());
+    CHECK(report["probes"]["exact"]["exact"].is_null());
+    CHECK(report["conserved"]["ratio"]["status"] == "violated");
+    CHECK(report["lines"]["lost"]["value"].empty());
+    CHECK(report["lines"]["kept"]["value"].size() == 1);
+    CHECK_THAT(run_text(runner), ContainsSubstring("sound") && ContainsSubstring("undefined"));
+}
+
 TEST_CASE("recorder: one row per step, replaced after stepping back") {
     Runner runner(chain());
     Recorder recorder;
@@ -269,4 +386,44 @@ TEST_CASE("recorder: a million steps take no more than its cap, and leave the ru
     CHECK(energy.steps().back() == million);
     CHECK(std::ranges::min(energy.values()) == low);
     CHECK(std::ranges::max(energy.values()) == high);
+}
+
+TEST_CASE("runner: parameters are set by themselves as by their names, to the bit") {
+    Runner by_name(chain()), by_number(chain());
+    const Parameter& dt = by_number.lesson().parameter("time_step");
+    const Real value = Real{1} / 300;
+    by_name.assign({{"time_step", dt.text(value)}}), by_number.assign_values({{&dt, value}});
+    for (int i = 0; i < 20; ++i) by_name.step(), by_number.step();
+    CHECK(state_hash(by_name.lesson()) == state_hash(by_number.lesson()));
+    CHECK_THROWS_AS(by_number.assign_values({{&dt, -1}}), Refused);
+    CHECK_THROWS_AS(by_number.assign_values({{&dt, std::nan("")}}), Refused);
+    CHECK(dt.value() == value);
+    CHECK_THROWS_AS(by_number.assign_values({{&by_name.lesson().parameter("time_step"), value}}), std::logic_error);
+}
+
+TEST_CASE("runner: its revision tells whether a picture may have changed") {
+    Runner runner(chain());
+    long last = runner.revision();
+    const auto changed = [&] { return std::exchange(last, runner.revision()) != last; };
+    CHECK_FALSE(changed());
+    runner.step_pass();
+    CHECK(changed());
+    runner.step();
+    CHECK(changed());
+    runner.assign("time_step", 0.01);
+    CHECK(changed());
+    runner.step_back();
+    CHECK(changed());
+    runner.reset();
+    CHECK(changed());
+    runner.load({});
+    CHECK(changed());
+    runner.step(), runner.step(), changed();
+    // A look back brings back the same bits.
+    {
+        Revisit revisit(runner);
+        REQUIRE(revisit.start_of(0));
+        revisit.pass();
+    }
+    CHECK_FALSE(changed());
 }

@@ -150,6 +150,15 @@ TEST_CASE("share string: what a scene file may not say, it may not say either") 
     CHECK_THAT(refusal(wrong), ContainsSubstring("share string:1:") && ContainsSubstring("mesh/mass_spring"));
 }
 
+TEST_CASE("share string: a NUL byte in the scene or among the letters is refused") {
+    // {"pliant":1,"lesson":"time/bead_chain"}, a NUL byte and {}.
+    CHECK_THAT(refusal("pliant1:eNqrVirIyUzMK1GyMtRRykktLs7PU7JSKsnMTdVPSk1MiU_OSMzMU6plqK4FADJuDnY"),
+               ContainsSubstring("share string:1:40: ") && ContainsSubstring("NUL"));
+    const std::string text = share_text(small_scene());
+    CHECK_THAT(refusal(text + std::string(1, '\0')), ContainsSubstring("0x00"));
+    CHECK_THAT(refusal(text + std::string(1, '\0') + "and more"), ContainsSubstring("0x00"));
+}
+
 TEST_CASE("share string: it is told from a path") {
     CHECK(is_share(" pliant1:abc"));
     CHECK(is_share("pliant12:"));

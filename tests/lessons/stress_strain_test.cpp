@@ -88,3 +88,24 @@ TEST_CASE("the handles set the load that puts them where they are dragged", "[st
     const Runner disc = loaded({{"radius", "0.13"}});
     CHECK_THAT(dragged(disc, 1, place(disc, 1))[0].second, WithinRel(0.13, 1e-5));
 }
+
+// On the plane of the largest normal stress its arrow has four fifths of the length of the normal, whatever the stress is.
+TEST_CASE("the force on a cut is drawn to the scale of the largest principal stress", "[stress_strain]") {
+    const struct {
+        const char *xx, *yy, *xy, *angle;
+    } principal[] = {{"1e5", "0", "0", "0"},      {"-3e5", "1e5", "0", "0"}, {"0", "2e5", "0", "90"},
+                     {"0", "0", "1e5", "45"},     {"0", "0", "1e5", "-45"},  {"1e5", "1e5", "4e5", "45"},
+                     {"-1e5", "-1e5", "0", "30"}, {"3e5", "-1e5", "0", "0"}};
+    for (const auto& [xx, yy, xy, angle] : principal) {
+        INFO(xx << " " << yy << " " << xy << " at " << angle);
+        const Runner runner = loaded({{"scene", "cut"}, {"sigma_xx", xx}, {"sigma_yy", yy}, {"sigma_xy", xy}, {"angle", angle}});
+        Scene scene;
+        runner.lesson().draw(scene);
+        const auto length = [&](Ink ink) {
+            const ArrowMarks& arrow = *std::ranges::find(scene.arrows, ink, &ArrowMarks::ink);
+            const auto &a = arrow.from.front(), &b = arrow.to.front();
+            return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+        };
+        CHECK_THAT(length(Ink::force) / length(Ink::text), WithinAbs(0.8, 1e-5));
+    }
+}

@@ -122,6 +122,36 @@ TEST_CASE("controls that name no parameter are refused with file, line and the n
     check_refused("```notes\n```\n## One\n", "w.md:1", "before the first slide");
 }
 
+// A walkthrough whose one slide does this, or expects it: what is wrong is told when it is played.
+void check_line_refused(const std::string& block, const std::string& line, const std::string& what) {
+    Played p("## One\n```" + block + "\n" + line + "\n```\n");
+    CAPTURE(block, line);
+    CHECK_THROWS_WITH(p.player.next(), ContainsSubstring("w.md:3") && ContainsSubstring(what));
+}
+
+TEST_CASE("an action or an expectation with more, or less, than it says is refused with file and line", "[walkthrough]") {
+    for (const char* action : {"reset now", "release 3", "set", "preset", "show x twice", "step", "show"})
+        check_line_refused("do", action, "no such action");
+    for (const char* run : {"run", "run 1.5 steps", "run 0x10 steps", "run +-5 steps", "run 10 stepsize", "run 10 steps more",
+                            "run nan s", "run 1,5 s", "run rest now", "run 3"})
+        check_line_refused("do", run, "run needs one of");
+    for (const char* pull :
+         {"pull", "pull 1 to 0 0", "pull 1.5 to 0 0 0", "pull 1 at 0 0 0", "pull 1 to 0 0 0 0", "pull 1 to 0 0 inf"})
+        check_line_refused("do", pull, "pull needs");
+    for (const char* expectation : {"x = 0 within 1 relative more", "x < 1 more", "x = 0 within 1 2", "x < 2 exactly 3"})
+        check_line_refused("expect", expectation, "in '");
+    Played decimal("## One\n```do\nrun 010 steps\n```\n");
+    decimal.player.next();
+    CHECK(decimal.x() == 5);
+}
+
+TEST_CASE("a NUL byte in a walkthrough is refused with its line and column", "[walkthrough]") {
+    using namespace std::string_view_literals;
+    check_refused("# T\n## One\nab\0c\n"sv, "w.md:3", "column 3");
+    check_refused("## One\n\0```do\nrun 1 steps\n```\n"sv, "w.md:2", "column 1");
+    check_refused("\0"sv, "w.md:1", "column 1");
+}
+
 TEST_CASE("going to a slide plays what comes before it", "[walkthrough]") {
     Played p, straight;
     p.player.go_to_slide(2);

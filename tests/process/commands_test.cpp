@@ -137,6 +137,22 @@ TEST_CASE("shot writes a picture of the size asked for", "[process][slow][every_
     }
 }
 
+TEST_CASE("walkthrough writes a picture of every slide, with its answer or without", "[process]") {
+    const Scratch scratch;
+    const std::string folder = scratch.path("a/slides"), questions = scratch.path("questions");
+    const std::string told = output_of({"walkthrough", "moduli", "--out", folder, "--size", "640x360"});
+    output_of({"walkthrough", "moduli", "--out", questions, "--questions", "--size", "640x360"});
+    for (int n = 1; n <= 8; ++n) {
+        const std::string name = "slide_0" + std::to_string(n) + ".png";
+        CAPTURE(name);
+        CHECK(contains(told, name));
+        const std::string picture = contents_of(fs::path(folder) / name);
+        CHECK(picture.starts_with("\x89PNG"));
+        CHECK(picture != contents_of(fs::path(questions) / name));
+    }
+    CHECK_FALSE(fs::exists(fs::path(folder) / "slide_09.png"));
+}
+
 TEST_CASE("tour shows a lesson and its presets on one page", "[process][slow][every_lesson]") {
     for (const std::string& lesson : every_lesson()) {
         const Scratch scratch;

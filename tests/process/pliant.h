@@ -25,6 +25,13 @@ inline Outcome call(const Arguments& arguments, const Environment& more = {}) {
     return run_process(PLIANT_PROGRAM, arguments, environment);
 }
 
+// The same through a shell that opens and closes descriptors: "2>&-".
+inline Outcome call_with(const std::string& redirections, const Arguments& arguments) {
+    Arguments words{"-c", "exec \"$0\" \"$@\" " + redirections, PLIANT_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_process("/bin/sh", words, {{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}});
+}
+
 inline std::string sentence(const Arguments& arguments) {
     std::string text = "pliant";
     for (const std::string& a : arguments) text += " " + a;
@@ -88,6 +95,21 @@ inline void check_finite(const Json& run) {
         INFO(name);
         CHECK((probe["value"].is_null() || std::isfinite(probe["value"].get<double>())));
     }
+}
+
+// The message of a call that has to be refused, in one line, and which says all of `words`.
+inline std::string refusal(const Arguments& arguments, const std::vector<std::string>& words = {}) {
+    const Outcome outcome = call(arguments);
+    INFO(sentence(arguments) << "\n" << outcome.out << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("pliant: "));
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    for (const std::string& w : words) {
+        INFO("the message should say: " << w);
+        CHECK(contains(outcome.err, w));
+    }
+    return outcome.err;
 }
 
 // What a run found, without what it cost.

@@ -14,21 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The message of a call that has to be refused, and which says all of `words`.
-std::string refusal(const Arguments& arguments, const std::vector<std::string>& words = {}) {
-    const Outcome outcome = call(arguments);
-    INFO(sentence(arguments) << "\n" << outcome.out << outcome.err);
-    CHECK(outcome.exit_code == refused);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err.starts_with("pliant: "));
-    CHECK(std::ranges::count(outcome.err, '\n') == 1);
-    for (const std::string& w : words) {
-        INFO("the message should say: " << w);
-        CHECK(contains(outcome.err, w));
-    }
-    return outcome.err;
-}
-
 bool is_numeric(const Json& parameter) { return parameter["kind"] == "number" || parameter["kind"] == "whole number"; }
 
 // Does the message tell the range in which this parameter is accepted, as "(-1, 0.5]"?
@@ -80,6 +65,11 @@ TEST_CASE("calls that lack something or have too much are refused", "[process]")
     refusal({"list", "moduli"}, {"moduli"});
     refusal({"walkthrough", "moduli", "--check", "--present"}, {"--check", "--present"});
     refusal({"walkthrough", "moduli", "--theme", "projector"}, {"--theme", "--present"});
+    refusal({"walkthrough", "moduli", "--questions"}, {"--questions", "--out"});
+    refusal({"walkthrough", "moduli", "--out", "x", "--check"}, {"--out", "--check"});
+    refusal({"walkthrough", "moduli", "--out", "x", "--frames", "3"}, {"--frames", "--present"});
+    refusal({"walkthrough", "moduli", "--out", ""}, {"--out"});
+    refusal({"walkthrough", "moduli", "--out", "x", "--size", "9x9"}, {"--size"});
     refusal({"shot", "moduli", "--slide", "2", "--out", "x.png"}, {"--slide", "--layout deck"});
     refusal({"shot", "moduli", "--layout", "deck", "--slide", "9", "--out", "x.png"}, {"slide 9", "1 to 8"});
     refusal({"shot", "moduli", "--layout", "deck", "--slide", "0", "--out", "x.png"}, {"--slide"});
@@ -91,6 +81,13 @@ TEST_CASE("calls that lack something or have too much are refused", "[process]")
     refusal({"run", "moduli", "--set", "=5"}, {"KEY=VALUE"});
     refusal({"run", "moduli", "--set", "youngs_modulus="}, {"youngs_modulus"});
     refusal({"run", "moduli", "--set", ""}, {"KEY=VALUE"});
+}
+
+TEST_CASE("a run to rest of a scene that never rests is refused before its first step", "[process]") {
+    refusal({"run", "navier_stokes", "--set", "scene=box", "--rest"}, {"never comes to rest", "stirring", "--steps or --time"});
+    refusal({"run", "navier_stokes", "--set", "scene=karman", "--rest", "--json"}, {"never comes to rest", "reynolds"});
+    refusal({"run", "mass_spring", "--preset", "slippery_bouncer", "--rest"}, {"never comes to rest", "damping_mode"});
+    refusal({"run", "advection", "--rest"}, {"never comes to rest"});
 }
 
 TEST_CASE("a length of the run that is none is refused", "[process]") {
@@ -150,7 +147,9 @@ TEST_CASE("a value of the wrong kind is refused for every parameter", "[process]
             };
             if (is_numeric(p)) {
                 refuse("twelve", "number");
-                refuse("1,5", "number");
+                refuse("1,500", "two ways");
+                refuse("2*3", "number");
+                refuse("3 parsec", "parsec");
                 refuse("0x10", "number");
                 refuse("1 2", "number");
                 if (p["kind"] == "whole number") refuse("1.5", "whole number");

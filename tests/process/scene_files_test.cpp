@@ -39,7 +39,9 @@ std::vector<Wrong> wrong_scenes() {
          "\n"
          R"(  "lesson": "elasticity/modulli"})",
          2, 3, "'elasticity/moduli'"},
-        {"a lesson that is a number", R"({"pliant": 1, "lesson": 7})", 1, 15, "text in quotes"},
+        {"a lesson that is a number", R"({"pliant": 1, "lesson": 7})", 1, 15, "text in quotes, not 7"},
+        {"a lesson that is nothing", R"({"pliant": 1, "lesson": null})", 1, 15, "text in quotes, not null"},
+        {"a lesson without a name", R"({"pliant": 1, "lesson": ""})", 1, 15, "''"},
         {"an unknown key", head + R"(  "parametres": {}})", 2, 3, "'parameters'"},
         {"an unknown key with a slash", head + R"(  "a/b~c": {}})", 2, 3, "'a/b~c'"},
         {"an unknown key with escapes", head + R"(  "\u00e4\"b": {}})", 2, 3, "unknown key"},
@@ -118,6 +120,8 @@ TEST_CASE("a wrong scene file is refused with line and column", "[process]") {
         INFO(wrong.what << "\n" << message << "expected at " << wrong.line << ":" << wrong.column << ", saying: " << wrong.words);
         CHECK(contains(message, "pliant: " + place(scratch, wrong.line, wrong.column)));
         CHECK(contains(message, wrong.words));
+        // Once.
+        CHECK(message.find(scratch.path("a.scene.json")) == message.rfind(scratch.path("a.scene.json")));
     }
 }
 
@@ -129,6 +133,29 @@ TEST_CASE("a scene file that is not text is refused", "[process]") {
     for (char& c : noise) c = static_cast<char>(random());
     CHECK(names_a_place(scratch, message_for(scratch, noise)));
     CHECK(names_a_place(scratch, message_for(scratch, std::string(1000, '\0'))));
+}
+
+TEST_CASE("a NUL byte is refused with its place, and so is what follows the end", "[process]") {
+    using namespace std::string_literals;
+    const Scratch scratch;
+    const std::string whole = head + " \"parameters\": {}}";
+    REQUIRE(call({"run", "--scene", scratch.file("a.scene.json", whole + " \n\t\r\n"), "--steps", "0"}).exit_code == 0);
+    for (const auto& [text, line, column] : {std::tuple{whole + "\0"s, 2, 19},
+                                             {whole + "\0 and more"s, 2, 19},
+                                             {whole + "\n\0{}"s, 3, 1},
+                                             {"\0"s + whole, 1, 1},
+                                             {head + "\0 \"parameters\": {}}"s, 2, 1},
+                                             {head + " \"para\0meters\": {}}"s, 2, 7}}) {
+        const std::string message = message_for(scratch, text);
+        INFO(message);
+        CHECK(contains(message, place(scratch, line, column)));
+        CHECK(contains(message, "NUL"));
+    }
+    for (const std::string more : {"x", "{}", ",", "}", "\"\"", "1", "null", "\x1a", "\xef\xbb\xbf"}) {
+        const std::string message = message_for(scratch, whole + "\n" + more);
+        INFO(more << "\n" << message);
+        CHECK(contains(message, scratch.path("a.scene.json") + ":3:"));
+    }
 }
 
 TEST_CASE("a deeply nested scene file is refused", "[process]") {

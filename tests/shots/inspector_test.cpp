@@ -77,8 +77,8 @@ TEST_CASE("the picture of before is drawn as the stage found it, and nothing mov
     CHECK(first_point(s.scene()) != now);
     s.compare(Compare::side_by_side);
     CHECK(first_point(s.scene()) == now);
-    REQUIRE(s.other_scene());
-    CHECK(first_point(*s.other_scene()) != now);
+    REQUIRE(s.other_picture());
+    CHECK(first_point(s.other_picture()->scene) != now);
     CHECK(s.runner().place() == here);
     CHECK(state_hash(s.lesson()) == hash);
 }

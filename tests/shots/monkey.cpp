@@ -17,6 +17,9 @@ namespace {
 
 using namespace viewer;
 
+// Of the run, that a frame may make: in a window so many milliseconds are the limit, which no test may depend on.
+constexpr Index passes_of_a_frame = 20;
+
 constexpr int width = 800, height = 560;
 
 void send_key(ImGuiKey key, bool ctrl, bool shift) {
@@ -53,6 +56,7 @@ bool sizes_the_scene(const Parameter& p) {
 Monkey::Monkey(std::string_view lesson, unsigned seed) : seed_(seed), random_(seed), context_(open_headless({width, height})) {
     fs::current_path(scratch_.folder());
     lab_ = std::make_unique<Lab>(*context_, lesson);
+    lab_->keep_pace({.budget = Budget::of_passes(passes_of_a_frame)});
     frame();
 }
 
@@ -262,13 +266,15 @@ void Monkey::set_stops() {
 // All of a frame but its pixels, which take longest and which nobody looks at; those of every tenth are drawn too.
 std::string Monkey::frame() {
     (count_ % 10 == 0 ? glDisable : glEnable)(GL_RASTERIZER_DISCARD);
+    const long before = lab_->session().passes_run();
     try {
         lab_->frame(0.016);
         context_->present();
     } catch (const std::exception& e) {
         return fmt::format("a frame threw: {}", e.what());
     }
-    return "";
+    const long passes = lab_->session().passes_run() - before;
+    return passes > passes_of_a_frame ? fmt::format("a frame ran {} passes", passes) : "";
 }
 
 std::string Monkey::look() {

@@ -1,5 +1,6 @@
 // A monkey at the lab: random keys, clicks, drags, typed numbers and changes of layout, a frame for each. Whatever it does,
-// nothing may be thrown, no number shown may be other than finite or undefined, and the lab can be reset.
+// nothing may be thrown, no number shown may be other than finite or undefined, no frame may wait for more passes of the run than
+// it has room for, and the lab can be reset.
 //   PLIANT_MONKEY_SEED=7 PLIANT_MONKEY_INPUTS=10000 build/release/tests/pliant_shots_tests "[monkey]"
 #include "monkey.h"
 #include "../every_lesson.h"

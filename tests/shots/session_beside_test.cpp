@@ -172,7 +172,7 @@ TEST_CASE("two runs of other sizes have no difference; of one size, they have", 
     REQUIRE(s.shows_difference());
     const Scene shown = s.scene();
     s.show_difference(false);
-    const Scene a = s.scene(), b = s.scene_beside();
+    const Scene a = s.scene(), b = s.picture_beside()->scene;
     REQUIRE(shown.grids[0].values.size() == a.grids[0].values.size());
     float largest = 0;
     for (std::size_t i = 0; i < a.grids[0].values.size(); ++i) {

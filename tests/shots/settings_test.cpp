@@ -5,6 +5,7 @@
 
 #include <pliant/math/error.h>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace pliant;
 using namespace pliant::viewer;
@@ -30,6 +31,12 @@ TEST_CASE("settings: everything is read back as it was written", "[settings]") {
     CHECK(parse_settings(settings_text({}), "s") == Settings{});
 }
 
+TEST_CASE("settings: after a deck the lab opens with its controls", "[settings]") {
+    Settings s;
+    s.layout = Layout::deck;
+    CHECK(parse_settings(settings_text(s), "s").layout == Layout::lab);
+}
+
 TEST_CASE("settings: what does not belong is passed over, what is no object is refused", "[settings]") {
     const Settings s = parse_settings(
         R"({"theme": 3, "scale": 99, "speed": -1, "layout": "round", "hints_shown": "no", "recent": [1], "later": {}})", "s");
@@ -37,6 +44,30 @@ TEST_CASE("settings: what does not belong is passed over, what is no object is r
     for (const char* text : {"", "[]", "3", "{", "\xff"}) CHECK_THROWS_AS(parse_settings(text, "s"), Refused);
     const Settings many = parse_settings(R"({"recent": ["1","2","3","4","5","6","7","8","9","10"]})", "s");
     CHECK(many.recent.size() == most_recent);
+}
+
+TEST_CASE("settings: what follows the end, a NUL byte and a key given twice are refused with their place", "[settings]") {
+    const std::string good = R"({"theme": "projector"})";
+    CHECK(parse_settings(good + " \n", "s").theme == Theme::projector);
+    for (const auto& [text, place] : {std::pair{good + std::string(1, '\0') + "more", "s:1:23: "},
+                                      {good + "\n" + std::string(1, '\0'), "s:2:1: "},
+                                      {good + "\nmore", "s:2:"},
+                                      {good + good, "s:1:23: "},
+                                      {std::string(R"({"theme": "dark",)") + "\n" + R"("theme": "projector"})", "s:2:1: "}}) {
+        CAPTURE(text);
+        CHECK_THROWS_WITH(parse_settings(text, "s"), Catch::Matchers::StartsWith(place));
+    }
+}
+
+TEST_CASE("settings: a broken file replaces none that was set aside before", "[settings]") {
+    const Scratch scratch;
+    const std::string path = scratch.file("settings.json", "{\"theme\": ");
+    scratch.file("settings.json.bad", "mine");
+    const SettingsFile file(path);
+    CHECK(file.trouble().find("settings.json.bad2") != std::string::npos);
+    CHECK(contents_of(path + ".bad") == "mine");
+    CHECK(contents_of(path + ".bad2") == "{\"theme\": ");
+    CHECK(scratch.names() == std::vector<std::string>{"settings.json.bad", "settings.json.bad2"});
 }
 
 TEST_CASE("settings: changes are kept, flags are not", "[settings]") {

@@ -58,6 +58,17 @@ struct Pulled {
     }
 };
 
+// Displacements at rest under these forces, from none.
+template <int Dim>
+Points<Dim> equilibrium(const HyperelasticFem<Dim>& body, const DisplacementConstraints<Dim>& constraints,
+                        const Points<Dim>& force, Real tolerance) {
+    NewtonEquilibrium<Dim> newton(body, constraints, {.tolerance = tolerance});
+    newton.begin(none(body.mesh()), force, constraints);
+    newton.solve();
+    newton.require_convergence();
+    return newton.displacement();
+}
+
 struct PulledResult {
     Real stress, lateral;
     Index iterations;
@@ -106,7 +117,7 @@ TEMPLATE_TEST_CASE_SIG("Patch test at finite strain: a boundary that follows u =
     const Mat<Dim> A = 15 * some_gradient<Dim>();
     const Vec<Dim> b = Vec<Dim>::Constant(0.3);
     const auto constraints = affine_boundary<Dim>(mesh, A, b);
-    const Points<Dim> u = solve_equilibrium<Dim>(body, constraints, none(mesh), none(mesh), {.tolerance = 1e-13});
+    const Points<Dim> u = equilibrium<Dim>(body, constraints, none(mesh), 1e-13);
     const Points<Dim> exact = (A * mesh.points()).colwise() + b;
     CHECK((u - exact).cwiseAbs().maxCoeff() < 1e-10);
     Tensors<Dim> P;
@@ -195,7 +206,7 @@ TEST_CASE("Two bars in series, one of them a hundred million times stiffer", "[n
     Points<3> force = none(mesh);
     add_traction<3>(mesh, mesh.facets("x_max"), Vec<3>(100, 0, 0), force);
     // The stiff bar's forces round at about 1e-7 of the load.
-    const Points<3> u = solve_equilibrium<3>(body, rollers<3>(mesh), force, none(mesh), {.tolerance = 1e-6});
+    const Points<3> u = equilibrium<3>(body, rollers<3>(mesh), force, 1e-6);
     CHECK_THAT(u(0, mesh.nodes("x_max").front()), WithinRel(100 / 1e4 + 100 / 1e12, 1e-6));
 }
 
@@ -217,7 +228,7 @@ TEST_CASE("What cannot be solved is told, not tried", "[newton]") {
     // Supports that would press the body flat are approached, and the failure says how far it came.
     const Pulled flat(0);
     const HyperelasticFem<3> pressed(flat.mesh, Energy::neo_hookean, rubber());
-    CHECK_THROWS_AS(solve_equilibrium<3>(pressed, flat.constraints, none(flat.mesh), none(flat.mesh)), Diverged);
+    CHECK_THROWS_AS(equilibrium<3>(pressed, flat.constraints, none(flat.mesh), 1e-10), Diverged);
 }
 
 TEST_CASE("All nodes held: nothing to solve, reactions at once", "[newton]") {
@@ -228,6 +239,24 @@ TEST_CASE("All nodes held: nothing to solve, reactions at once", "[newton]") {
         held.prescribe(n, 0, 0.1 * mesh.points()(0, n));
         held.prescribe(n, 1, 0);
     }
-    const Points<2> u = solve_equilibrium<2>(body, held, none(mesh), none(mesh));
+    const Points<2> u = equilibrium<2>(body, held, none(mesh), 1e-10);
     CHECK((u - held.values()).norm() == 0);
+}
+
+TEST_CASE("No step carries a body through its mirror image", "[newton]") {
+    const SimplexMesh<3> mesh = small_mesh<3>();
+    const Points<3> rest = none(mesh);
+    // Both directions across are turned over at once: a proper body at both ends, and none halfway.
+    const Points<3> turn = Vec<3>(0, -2, -2).asDiagonal() * mesh.points();
+    const HyperelasticFem<3> rubbery(mesh, Energy::neo_hookean, rubber()), linear(mesh, Energy::linear, rubber());
+    CHECK(rubbery.admissible_share(rest, turn) < 0.5);
+    CHECK(std::isfinite(rubbery.energy(rest + rubbery.admissible_share(rest, turn) * turn)));
+    CHECK(rubbery.admissible_share(rest, 0.1 * turn) == 1);
+    CHECK(linear.admissible_share(rest, turn) == 1);
+    for (const Real stretch : {0.05, 4., 8.}) {
+        const Pulled bar(stretch);
+        const HyperelasticFem<3> body(bar.mesh, Energy::neo_hookean, IsotropicModuli::from_young_poisson(Y, 0.49).lame());
+        const Points<3> u = equilibrium<3>(body, bar.constraints, none(bar.mesh), 1e-9);
+        for (Index e = 0; e < bar.mesh.simplex_count(); ++e) CHECK(body.deformation_gradient(e, u)(1, 1) > 0);
+    }
 }

@@ -34,6 +34,14 @@ public:
         for (int n = 0; n < steps; ++n) step(scheme, dt);
     }
 
+    // Of the system, for contact.
+    auto force() {
+        return [this](ConstDofs at, ConstDofs with, Dofs sum) {
+            system.begin_step(at);
+            system.force(at, with, sum);
+        };
+    }
+
     Real energy() const {
         return kinetic_energy<Dim>(mass, v) + spring_energy<Dim>(springs, x) + external_energy<Dim>(system.load, mass, x);
     }

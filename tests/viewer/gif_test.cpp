@@ -6,8 +6,10 @@
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
+#include <numeric>
 #include <string_view>
 
 using namespace pliant;
@@ -106,6 +108,33 @@ TEST_CASE("gif: frames come back in size, number, time and colours") {
     GifRecording again(20);
     for (const Image& image : given) again.add(image);
     CHECK(again.encoded() == bytes);
+}
+
+TEST_CASE("gif: at every number of frames a second the whole lasts as long as it should") {
+    const Image image = picture(16, 16, 2);
+    for (int frames_per_second = 1; frames_per_second <= 50; ++frames_per_second) {
+        INFO(frames_per_second << " frames a second");
+        GifRecording gif(frames_per_second);
+        for (int i = 0; i < 2 * frames_per_second; ++i) gif.add(image);
+        const std::vector<int> delays = decoded(gif.encoded()).delays;
+        CHECK(std::accumulate(delays.begin(), delays.end(), 0) == 200);
+        const auto [shortest, longest] = std::ranges::minmax(delays);
+        CHECK(longest - shortest <= 1);
+        CHECK(shortest >= 2);  // browsers show what is shorter for a tenth of a second
+        // No frame begins more than half a hundredth away from its time.
+        int begin = 0;
+        for (std::size_t i = 0; i < delays.size(); begin += delays[i++])
+            CHECK(std::abs(begin - 100.0 * static_cast<double>(i) / frames_per_second) <= 0.5 + 1e-9);
+    }
+}
+
+TEST_CASE("gif: the last frame stays until the end that is asked for") {
+    GifRecording gif(15);
+    for (int i = 0; i < 22; ++i) gif.add(picture(16, 16, 2));
+    gif.end_at(1.5);
+    const std::vector<int> delays = decoded(gif.encoded()).delays;
+    CHECK(std::accumulate(delays.begin(), delays.end(), 0) == 150);
+    CHECK(delays.back() == 10);
 }
 
 TEST_CASE("gif: a flat area keeps its colour") {

@@ -367,3 +367,20 @@ TEST_CASE("The SVG of a plot is complete, and the same every time") {
         CHECK(count("inf\"") == 0);
     }
 }
+
+TEST_CASE("The last number along an axis ends with the plot, and keeps clear of the one before it") {
+    const Notes canvas(15);
+    const float em = canvas.line_height(), length = 220;
+    for (const Range range : {Range{0, 0.02}, Range{0, 0.2}, Range{0.3, 0.5}, Range{1, 1.006}, Range{-3e-3, 3e-3}}) {
+        const Ticks ticks = ticks_that_fit(range, AxisScale::linear, "s", length, false, canvas);
+        const AxisMap map(range, AxisScale::linear, 0, length);
+        float end = -1000;
+        for (const Tick& tick : ticks.ticks) {
+            const float size = canvas.text_size(tick.text).x, middle = static_cast<float>(map.pixel(tick.value));
+            const float start = std::min(middle - size / 2, length + beside_area * em - size);
+            CAPTURE(range.lo, range.hi, tick.text);
+            CHECK(start >= end + 0.15f * em - 0.01f);
+            end = start + size;
+        }
+    }
+}

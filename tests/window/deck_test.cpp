@@ -121,3 +121,12 @@ TEST_CASE("the notes are for the lecturer: by a key on the screen, and in the te
                desk.output().find("8 / 8  How exact") != std::string::npos;
     }));
 }
+
+TEST_CASE("Escape leads from the slide without panels back to the lab", "[window][deck]") {
+    need_screen_and_mouse();
+    Desk desk({"--lesson", "elasticity/moduli"});
+    desk.key("Tab");
+    REQUIRE(desk.becomes("layout", "slide"));
+    desk.key("Escape");
+    CHECK(desk.becomes("layout", "lab"));
+}

@@ -99,8 +99,8 @@ public:
     Json state() const { return Json::parse(contents_of(state_path_)); }
     double parameter(const std::string& key) const { return std::stod(state()["parameters"][key].get<std::string>()); }
     // Waits until the state is as wanted; false when the lab ends before, or hangs.
-    bool becomes(const std::function<bool(const Json&)>& wanted) const {
-        const auto deadline = std::chrono::steady_clock::now() + patience;
+    bool becomes(const std::function<bool(const Json&)>& wanted, std::chrono::milliseconds at_most = patience) const {
+        const auto deadline = std::chrono::steady_clock::now() + at_most;
         while (lab_->running() && std::chrono::steady_clock::now() < deadline) {
             if (wanted(state())) return true;
             std::this_thread::sleep_for(20ms);
@@ -116,11 +116,10 @@ public:
         wait_frames(2 * frames_to_notice);
         return state()[key] == value;
     }
-    void wait_frames(long count) const {
-        const long first = state()["frame"];
-        std::this_thread::sleep_for(30ms);
-        becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count; });
-    }
+    // Until so many frames are drawn, or the lab rests: it then shows all that it was told.
+    void wait_frames(long count) const { wait_frames_after(state()["frame"], count); }
+    // Frames drawn so far.
+    long frames() const { return state()["frame"]; }
 
     // Presses a key and lets it go; "ctrl+z" as a hand does it, with the first key held around the second.
     void key(const std::string& name) {
@@ -170,8 +169,14 @@ public:
 
 private:
     void act(const Arguments& arguments, long frames = frames_to_notice) const {
+        const long before = state()["frame"];
         xdotool(arguments);
-        wait_frames(frames);
+        // What changes nothing for the lab, such as a mouse that stays where it is, makes no frame.
+        becomes([&](const Json& s) { return s["frame"].get<long>() > before; }, 500ms);
+        wait_frames_after(before, frames);
+    }
+    void wait_frames_after(long first, long count) const {
+        becomes([&](const Json& s) { return s["frame"].get<long>() >= first + count || s["resting"] == true; });
     }
     std::string xdotool(const Arguments& arguments) const {
         const Outcome outcome = run_process("xdotool", arguments, {{"DISPLAY", screen_.display()}});

@@ -18,9 +18,11 @@ Real accepted(Real seconds) {
 
 Animation::Animation(Real seconds, int frames_per_second, int width)
     : gif_(frames_per_second),
-      wanted_(static_cast<std::size_t>(std::lround(accepted(seconds) * frames_per_second))),
+      wanted_(static_cast<std::size_t>(std::floor(accepted(seconds) * frames_per_second + 1e-9))),
       frame_seconds_(Real{1} / frames_per_second),
-      width_(width) {}
+      width_(width) {
+    gif_.end_at(seconds);
+}
 
 void Animation::advance(Session& session) {
     if (gif_.frames() > 0) session.update(frame_seconds_, std::numeric_limits<Real>::infinity());

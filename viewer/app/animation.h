@@ -10,7 +10,8 @@ namespace pliant::viewer {
 
 class Animation {
 public:
-    // seconds of the file, 1 to 30; frames per second, 1 to 50; the widest that a frame may be in px. Throws Refused.
+    // seconds of the file, 1 to 30, whose last frame stays until they are over; frames per second, 1 to 50; the widest that a
+    // frame may be in px. Throws Refused.
     Animation(Real seconds, int frames_per_second, int width);
 
     // Moves a playing run on to the next frame, in whole steps at the session's speed; the first frame shows it as it is.

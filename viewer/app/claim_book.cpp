@@ -101,12 +101,10 @@ std::string_view name_of(ClaimBook::Phase phase) {
 }
 
 void open_as_scene(Session& session, const Claim& claim) {
-    try {
+    session.later([&session, &claim] {
         session.open(find_lesson(claim.lesson), claim.scene);
         if (session.runner().is_static()) session.step();
-    } catch (const Error& e) {
-        session.say(Session::Message::Kind::refused, e.what());
-    }
+    });
 }
 
 }  // namespace pliant::viewer

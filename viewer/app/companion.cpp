@@ -34,8 +34,8 @@ bool Companion::owns(const Parameter& parameter) const {
     return std::ranges::find(lesson().parameters, &parameter) != lesson().parameters.end();
 }
 
-void Companion::assign(std::string_view key, Real value) {
-    runner_.assign(key, value);
+void Companion::assign(const Parameter& parameter, Real value) {
+    runner_.assign_values({{&parameter, value}});
     stopped_.clear();
 }
 
@@ -72,6 +72,7 @@ bool Companion::ahead(const Runner& a) const {
 }
 
 bool Companion::behind(const Runner& a) const {
+    if (runner_.inside_step()) return true;
     if (runner_.is_static()) return runner_.place().step < a.place().step && !lesson().at_rest();
     return runner_.time() + (1 - rounding) * runner_.time_step() <= a.time();
 }
@@ -87,11 +88,20 @@ void Companion::go_back(const Runner& a) {
     found ? moved() : restart();
 }
 
+bool Companion::caught_up(const Runner& a) const { return !ahead(a) && (!stopped_.empty() || !behind(a)); }
+
+bool Companion::follow_a_pass(const Runner& a) {
+    if (ahead(a)) {
+        stopped_.clear();
+        go_back(a);
+    } else if (tried([&] { runner_.step_pass(); }) && !runner_.inside_step()) {
+        moved();
+    }
+    return stopped_.empty();
+}
+
 void Companion::follow(const Runner& a) {
-    if (ahead(a)) stopped_.clear();
-    while (stopped_.empty() && ahead(a)) go_back(a);
-    while (stopped_.empty() && behind(a))
-        if (tried([&] { runner_.step(); })) moved();
+    while (!caught_up(a) && follow_a_pass(a)) continue;
 }
 
 std::vector<Differing> differing(const Runner& a, const Runner& b) {

@@ -26,7 +26,7 @@ public:
     bool owns(const Parameter& parameter) const;
 
     // Throws Refused, and then nothing has changed.
-    void assign(std::string_view key, Real value);
+    void assign(const Parameter& parameter, Real value);
     // The same hand as in A; ignored where the two runs have other things to pull.
     void pull(const std::optional<Pull>& pull, const Lesson& of_a);
     void restart();
@@ -34,6 +34,9 @@ public:
     // Goes on or back in whole steps of its own until A is less than one of them ahead. A static lesson follows by the count of
     // steps. What goes wrong stops B alone.
     void follow(const Runner& a);
+    // The same, one pass at a time: to be asked again until B has caught up, or it fails and gives false.
+    bool follow_a_pass(const Runner& a);
+    bool caught_up(const Runner& a) const;
     // Why B does not go on, in words; empty while it does.
     const std::string& stopped() const { return stopped_; }
 

@@ -29,9 +29,9 @@ void CostHistory::record(const Runner& runner) {
     if (step == 0) return clear();
     if (!rows_.empty() && rows_.back().step >= step) return forget_from(step + 1);
     std::vector<Real> ms;
-    for (std::size_t i = 0; i < runner.lesson().stages.size(); ++i)
-        ms.push_back(runner.cost(i).runs && runner.lesson().stages[i].in_use() ? runner.cost(i).last_ms
-                                                                               : std::numeric_limits<Real>::quiet_NaN());
+    for (const Stage& stage : runner.lesson().stages)
+        ms.push_back(runner.cost(stage).runs && stage.in_use() ? runner.cost(stage).last_ms
+                                                               : std::numeric_limits<Real>::quiet_NaN());
     record(step, runner.is_static() ? static_cast<Real>(step) : runner.time(), ms);
 }
 

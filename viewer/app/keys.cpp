@@ -58,6 +58,7 @@ constexpr std::array bindings{
     KeyBinding{Action::notes, ImGuiKey_O, false, false, "O", "deck: the lecturer's notes", Where::in_deck},
     KeyBinding{Action::dismiss, ImGuiKey_Escape, false, false, "Escape", "close a message or the summary", Where::over_a_message},
     KeyBinding{Action::leave_deck, ImGuiKey_Escape, false, false, "Escape", "deck: to the lab, with this run", Where::in_deck},
+    KeyBinding{Action::leave_deck, ImGuiKey_Escape, false, false, "Escape", "slide: to the lab", Where::on_slide},
     KeyBinding{Action::pin, ImGuiKey_G, false, false, "G", "pin this run behind the present one, or let it go"},
     KeyBinding{Action::beside, ImGuiKey_2, false, false, "2", "two runs, A and B, side by side"},
     KeyBinding{Action::difference, ImGuiKey_3, false, false, "3", "two runs: their difference, or side by side"},
@@ -116,6 +117,8 @@ bool KeyContext::suits(Where where) const {
             return !deck;
         case Where::in_deck:
             return deck;
+        case Where::on_slide:
+            return slide;
         case Where::in_walkthrough:
             return walkthrough;
         case Where::over_a_message:

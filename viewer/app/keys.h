@@ -70,7 +70,7 @@ enum class Action {
 
 // Where a key has its meaning; over a message, or a summary, it has that one alone. The deck is the layout for a lecture, while a
 // walkthrough plays in it.
-enum class Where { everywhere, outside_deck, in_deck, in_walkthrough, over_a_message };
+enum class Where { everywhere, outside_deck, in_deck, on_slide, in_walkthrough, over_a_message };
 
 struct KeyBinding {
     Action action;
@@ -85,7 +85,7 @@ struct KeyBinding {
 
 // What the person is in, for the keys that depend on it.
 struct KeyContext {
-    bool walkthrough = false, deck = false, message = false;
+    bool walkthrough = false, deck = false, slide = false, message = false;
     bool suits(Where where) const;
 };
 

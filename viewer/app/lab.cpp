@@ -8,6 +8,7 @@
 #include "platform/gl.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pliant::viewer {
@@ -123,8 +124,10 @@ void Lab::set_layout(Layout layout) {
 }
 
 void Lab::open_deck() {
-    if (!state_.session.walkthrough) state_.session.start_walkthrough();
-    if (state_.session.walkthrough) set_layout(Layout::deck);
+    state_.session.later([this] {
+        if (!state_.session.walkthrough) state_.session.start_walkthrough();
+        if (state_.session.walkthrough) set_layout(Layout::deck);
+    });
 }
 
 bool Lab::perform_on_view(Action action) {
@@ -165,7 +168,7 @@ bool Lab::perform_on_view(Action action) {
             state_.cost_shown = !state_.cost_shown;
             return true;
         case Action::frame:
-            return s.camera.reset(), true;
+            return s.frame_afresh(), true;
         default:
             return perform_for_ear_and_hand(action);
     }
@@ -205,25 +208,66 @@ void release_keys(bool deck) {
 }
 }  // namespace
 
-void Lab::frame(Real dt) {
-    if (restyle_) restyle();
-    for (const std::string& path : context_.take_dropped_files()) drop_file(path);
+void Lab::clear_window() {
     const Size size = context_.framebuffer_size();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, size.width, size.height);
     const Rgba8 b = palette(state_.theme).background;
     glClearColor(b.r / 255.f, b.g / 255.f, b.b / 255.f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Lab::move_run(Real dt) {
+    Session& s = state_.session;
+    animation_ && !animation_->complete() ? animation_->advance(s) : s.update(dt, pace_.budget);
+    prepare();
+}
+
+void Lab::prepare() {
+    state_.session.prepare_pictures();
+    measure_held_numbers(state_);
+}
+
+bool Lab::frame(Real dt) {
+    constexpr int frames_to_settle = 3;
+    if (!finished()) return unsettled_ = frames_to_settle, draw_busy();
+    if (!std::exchange(run_moved_, true)) {
+        work([this, dt] { move_run(dt); });
+        if (!finished()) return draw_busy();
+    }
+    run_moved_ = false;
+    Session& s = state_.session;
+    {
+        const Session::Held held(s);
+        build_frame(dt);
+    }
+    unsettled_ = std::max(0, unsettled_ - 1);
+    if (s.anything_waits()) {
+        unsettled_ = frames_to_settle;
+        work([this] {
+            state_.session.do_waiting();
+            prepare();
+        });
+        finished();
+    }
+    return true;
+}
+
+void Lab::build_frame(Real dt) {
+    if (restyle_) restyle();
+    state_.seconds = dt;
+    for (const std::string& path : context_.take_dropped_files()) drop_file(path);
+    clear_window();
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
     release_keys(in_deck());
     state_.claims.update();
     state_.atlas.follow(state_.session);
-    animation_ && !animation_->complete() ? animation_->advance(state_.session) : state_.session.update(dt);
     const Session& s = state_.session;
     if (!state_.files.asking() && !state_.animation.asking)
         handle_keys({.walkthrough = state_.session.walkthrough.has_value(),
                      .deck = in_deck(),
+                     .slide = state_.layout == Layout::slide,
                      .message = s.message() || s.autopsy() || !state_.summary.empty()},
                     [this](Action a) { perform(a); });
     forget_file_of_another_scene();
@@ -241,6 +285,19 @@ void Lab::frame(Real dt) {
     ImGui::PopFont();
     gui_.end_frame();
     after_frame();
+}
+
+Real Lab::next_change() const {
+    constexpr Real progress_seconds = 0.1;
+    if (busy()) return card_shows() ? progress_seconds / 2 : 0;
+    const LabState& l = state_;
+    const bool moves = l.session.under_way() || (!l.session.camera && l.session.viewpoint.moving()) ||
+                       (l.cost_shown && l.live_error.catching_up(l.session.runner()));
+    const bool ordered =
+        unsettled_ > 0 || restyle_ || capture_ || plot_to_save_ || animation_ || !l.wanted.empty() || !l.wanted_files.empty();
+    if (moves || ordered) return 0;
+    return std::min(gui_.next_blink(),
+                    l.claims.busy() || l.atlas.busy() ? progress_seconds : std::numeric_limits<Real>::infinity());
 }
 
 void Lab::do_what_is_wanted() {

@@ -2,15 +2,24 @@
 #pragma once
 #include "app/animation.h"
 #include "app/keys.h"
+#include "app/worker.h"
 #include "panels/lab_state.h"
 #include "platform/context.h"
 #include "platform/gui.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace pliant::viewer {
+
+// How the lab shares a frame between the run and the window.
+struct Pace {
+    Budget budget = 10;      // of the run
+    Real patience_ms = 30;   // that the window waits for the run before it goes on without it
+    Real card_after = 0.25;  // s of work, until a card tells of it
+};
 
 class Lab {
 public:
@@ -36,8 +45,28 @@ public:
     // Writes the scene to a file and remembers it. Throws Refused.
     void save_file(const std::string& path);
 
-    // Builds and draws a frame. dt: wall time since the last one, s; with 0 nothing moves.
-    void frame(Real dt);
+    // Has something come from outside that no frame has seen?
+    bool has_input() const { return gui_.has_input(); }
+    // s from the last frame until the lab shows something else by itself; infinity when it does not.
+    Real next_change() const;
+
+    // From now on no frame moves the run by more than the budget.
+    void keep_pace(const Pace& pace);
+    // The same, and the run is moved in a thread of its own, so that no frame waits for it.
+    void work_beside(const Pace& pace);
+    // The worker has the run: nothing of the session, nor of what its work touches, may be looked at.
+    bool busy() const { return worker_ && worker_->busy(); }
+    const Worker* worker() const { return worker_.get(); }
+    bool card_shows() const;
+    // Of the card, px; empty while the work cannot be cancelled.
+    std::optional<Rectangle> cancel_button() const;
+    long busy_frames() const { return busy_frames_; }  // drawn with the card
+    // Ends what is under way.
+    void call_off();
+
+    // Moves the run, and builds and draws a frame. dt: wall time since the last one, s; with 0 nothing moves. While the worker
+    // has the run the last frame is drawn again, with its card; false when nothing was drawn.
+    bool frame(Real dt);
 
 private:
     // A part of the framebuffer to be saved once no dialog covers it.
@@ -48,6 +77,16 @@ private:
     };
 
     void restyle();
+    void clear_window();
+    void work(std::function<void()> job);
+    bool finished() { return !worker_ || worker_->finished(pace_.patience_ms); }
+    void move_run(Real dt);
+    void prepare();  // what a frame shows
+    void build_frame(Real dt);
+    // --- while the worker has the run: lab_busy.cpp ---
+    bool draw_busy();
+    void take_inputs_of_card();
+    void lay_out_card(ImDrawList& draw, const ImVec2& display);
     void draw_layout(float width, float height);
     void lab_layout(float width, float height);
     void slide_layout(float width, float height);
@@ -90,6 +129,14 @@ private:
     std::string animation_path_;
     int file_opening_ = 0;  // the session's count of openings that state_.file belongs to
     bool restyle_ = true, fonts_loaded_ = false;
+    bool run_moved_ = false;  // for the frame that comes
+    int unsettled_ = 0;       // frames until ImGui shows all of what has changed
+    Pace pace_{.budget = {}};
+    struct BusyCard {
+        Rectangle card, button;
+    } busy_card_;
+    long busy_frames_ = 0;
+    std::unique_ptr<Worker> worker_;  // last: it ends before what it works on
 };
 
 }  // namespace pliant::viewer

@@ -66,8 +66,12 @@ void Lab::perform_on_files(Action action) {
 // ------------------------------------------------------------------------------------------------------------- scenes
 
 void Lab::open_file(const std::string& path) {
-    state_.session.open_scene(read_scene(path));
-    remember(path);
+    const SceneFile scene = read_scene(path);
+    Runner::check(find_lesson(scene.lesson), scene.parameters, scene.events);
+    state_.session.later([this, scene, path] {
+        state_.session.open_scene(scene);
+        remember(path);
+    });
 }
 
 void Lab::save_file(const std::string& path) {

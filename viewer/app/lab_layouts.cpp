@@ -25,8 +25,9 @@ void Lab::lab_layout(float width, float height) {
                 body = height - status - top;
     const float list =
         std::min(body * 0.42f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
-    const float bars = 2 * ImGui::GetFrameHeight() + s.px(stage_height) + 2 * ImGui::GetStyle().WindowPadding.y +
-                       2 * ImGui::GetStyle().ItemSpacing.y;
+    const auto rows = static_cast<float>(1 + s.transport_rows);
+    const float bars = rows * ImGui::GetFrameHeight() + s.px(stage_height + (s.stages_scroll ? stage_scrollbar : 0)) +
+                       2 * ImGui::GetStyle().WindowPadding.y + rows * ImGui::GetStyle().ItemSpacing.y;
     {
         const FixedPanel panel("Lessons", {0, top, left, list});
         draw_lesson_list(s);
@@ -87,56 +88,6 @@ void Lab::slide_layout(float width, float height) {
     }
     {
         const FixedPanel panel("Numbers", {width - right, height - numbers, right, numbers}, flags);
-        draw_key_numbers(s);
-    }
-    ImGui::PopStyleVar();
-}
-
-void Lab::deck_layout(float width, float height) {
-    LabState& s = state_;
-    const int flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNavInputs;
-    const float head = s.px(64), notes = s.notes_shown ? std::min(slide_notes_height(s, width), height / 4) : 0,
-                body = height - head - notes, left = width * 0.36f, right = width * 0.23f, middle = width - left - right,
-                numbers = s.px(172), sliders = std::clamp(slide_parameters_height(s), s.px(10), body * 0.45f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {s.px(20), s.px(10)});
-    {
-        const FixedPanel panel("Slide title", {0, 0, width, head}, flags);
-        draw_slide_title(s);
-    }
-    {
-        const FixedPanel panel("Slide words", {0, head, left, body}, flags);
-        draw_slide_words(s);
-    }
-    if (slide_parameters_height(s) > 0) {
-        // Tab goes to the sliders, whatever was clicked before.
-        const bool busy =
-            s.session.autopsy() || ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-        if (!busy) ImGui::SetNextWindowFocus();
-        const FixedPanel panel("Slide parameters", {left, head + body - sliders, middle, sliders}, ImGuiWindowFlags_NoBackground);
-        draw_slide_parameters(s);
-    }
-    if (notes > 0) {
-        const FixedPanel panel("Slide notes", {0, head + body, width, notes});
-        draw_slide_notes(s);
-    }
-    ImGui::PopStyleVar();
-    const Rectangle picture{left, head, middle, body - sliders};
-    // A slide with other sliders leaves the picture another place: it is framed for that.
-    if (picture.width != deck_picture_.width || picture.height != deck_picture_.height) s.session.camera.reset();
-    deck_picture_ = picture;
-    {
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-        const FixedPanel panel("Scene", picture, flags | ImGuiWindowFlags_NoScrollWithMouse);
-        ImGui::PopStyleVar();
-        draw_scene(s, renderer_);
-    }
-    {
-        const FixedPanel panel("Plots", {width - right, head, right, body - numbers}, flags);
-        draw_plots(s);
-    }
-    {
-        const FixedPanel panel("Numbers", {width - right, head + body - numbers, right, numbers}, flags);
         draw_key_numbers(s);
     }
     ImGui::PopStyleVar();

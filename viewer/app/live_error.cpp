@@ -139,6 +139,11 @@ void LiveError::thin_references(const TimeSeries& run) {
     });
 }
 
+bool LiveError::catching_up(const Runner& runner) const {
+    if (!probe_ || !no_reference_.empty()) return false;
+    return !reference_ || place_of(*reference_) < place_of(runner) * (1 - same_time);
+}
+
 void LiveError::advance_reference(const Runner& runner, const Recorder& recorder, Real budget_ms) {
     if (!probe_ || !no_reference_.empty() || recorder.empty()) return;
     if (!reference_) make_reference(runner);
@@ -149,9 +154,9 @@ void LiveError::advance_reference(const Runner& runner, const Recorder& recorder
     const auto spent_ms = [&] { return std::chrono::duration<Real, std::milli>(Clock::now() - start).count(); };
     try {
         if (reference_->place() == Place{} && references_.empty()) record_reference(run);
-        while (place_of(*reference_) < place_of(runner) * (1 - same_time) && spent_ms() < budget_ms) {
-            reference_->step();
-            record_reference(run);
+        while (catching_up(runner) && spent_ms() < budget_ms) {
+            reference_->step_pass();
+            if (!reference_->inside_step()) record_reference(run);
         }
     } catch (const Error& e) {
         drop_reference(fmt::format("The finer run stopped: {}", e.what()));

@@ -48,6 +48,9 @@ public:
     // Brings the finer run to the time of this one, as far as it gets within a budget.
     void advance_reference(const Runner& runner, const Recorder& recorder, Real budget_ms);
 
+    // Is the finer run behind this one?
+    bool catching_up(const Runner& runner) const;
+
     // The probe that is measured; null when the lesson names none.
     const Probe* probe() const { return probe_; }
     std::size_t probe_number() const { return probe_number_; }  // where there is one

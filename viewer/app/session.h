@@ -9,9 +9,12 @@
 #include <pliant/lesson/walkthrough.h>
 
 #include "app/autopsy.h"
+#include "app/budget.h"
 #include "app/companion.h"
 #include "app/inspector.h"
+#include "app/viewpoint.h"
 #include "render/palette.h"
+#include "render/picture.h"
 
 #include <functional>
 #include <memory>
@@ -32,6 +35,21 @@ private:
     bool fresh_ = true;  // the next numbers set the range, whatever it was
 };
 
+// All that a picture depends on.
+struct PictureKey {
+    int opened = 0;
+    long revision = 0;
+    int beside_opened = 0;
+    long beside_revision = 0;
+    int pinned = 0;
+    std::string field{};
+    int component = -1;
+    bool arrows = true, labels = true, smooth = true, difference = false, change = false;
+    Compare compare = Compare::now;
+    std::string stage{};
+    bool operator==(const PictureKey&) const = default;
+};
+
 // What is kept of a run to see another one against.
 struct Pinned {
     Scene ghost;
@@ -43,6 +61,25 @@ struct Pinned {
 
 class Session {
 public:
+    // --- what has to wait ---
+    // While a frame is drawn nothing moves: whatever would change the run waits until do_waiting().
+    class Held {
+    public:
+        explicit Held(Session& session) : session_(session) { session.holding_ = true; }
+        ~Held() { session_.holding_ = false; }
+        Held(const Held&) = delete;
+        Held& operator=(const Held&) = delete;
+
+    private:
+        Session& session_;
+    };
+    // Does it now or, while held, later; what it throws becomes a message.
+    void later(std::function<void()> act);
+    bool anything_waits() const { return !waiting_.empty(); }
+    void do_waiting();
+    // Makes the pictures that are to be shown, where they are not those that are kept.
+    void prepare_pictures();
+
     // Opens a lesson, by default the one that moves most. Throws Refused.
     explicit Session(std::string_view lesson = "mesh/mass_spring");
 
@@ -72,10 +109,22 @@ public:
     // --- time ---
     bool playing = false;
     Real speed = 1;  // simulated seconds asked for per second
-    // Advances by what `seconds` of wall time ask for, in whole steps, within a budget of `budget_ms`. A slow machine falls
-    // behind; Δt never changes.
-    void update(Real seconds, Real budget_ms = 12);
-    void toggle_play() { playing = !playing; }
+    // Advances by what `seconds` of wall time ask for, pass by pass, as far as the budget goes; a step that it does not suffice
+    // for goes on in the next update. A slow machine falls behind; neither Δt nor a bit of the result changes.
+    void update(Real seconds, Budget budget = {});
+    // Moves forward by a step, a stage or a pass then go on from update to update as well; else each runs to its end at once.
+    bool sliced = false;
+    // Does another update go on with what is begun?
+    bool under_way() const;
+    // A move that was asked for, or the rest of a step that was paused, is not at its end.
+    bool moving() const { return goal_ != nullptr; }
+    // A step that plays goes on in the next update, and will soon be over: what is shown is still the last whole one, so that
+    // numbers which are only of use inside a step do not flash up.
+    bool shows_last_step() const;
+    // Forward passes of this run and all before it.
+    long passes_run() const { return passes_run_; }
+    // Pauses between two steps; asked once more, at once.
+    void toggle_play();
     void step();
     void step_stage();
     void run_to_stage(std::string_view name);
@@ -96,6 +145,8 @@ public:
     // A refusal, also of a parameter that the slide locks, becomes a message. Values that follow each other on one parameter
     // within a drag are one undo step.
     void assign(const Parameter& parameter, Real value, bool same_drag = false);
+    // What was typed for a parameter, read as the command line reads it. A refusal becomes a message; nothing is clamped.
+    void enter(const Parameter& parameter, std::string_view text);
     // Several values at once, by key, as one step of undo; the run begins anew. False when refused.
     bool assign_together(const std::vector<std::pair<std::string, Real>>& values);
     void restore_default(const Parameter& parameter);
@@ -112,12 +163,21 @@ public:
     ColourRange range;
     bool show_arrows = true, show_labels = true, smooth = true;
     bool patterns = false;         // the sign shows by hatching, dashes and shapes as well as by colours
-    std::optional<Camera> camera;  // framed afresh when empty
-    void view_changed();           // after a change of the colours: their range is found again
-    // The picture, as the inspector asks for it: of now, of before the stage that is looked at, or of what that changed.
-    Scene scene();
-    // The one as the stage found it, beside or under that of now; empty when only one is to be seen.
-    std::optional<Scene> other_scene();
+    std::optional<Camera> camera;  // where the person moved it; when empty, the viewpoint's
+    Viewpoint viewpoint;
+    // The camera is no longer the person's.
+    void frame_afresh() { camera.reset(), viewpoint.turn_back(); }
+    // As the picture is seen.
+    const Camera& seen_by() const { return camera ? *camera : viewpoint.camera(); }
+    void view_changed();  // after a change of the colours: their range is found again
+    // The picture, as the inspector asks for it: of now, of before the stage that is looked at, or of what that changed. It is
+    // drawn by the lesson only when something that it depends on has changed.
+    KeptPicture picture();
+    const Scene& scene() { return picture()->scene; }  // until the next change
+    // The one as the stage found it, beside or under that of now; null when only one is to be seen.
+    KeptPicture other_picture();
+    KeptPicture picture_beside();  // of B; null without one
+    long pictures_drawn() const { return pictures_drawn_; }
     // The colours of the picture: the range of the field, or of its change.
     const ColourScale& colour_scale() const { return shows_change_ ? change_range_.scale : range.scale; }
     bool shows_change() const { return shows_change_; }
@@ -143,7 +203,6 @@ public:
     void address(bool b);
     bool addresses_b() const { return addresses_b_; }
     const Runner& addressed() const { return addresses_b_ ? companion_->runner() : *runner_; }
-    Scene scene_beside() const;  // of B
     // A − B in place of A, where the field that is shown has as many numbers in both.
     bool has_difference() const;
     void show_difference(bool on);
@@ -182,7 +241,9 @@ public:
     void pick_failed();
 
 private:
-    using Values = std::vector<std::pair<std::string, Real>>;  // by key
+    // While held: puts it off, and true.
+    bool put_off(std::function<void()> act);
+    using Values = Runner::Values;
     struct Undo {
         Values values;
         bool beside = false;  // of B
@@ -192,21 +253,39 @@ private:
     bool set_beside(const Parameter& parameter, Real value);
     void start_both();
     void settle(bool all_was_done);
-    void move_handle(const Values& values);
+    // True, and a message, when the slide locks it.
+    bool refuse_locked(const Parameter& parameter);
+    void move_handle(const std::vector<std::pair<std::string, Real>>& values);
     std::vector<Real> difference() const;
     void tell_failed_assumption();
     void begin_run();  // nothing of the run before is shown any longer
     void moved();      // records, and keeps the view up to date
+    void record_step();
+    void seen();
+    std::function<bool()> end_of_step() const;
+    void begin_to(std::function<bool()> reached);
+    void move_to(std::function<bool()> reached);
+    void work_towards_goal(Spending& spending);
+    void play(Real seconds, Spending& spending);
+    bool beside_is_behind() const;
+    void go_back(bool (Runner::*move)(), const std::string& nothing_there);
     void record_of_walkthrough();
     void move_walkthrough(const std::function<void()>& move);
     void show_field_of_slide();
     void after_walkthrough();
     void keep_hand();  // after a move back: the hand is where it is now, not where it was then
-    bool advance_one();
+    bool advance_pass(bool obeys_stops);
     void trace();         // copies what the stages do, while someone looks
     Scene drawn() const;  // empty, with what the person wants to see
-    void show_cells(Scene& picture) const;
+    PictureKey picture_key() const;
+    struct Keeping {
+        std::optional<PictureKey> key{};
+        KeptPicture picture{};
+    };
+    const KeptPicture& kept(Keeping& keeping, const std::function<bool(Scene&)>& draw);
 
+    bool holding_ = false;
+    std::vector<std::function<void()>> waiting_;
     const LessonEntry* entry_ = nullptr;
     std::unique_ptr<Runner> runner_;
     Recorder recorder_;
@@ -220,14 +299,17 @@ private:
     int run_count_ = 0, open_count_ = 0;
     std::optional<Pull> hand_;
     bool hand_used_ = false, moves_handle_ = false;
-    Real owed_ = 0;  // simulated seconds asked for and not yet run
+    std::function<bool()> goal_;  // of a move forward: asked behind every pass; null when none is under way
+    long passes_run_ = 0;
+    int updates_in_step_ = 0;  // in which the present step did not end
+    Real owed_ = 0;            // simulated seconds asked for and not yet run
     Real reached_speed_ = 0;
     bool armed_ = false;  // have the breakpoints seen where the run stood when it was let go?
     bool shows_change_ = false;
     ColourRange change_range_;
-    std::optional<Scene> before_;  // as the shown stage found it, at before_place_
-    Place before_place_;
-    std::string before_key_;
+    Keeping now_, before_, beside_;
+    long pictures_drawn_ = 0;
+    int pin_count_ = 0, companion_count_ = 0;
 };
 
 }  // namespace pliant::viewer

@@ -3,6 +3,8 @@
 
 #include "render/ghost.h"
 
+#include <utility>
+
 namespace pliant::viewer {
 
 // ------------------------------------------------------------------------------------------------------- recorded
@@ -31,8 +33,14 @@ std::size_t Session::recorded_cap() const {
 // --------------------------------------------------------------------------------------------------------- pinned
 
 void Session::toggle_pin() {
-    if (pinned_) return pinned_.reset();
-    pinned_ = Pinned{ghost_of(scene()), recorder_, settings_of(*runner_), runner_->place().step, runner_->time()};
+    if (put_off([this] { toggle_pin(); })) return;
+    if (pinned_) {
+        pinned_.reset();
+    } else {
+        Scene ghost = ghost_of(scene());
+        pinned_ = Pinned{std::move(ghost), recorder_, settings_of(*runner_), runner_->place().step, runner_->time()};
+    }
+    ++pin_count_;
 }
 
 // ------------------------------------------------------------------------------------------------------ two at once
@@ -40,11 +48,13 @@ void Session::toggle_pin() {
 void Session::open_companion(const Runner::Assignments& changes) {
     if (walkthrough) throw Refused("A second run is not made while a walkthrough plays: end the walkthrough, then press 2.");
     companion_ = std::make_unique<Companion>(*entry_, *runner_, changes);
+    ++companion_count_;
     camera.reset();
     start_both();
 }
 
 void Session::close_companion() {
+    if (put_off([this] { close_companion(); })) return;
     if (!companion_) return;
     companion_.reset();
     addresses_b_ = difference_ = false;
@@ -55,6 +65,7 @@ void Session::close_companion() {
 }
 
 void Session::toggle_companion() {
+    if (put_off([this] { toggle_companion(); })) return;
     if (companion_) return close_companion();
     guarded([&] { open_companion(); });
 }
@@ -70,19 +81,12 @@ void Session::start_both() {
 
 bool Session::set_beside(const Parameter& parameter, Real value) {
     const bool rebuilds = parameter.info.effect == Effect::rebuild;
-    if (!guarded([&] { companion_->assign(parameter.info.key, value); })) return false;
+    if (!guarded([&] { companion_->assign(parameter, value); })) return false;
     if (rebuilds && lesson().dimension() == 2) camera.reset();
     if (rebuilds) return start_both(), true;
-    companion_->follow(*runner_);
+    if (!sliced) companion_->follow(*runner_);
     view_changed();
     return true;
-}
-
-Scene Session::scene_beside() const {
-    Scene picture = drawn();
-    companion_->lesson().draw(picture);
-    show_cells(picture);
-    return picture;
 }
 
 // ------------------------------------------------------------------------------------------------------- difference
@@ -94,6 +98,7 @@ bool Session::has_difference() const {
 }
 
 void Session::show_difference(bool on) {
+    if (put_off([this, on] { show_difference(on); })) return;
     if (on && !has_difference())
         return say(Message::Kind::info,
                    companion_ ? "The two runs hold the field that is shown in different sizes: there is no difference to show."

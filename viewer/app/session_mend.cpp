@@ -1,10 +1,6 @@
 // The session after a run has broken down.
 #include "app/session.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 namespace pliant::viewer {
 
 void Session::tell(const Diverged& divergence) {
@@ -27,15 +23,14 @@ const Parameter* Session::locked_of_fix() const {
 }
 
 void Session::mend() {
+    if (put_off([this] { mend(); })) return;
     if (!autopsy_ || !autopsy_->fix) return;
-    if (const Parameter* p = locked_of_fix())
-        return say(Message::Kind::refused,
-                   fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", p->info.key));
+    if (const Parameter* p = locked_of_fix(); p && refuse_locked(*p)) return;
     Values before, wanted;
     for (const auto& [key, text] : autopsy_->fix->assign) {
         const Parameter& p = lesson().parameter(key);
-        before.emplace_back(key, runner_->wanted(p));
-        wanted.emplace_back(key, p.parse(text));
+        before.emplace_back(&p, runner_->wanted(p));
+        wanted.emplace_back(&p, p.parse(text));
     }
     const bool restarts = autopsy_->restarts;
     if (!set(wanted)) return;

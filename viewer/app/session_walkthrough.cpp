@@ -12,6 +12,7 @@ void Session::toggle_lock() {
 }
 
 void Session::start_walkthrough() {
+    if (put_off([this] { start_walkthrough(); })) return;
     guarded([&] {
         Walkthrough text = walkthrough_of(*entry_);
         open(*entry_);
@@ -20,6 +21,7 @@ void Session::start_walkthrough() {
 }
 
 void Session::end_walkthrough() {
+    if (put_off([this] { end_walkthrough(); })) return;
     walkthrough.reset();
     unlocked = false;
 }
@@ -50,27 +52,30 @@ void Session::move_walkthrough(const std::function<void()>& move) {
     if (!walkthrough) return;
     playing = false;
     dismiss();
-    const Scene before = scene();
+    const KeptPicture before = picture();
     guarded(move);
     undo_.clear();
     show_field_of_slide();
     after_walkthrough();
-    const Scene now = scene();
-    if (now.lower != before.lower || now.upper != before.upper) camera.reset();
+    const Scene& now = scene();
+    if (now.lower != before->scene.lower || now.upper != before->scene.upper) camera.reset();
 }
 
 void Session::walkthrough_next() {
+    if (put_off([this] { walkthrough_next(); })) return;
     move_walkthrough([this] {
         if (!walkthrough->next()) say(Message::Kind::info, "This was the last slide.");
     });
 }
 
 void Session::walkthrough_back() {
+    if (put_off([this] { walkthrough_back(); })) return;
     if (walkthrough && walkthrough->slide_number() == 0 && !walkthrough->revealed()) return;
     go_to_slide(walkthrough->revealed() ? walkthrough->slide_number() : walkthrough->slide_number() - 1);
 }
 
 void Session::go_to_slide(std::size_t n) {
+    if (put_off([this, n] { go_to_slide(n); })) return;
     move_walkthrough([this, n] {
         colours = lesson().first_colours();
         runner_->load({});
@@ -80,6 +85,7 @@ void Session::go_to_slide(std::size_t n) {
 }
 
 void Session::reset_slide() {
+    if (put_off([this] { reset_slide(); })) return;
     if (walkthrough) go_to_slide(walkthrough->slide_number());
 }
 

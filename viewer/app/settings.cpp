@@ -1,6 +1,7 @@
 #include "app/settings.h"
 
 #include <pliant/lesson/file.h>
+#include <pliant/lesson/json_positions.h>
 #include <pliant/math/error.h>
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ void put(Json& json, const char* key, const std::optional<T>& value) {
 }  // namespace
 
 Settings parse_settings(std::string_view text, std::string_view path) {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = parse_json(text, path).value;
     if (!json.is_object()) throw Refused(fmt::format("{} holds no settings: it is not a JSON object", path));
     Settings s;
     if (const auto theme = read<std::string>(json, "theme"))
@@ -56,7 +57,7 @@ Settings parse_settings(std::string_view text, std::string_view path) {
 std::string settings_text(const Settings& s) {
     Json json = Json::object();
     if (s.theme) json["theme"] = *s.theme == Theme::dark ? "dark" : "projector";
-    if (s.layout) json["layout"] = *s.layout == Layout::lab ? "lab" : "slide";
+    if (s.layout) json["layout"] = *s.layout == Layout::slide ? "slide" : "lab";  // a deck belongs to its lecture
     put(json, "scale", s.scale);
     put(json, "speed", s.speed);
     put(json, "hints_shown", s.hints_shown);
@@ -85,10 +86,10 @@ SettingsFile::SettingsFile(fs::path path) : path_(std::move(path)) {
     try {
         stored_ = parse_settings(read_file(path_.string()), path_.string());
     } catch (const Error& e) {
-        fs::path aside = path_;
-        aside += ".bad";
-        fs::rename(path_, aside, ignored);
-        trouble_ = fmt::format("{}. It is kept as {}; the lab starts with its first settings.", e.what(), aside.string());
+        const fs::path aside = set_aside(path_, ".bad");
+        trouble_ = aside.empty()
+                       ? fmt::format("{}. The lab starts with its first settings.", e.what())
+                       : fmt::format("{}. It is kept as {}; the lab starts with its first settings.", e.what(), aside.string());
     }
 }
 

@@ -133,12 +133,26 @@ std::string state_json(const LabState& lab) {
     j["scale"] = lab.scale;
     j["help"] = lab.help_shown;
     j["frame"] = ImGui::GetFrameCount();
+    j["resting"] = lab.resting;
+    j["busy"] = nullptr;
+    j["computing"] = lab.session.under_way();
     for (const auto& [name, c] : lab.controls) j["controls"][name] = {c.x, c.y, c.width, c.height};
     return j.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void StateReport::write(const LabState& lab) {
-    if (!path_.empty()) write_file(path_, state_json(lab));
+    if (path_.empty()) return;
+    last_ = state_json(lab);
+    write_file(path_, last_);
+}
+
+void StateReport::write_busy(const BusyWords& words, const std::optional<Rectangle>& cancel, long frames) {
+    if (path_.empty() || last_.empty()) return;
+    auto j = nlohmann::ordered_json::parse(last_);
+    j["busy"] = {{"title", words.title}, {"line", words.line}, {"frames", frames}};
+    j["resting"] = false;
+    if (cancel) j["controls"]["cancel work"] = {cancel->x, cancel->y, cancel->width, cancel->height};
+    write_file(path_, j.dump(1) + "\n");
 }
 
 }  // namespace pliant::viewer

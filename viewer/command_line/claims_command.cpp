@@ -2,20 +2,15 @@
 #include <pliant/study/claims_report.h>
 
 #include "command_line/options.h"
+#include "command_line/terminal.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pliant::viewer {
 namespace {
-
-void print_at_once(const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
-}
 
 // All without ids; each once, however often it is named. Throws Refused.
 std::vector<const Claim*> chosen(const std::vector<std::string>& ids) {
@@ -34,10 +29,10 @@ class Progress {
 public:
     explicit Progress(std::size_t count) : count_(count), shown_(isatty(STDERR_FILENO)) {}
     void measuring(std::size_t number, const Claim& c) const {
-        if (shown_) fmt::print(stderr, "\r\033[K{} of {}: {} …", number + 1, count_, c.id);
+        if (shown_) tell_raw(fmt::format("\r\033[K{} of {}: {} …", number + 1, count_, c.id));
     }
     void clear() const {
-        if (shown_) fmt::print(stderr, "\r\033[K");
+        if (shown_) tell_raw("\r\033[K");
     }
 
 private:
@@ -52,14 +47,14 @@ int claims(const ClaimsOptions& o) {
     const bool table = !o.json && !o.markdown;
     const Progress progress(list.size());
     std::vector<ClaimResult> results;
-    if (table) print_at_once(claims_head());
+    if (table) print_now(claims_head());
     for (std::size_t i = 0; i < list.size(); ++i) {
         progress.measuring(i, *list[i]);
         results.push_back(measured(*list[i]));
         progress.clear();
-        if (table) print_at_once(claims_row(results.back()));
+        if (table) print_now(claims_row(results.back()));
     }
-    print_at_once(o.json ? claims_json(results) : o.markdown ? claims_markdown(results) : claims_tail(results));
+    print(o.json ? claims_json(results) : o.markdown ? claims_markdown(results) : claims_tail(results));
     if (const std::string text = fallen(results); !text.empty()) throw CheckFailed(text);
     return 0;
 }

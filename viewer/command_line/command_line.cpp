@@ -3,14 +3,16 @@
 #include <pliant/lesson/suggest.h>
 #include <pliant/math/parallel.h>
 
+#include "command_line/number_options.h"
 #include "command_line/options.h"
+#include "command_line/terminal.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <array>
-#include <cstdio>
 #include <functional>
+#include <sstream>
+#include <system_error>
 
 namespace pliant::viewer {
 namespace {
@@ -19,41 +21,53 @@ constexpr const char* footer =
     "\nWithout a command the lab opens in a window.\n"
     "Exit codes: 0 done, 1 a check failed, 2 bad input refused, 3 the run diverged, 4 this machine lacks something.";
 
+constexpr const char* lesson_help = "such as mesh/mass_spring; `pliant list` shows them";
+
 void add_threads(CLI::App& command) {
-    command.add_option_function<int>(
-        "--threads", [](const int& count) { set_threads(count); },
-        "of the fluid solvers, 1 when not given; the results do not depend on it");
+    command
+        .add_option_function<std::string>(
+            "--threads", [](const std::string& count) { set_threads(number_options::whole_from<int>("--threads", count)); },
+            "of the fluid solvers, 1 when not given; the results do not depend on it")
+        ->type_name("INT");
+}
+
+void add_strict(CLI::App& command, bool& strict) {
+    command.add_flag(
+        "--strict", strict,
+        "refuse parameters that are set and have no effect in the scene; without it they are told on standard error");
 }
 
 void add_scene_options(CLI::App& command, RunOptions& o) {
-    command.add_option("lesson", o.lesson, "such as mesh/mass_spring; `pliant list` shows them");
+    command.add_option("lesson", o.lesson, lesson_help);
     command.add_option("--set", o.settings, "a parameter, KEY=VALUE; may be given often")->allow_extra_args(false);
     command.add_option("--scene", o.scene_path, "a scene file, or a share string (pliant1:...)");
     command.add_option("--preset", o.preset, "a scene that comes with the lesson");
+    add_strict(command, o.strict);
 }
 
 void add_run_options(CLI::App& command, RunOptions& o) {
     add_scene_options(command, o);
-    command.add_option("--steps", o.steps, "run so many steps");
-    command.add_option("--time", o.time, "run so many simulated seconds, to the nearest whole step");
-    command.add_flag("--rest", o.rest, "run until nothing changes any more");
+    add_number(command, "--steps", o.steps, "run so many steps");
+    add_number(command, "--time", o.time, "run so many simulated seconds, to the nearest whole step");
+    command.add_flag("--rest", o.rest, "run until nothing changes any more; refused where the scene never comes to rest");
     add_threads(command);
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& o) {
     command.add_option("--out", o.out, "the PNG file to write, or with --seconds the GIF file")->required();
-    command.add_option("--seconds", o.seconds, "play on and write so many seconds as an animated GIF, 1 to 30");
-    command.add_option("--fps", o.frames_per_second, "its frames per second, 1 to 50")->capture_default_str();
+    add_number(command, "--seconds", o.seconds, "play on and write so many seconds as an animated GIF, 1 to 30");
+    add_number(command, "--fps", o.frames_per_second, "its frames per second, 1 to 50")
+        ->default_str(fmt::format("{}", o.frames_per_second));
     command.add_option("--stage", o.stage, "go on to the end of this stage, inside the next step");
     command.add_option("--field", o.field, "the field that colours the picture");
-    command.add_option("--component", o.component, "its component, from 0; -1 for the whole");
+    add_number(command, "--component", o.component, "its component, from 0; -1 for the whole");
     command.add_flag("--patterns", o.patterns, "show the sign by patterns as well as by colours");
     command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command.add_option("--ui-scale", o.ui_scale, "of type and lines, 1 to 3")->capture_default_str();
+    add_number(command, "--ui-scale", o.ui_scale, "of type and lines, 1 to 3")->default_str(fmt::format("{}", o.ui_scale));
     command.add_option("--theme", o.theme, "dark or projector")->capture_default_str();
     command.add_option("--layout", o.layout, "slide (picture, plots, numbers), lab (all panels) or deck (--slide)")
         ->capture_default_str();
-    command.add_option("--slide", o.slide, "with --layout deck: the slide of the walkthrough, from 1");
+    add_number(command, "--slide", o.slide, "with --layout deck: the slide of the walkthrough, from 1");
     command.add_flag("--revealed", o.revealed, "with --layout deck: with the answer");
     command.add_option("--beside", o.beside, "KEY=VALUE: a second run, B, with this change, beside the first; may be repeated")
         ->allow_extra_args(false);
@@ -67,10 +81,10 @@ void add_window_options(CLI::App& command, WindowOptions& o) {
     add_threads(command);
     command.add_option("--size", o.size, "of the window")->capture_default_str();
     command.add_option("--theme", o.theme, "dark or projector; as it was last when not given");
-    command.add_option("--ui-scale", o.ui_scale,
-                       "of type and lines, 1 to 3; as it was last, or as the screen asks, when not given");
+    add_number(command, "--ui-scale", o.ui_scale,
+               "of type and lines, 1 to 3; as it was last, or as the screen asks, when not given");
     command.add_flag("--no-settings", o.no_settings, "neither read nor keep what was set in earlier windows");
-    command.add_option("--frames", o.frames, "close after so many frames");
+    add_number(command, "--frames", o.frames, "close after so many frames");
     command.add_option("--state", o.state_path, "keep the state of the lab in this JSON file, for tests and screen readers");
 }
 
@@ -84,7 +98,7 @@ void add_claims_command(CLI::App& app, ClaimsOptions& o, std::function<int()>& a
 
 void add_study_command(CLI::App& app, RunOptions& run, StudyOptions& o, std::function<int()>& action) {
     CLI::App* command = app.add_subcommand("study", "where a lesson is stable: a map of two parameters, beside theory");
-    command->add_option("lesson", run.lesson, "such as mesh/mass_spring; `pliant list` shows them")->required();
+    command->add_option("lesson", run.lesson, lesson_help)->required();
     command
         ->add_option("--map", o.knobs,
                      "two knobs, across and up: KEY=FROM:TO:COUNT, KEY=FROM:TO:COUNT:log or KEY=VALUE,VALUE,...")
@@ -92,15 +106,70 @@ void add_study_command(CLI::App& app, RunOptions& run, StudyOptions& o, std::fun
     command->add_option("--set", run.settings, "a parameter that all cells have, KEY=VALUE; may be given often")
         ->allow_extra_args(false);
     command->add_option("--preset", run.preset, "a scene that comes with the lesson");
-    command->add_option("--steps", o.steps, "steps of each cell, 200 when not given; a cell that is in doubt makes more");
-    command->add_option("--time", o.time, "in place of --steps: simulated seconds of each cell");
+    add_strict(*command, run.strict);
+    add_number(*command, "--steps", o.steps, "steps of each cell, 200 when not given; a cell that is in doubt makes more");
+    add_number(*command, "--time", o.time, "in place of --steps: simulated seconds of each cell");
     command->add_option("--probe", o.probe, "what is watched, \"energy\" when not given");
-    command->add_option("--jobs", o.jobs, "threads, as many as the machine has when not given; the map does not depend on it");
+    add_number(*command, "--jobs", o.jobs, "threads, as many as the machine has when not given; the map does not depend on it");
     command->add_option("--out", o.out, "the folder for map.png, map.json and map.csv; made where it is missing")->required();
     command->add_option("--size", o.size, "of the picture, WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--ui-scale", o.ui_scale, "of its type and lines, 1 to 3")->capture_default_str();
+    add_number(*command, "--ui-scale", o.ui_scale, "of its type and lines, 1 to 3")->default_str(fmt::format("{}", o.ui_scale));
     command->add_option("--theme", o.theme, "dark or projector")->capture_default_str();
     command->callback([&] { action = [&] { return study(run, o); }; });
+}
+
+// What the pictures of slides and the window of a deck have in common.
+bool of_pictures(const CLI::Option& o) { return o.check_name("--size") || o.check_name("--theme") || o.check_name("--ui-scale"); }
+
+void add_walkthrough_command(CLI::App& app, WindowOptions& o, WalkthroughOptions& headless, std::function<int()>& action) {
+    CLI::App* command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
+    command->add_option("lesson", o.lesson, lesson_help)->required();
+    CLI::Option* checks = command->add_flag("--check", headless.check, "exit with 1 when an expectation is missed");
+    CLI::Option* present =
+        command->add_flag("--present", o.deck, "show it in a window, as a deck for a lecture")->excludes(checks);
+    command->add_flag("--notes", o.notes, "print the lecturer's notes as well");
+    CLI::Option* out = command->add_option("--out", o.slides_folder,
+                                           "the folder for slide_01.png and so on, a picture of each "
+                                           "slide with its answer; made where it is missing");
+    out->excludes(checks)->excludes(present);
+    command->add_flag("--questions", o.questions, "with --out: the slides without their answers")->needs(out);
+    add_strict(*command, o.strict);
+    CLI::Option_group* look = command->add_option_group("window", "with --present; size, theme and scale with --out as well");
+    add_window_options(*look, o);
+    for (CLI::Option* option : look->get_options())
+        if (!of_pictures(*option)) option->needs(present);
+    command->callback([&o, &headless, &action, look, present, out] {
+        const bool pictures = out->count() > 0;
+        for (const CLI::Option* option : look->get_options())
+            if (option->count() > 0 && !pictures && present->count() == 0)
+                throw Refused(fmt::format("{} is for --present or --out", option->get_name()));
+        headless.notes = o.notes, headless.strict = o.strict;
+        action = [&o, &headless, pictures] {
+            return pictures ? slides(o) : o.deck ? window(o) : walkthrough(o.lesson, headless);
+        };
+    });
+}
+
+[[noreturn]] void refuse_empty(const std::string& option, const std::string& meaning) {
+    throw Refused(fmt::format("{} is empty ({}): give a value, or leave it out", option, meaning));
+}
+
+// An unset variable of a script is not a wish: no option takes an empty text.
+void refuse_empty_values(CLI::App& app) {
+    for (CLI::Option* o : app.get_options())
+        if (o->get_items_expected_max() > 0)
+            o->check([name = o->get_name(), meaning = o->get_description()](const std::string& text) {
+                if (text.empty()) refuse_empty(name, meaning);
+                return std::string();
+            });
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_values(*command);
+}
+
+// CLI11 would take the argument that follows for the value of "--scene=".
+void check_values(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i)
+        if (const std::string_view word = argv[i]; word.starts_with("--") && word.find('=') == word.size() - 1)
+            refuse_empty(std::string(word), "nothing stands behind the sign");
 }
 
 // CLI11 would take a mistyped command for a stray argument.
@@ -125,12 +194,14 @@ int dispatch(int argc, const char* const* argv) {
     WhyOptions why_options;
     ClaimsOptions claims_options;
     StudyOptions study_options;
+    WalkthroughOptions walkthrough_options;
     std::string lesson, folder = "out/tour";
     std::vector<std::string> stops;
-    bool json = false, markdown = false, check = false;
+    bool json = false, markdown = false, strict = false;
 
     app.add_option("--lesson", window_options.lesson, "the lesson to open");
     app.add_option("--scene", window_options.scene_path, "the scene file to open, or a share string (pliant1:...)");
+    add_strict(app, window_options.strict);
     add_window_options(app, window_options);
 
     CLI::App* list = app.add_subcommand("list", "the lessons");
@@ -142,7 +213,7 @@ int dispatch(int argc, const char* const* argv) {
     keys_command->callback([&] { action = [&] { return list_keys(markdown); }; });
 
     CLI::App* describe_command = app.add_subcommand("describe", "parameters, stages, fields, probes and claims of a lesson");
-    describe_command->add_option("lesson", lesson)->required();
+    describe_command->add_option("lesson", lesson, lesson_help)->required();
     describe_command->add_flag("--json", json, "as JSON");
     describe_command->add_flag("--markdown", markdown, "as the page of the documentation");
     describe_command->callback([&] { action = [&] { return describe(lesson, json, markdown); }; });
@@ -158,10 +229,11 @@ int dispatch(int argc, const char* const* argv) {
     CLI::App* why_command = app.add_subcommand("why", "how a number came about: its stage, formula and inputs");
     add_run_options(*why_command, run_options);
     why_command->add_option("--field", why_options.field, "a field or a probe")->required();
-    why_command->add_option("--index", why_options.index, "the node, spring, cell, ... counted from 0");
-    why_command->add_option("--component", why_options.component, "of a vector or tensor, from 0; -1 for its length");
+    add_number(*why_command, "--index", why_options.index, "the node, spring, cell, ... counted from 0");
+    add_number(*why_command, "--component", why_options.component, "of a vector or tensor, from 0; -1 for its length");
     why_command->add_option("--stage", why_options.stage, "go on to the end of this stage, inside the next step, and ask there");
-    why_command->add_option("--depth", why_options.depth, "how many levels of inputs to ask in turn")->capture_default_str();
+    add_number(*why_command, "--depth", why_options.depth, "how many levels of inputs to ask in turn")
+        ->default_str(fmt::format("{}", why_options.depth));
     why_command->add_flag("--json", run_options.json, "print one JSON object");
     why_command->callback([&] { action = [&] { return why(run_options, why_options); }; });
     add_claims_command(app, claims_options, action);
@@ -178,50 +250,49 @@ int dispatch(int argc, const char* const* argv) {
     CLI::App* tour_command = app.add_subcommand("tour", "every lesson: pictures, probes as CSV and an index page");
     tour_command->add_option("lesson", stops, "the lessons to show, all when none is named");
     tour_command->add_option("--out", folder, "the folder to write")->capture_default_str();
-    tour_command->callback([&] { action = [&] { return tour(folder, stops); }; });
+    add_strict(*tour_command, strict);
+    tour_command->callback([&] { action = [&] { return tour(folder, stops, strict); }; });
 
-    CLI::App* walkthrough_command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
-    walkthrough_command->add_option("lesson", window_options.lesson)->required();
-    walkthrough_command->add_flag("--check", check, "exit with 1 when an expectation is missed");
-    CLI::Option* present =
-        walkthrough_command->add_flag("--present", window_options.deck, "show it in a window, as a deck for a lecture");
-    present->excludes(walkthrough_command->get_option("--check"));
-    walkthrough_command->add_flag("--notes", window_options.notes, "print the lecturer's notes as well");
-    CLI::Option_group* in_window = walkthrough_command->add_option_group("window", "with --present");
-    add_window_options(*in_window, window_options);
-    for (CLI::Option* o : in_window->get_options()) o->needs(present);
-    walkthrough_command->callback([&] {
-        action = [&] {
-            return window_options.deck ? window(window_options) : walkthrough(window_options.lesson, check, window_options.notes);
-        };
-    });
+    add_walkthrough_command(app, window_options, walkthrough_options, action);
 
+    refuse_empty_values(app);
+    check_values(argc, argv);
     check_command(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {
-        return app.exit(e);
+        std::ostringstream text;
+        app.exit(e, text, text);
+        print(text.str());
+        return 0;
     } catch (const CLI::ParseError& e) {
         throw Refused(fmt::format("{}; `pliant {}--help` shows what is accepted", e.what(),
                                   argc > 1 && argv[1][0] != '-' ? std::string(argv[1]) + " " : ""));
     }
-    const int code = action ? action() : window(window_options);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw Refused("standard output cannot be written: is the disk full?");
-    return code;
+    return action ? action() : window(window_options);
+}
+
+// The exit code; what goes wrong is told.
+int dispatched(int argc, const char* const* argv) {
+    try {
+        return dispatch(argc, argv);
+    } catch (const Error& e) {
+        tell(e.what());
+        return static_cast<int>(e.code());
+    } catch (const std::bad_alloc&) {
+        tell("there is not enough memory for this: lower the resolution or the number of cells");
+        return static_cast<int>(ExitCode::refused);
+    } catch (const std::system_error& e) {
+        tell(fmt::format("this machine does not do what is needed: {}", e.what()));
+        return static_cast<int>(ExitCode::machine_lacks);
+    }
 }
 
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
-    try {
-        return dispatch(argc, argv);
-    } catch (const Error& e) {
-        fmt::print(stderr, "pliant: {}\n", e.what());
-        return static_cast<int>(e.code());
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "pliant: there is not enough memory for this: lower the resolution or the number of cells\n");
-        return static_cast<int>(ExitCode::refused);
-    }
+    take_standard_descriptors();
+    return after_output(dispatched(argc, argv));
 }
 
 }  // namespace pliant::viewer

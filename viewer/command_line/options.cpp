@@ -1,4 +1,5 @@
 #include "command_line/options.h"
+#include "command_line/terminal.h"
 
 #include <pliant/lesson/share.h>
 
@@ -6,7 +7,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace pliant::viewer {
 
@@ -38,10 +38,18 @@ SceneFile scene_from(const RunOptions& o) {
     return scene;
 }
 
+const std::vector<UnusedSetting>& tell_unused(const std::vector<UnusedSetting>& unused, bool strict) {
+    std::string all;
+    for (const UnusedSetting& u : unused) {
+        if (!strict) tell(u.text());
+        all += (all.empty() ? "" : "; ") + u.text();
+    }
+    if (strict && !all.empty()) throw Refused(fmt::format("{} (refused by --strict: leave it out, or set what it needs)", all));
+    return unused;
+}
+
 Until until_from(const RunOptions& o, const LessonEntry& entry, bool is_static) {
     if (o.steps.has_value() + o.time.has_value() + o.rest > 1) throw Refused("give one of --steps, --time and --rest");
-    // The parser of the command line gives the largest number for one that is larger still.
-    if (o.steps == std::numeric_limits<Index>::max()) throw Refused("--steps is too large: give a whole number from 0 on");
     if (o.steps) return Until::after_steps(*o.steps);
     if (o.time) return Until::after_time(*o.time);
     if (o.rest || is_static) return Until::at_rest();

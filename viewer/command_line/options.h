@@ -3,9 +3,11 @@
 #include <pliant/lesson/registry.h>
 #include <pliant/lesson/scene_file.h>
 #include <pliant/lesson/until.h>
+#include <pliant/lesson/unused.h>
 
-#include "panels/lab_state.h"
+#include "panels/layout.h"
 #include "platform/context.h"
+#include "render/palette.h"
 
 #include <filesystem>
 #include <optional>
@@ -23,6 +25,7 @@ struct RunOptions {
     bool rest = false;
     std::string csv_path;
     bool json = false, summary = false;
+    bool strict = false;  // what is set without effect is refused
 };
 
 struct PictureOptions {
@@ -44,12 +47,17 @@ struct WindowOptions {
     float ui_scale = 0;                                                    // 0: as it was last, or as the screen asks
     long frames = 0;                                                       // stop after so many; 0: when closed
     bool no_settings = false;
-    bool deck = false;   // opens the walkthrough of the lesson, paused
-    bool notes = false;  // writes the notes of each slide to standard output
+    bool deck = false;            // opens the walkthrough of the lesson, paused
+    bool notes = false;           // writes the notes of each slide to standard output
+    std::string slides_folder{};  // of pictures of the slides; "" for none
+    bool questions = false;       // these go without the answers
+    bool strict = false;          // what the scene or the walkthrough sets without effect is refused
 };
 
 // The scene that lesson, scene file, preset and settings describe together; later ones win. Throws Refused.
 SceneFile scene_from(const RunOptions& options);
+// Tells on standard error what is set without effect, a line each; gives it back. Throws Refused for it when strict.
+const std::vector<UnusedSetting>& tell_unused(const std::vector<UnusedSetting>& unused, bool strict);
 // How far: what was asked for; without any, a static lesson runs to rest and another one for its demo steps.
 Until until_from(const RunOptions& options, const LessonEntry& entry, bool is_static);
 
@@ -92,11 +100,17 @@ struct StudyOptions {
 int study(const RunOptions& run, const StudyOptions& options);
 int share(const RunOptions& options);
 int shot(const RunOptions& run, const PictureOptions& picture);
-int tour(const std::string& folder, const std::vector<std::string>& names);
+int tour(const std::string& folder, const std::vector<std::string>& names, bool strict);
 // The lessons that it shows: those that are named, in that order, and all when none is. Throws Refused.
 std::vector<const LessonEntry*> lessons_of_tour(const std::vector<std::string>& names);
-// notes: prints those of the lecturer as well.
-int walkthrough(const std::string& lesson, bool check, bool notes);
+struct WalkthroughOptions {
+    bool check = false;   // throws CheckFailed when an expectation is missed
+    bool notes = false;   // prints those of the lecturer as well
+    bool strict = false;  // what it sets without effect is refused
+};
+int walkthrough(const std::string& lesson, const WalkthroughOptions& options);
 int window(const WindowOptions& options);
+// A PNG file of every slide of the walkthrough.
+int slides(const WindowOptions& options);
 
 }  // namespace pliant::viewer

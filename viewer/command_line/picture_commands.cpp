@@ -5,12 +5,15 @@
 
 #include "app/lab.h"
 #include "command_line/options.h"
+#include "command_line/output_paths.h"
+#include "command_line/pictures.h"
+#include "command_line/terminal.h"
 #include "platform/image.h"
 #include "platform/png_file.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -23,17 +26,6 @@ std::unique_ptr<Context> headless(const std::string& backend, Size size) {
     if (backend == "osmesa") return open_context(Backend::osmesa, size);
     if (backend == "egl") return open_context(Backend::egl, size);
     throw Refused(fmt::format("--backend {} is not accepted: give any, osmesa or egl", backend));
-}
-
-// ImGui needs a frame to learn the sizes of its windows, and plots one more to settle their ranges.
-Image capture(Lab& lab, Context& context) {
-    for (int i = 0; i < 3; ++i) {
-        if (i) context.present();
-        lab.frame(0);
-    }
-    Image image = read_pixels(context);
-    context.present();
-    return image;
 }
 
 int animate(Lab& lab, Context& context, Animation& animation, const std::string& path) {
@@ -74,13 +66,17 @@ void check_deck(const RunOptions& run, const PictureOptions& picture) {
         throw Refused("--slide", static_cast<Real>(*picture.slide), "", "a number from 1 on");
 }
 
-// Unlike a person at the window, a command is refused what goes wrong.
-void show_slide(Session& s, const PictureOptions& o) {
-    walkthrough_of(s.entry());
-    s.start_walkthrough();
-    s.go_to_slide(static_cast<std::size_t>(o.slide.value_or(1) - 1));
-    if (o.revealed && !s.message()) s.walkthrough_next();
-    if (s.message() && !s.autopsy()) throw Refused(s.message()->text);
+// What both runs of a picture, or its walkthrough, set without effect: once a key.
+std::vector<UnusedSetting> unused_in(const SceneFile& scene, const PictureOptions& picture, Layout layout) {
+    const LessonEntry& entry = find_lesson(scene.lesson);
+    if (layout == Layout::deck) return unused_settings(entry, walkthrough_of(entry));
+    std::vector<UnusedSetting> unused = unused_settings(scene);
+    if (picture.beside.empty()) return unused;
+    SceneFile second = scene;
+    for (auto& setting : assignments_from(picture.beside, "--beside")) second.parameters.push_back(std::move(setting));
+    for (UnusedSetting& u : unused_settings(second))
+        if (std::ranges::find(unused, u.key, &UnusedSetting::key) == unused.end()) unused.push_back(std::move(u));
+    return unused;
 }
 
 // The card of a claim, measured.
@@ -105,16 +101,11 @@ void show_atlas(LabState& lab) {
     lab.choose_atlas = true;
 }
 
-bool is_gif(const std::string& path) { return path.ends_with(".gif"); }
-
 void check_writable_picture(const PictureOptions& o) {
-    const std::string& path = o.out;
-    if (path.empty()) throw Refused("--out is missing: name the picture to write, such as --out picture.png");
-    if (is_gif(path) != (o.seconds != 0))
+    require_ending("--out", o.out, {".png", ".gif"}, "a picture is written as PNG, with --seconds as an animated GIF");
+    if (!is_special_file(o.out) && (ending_of(o.out) == ".gif") != (o.seconds != 0))
         throw Refused("an animation needs both: --out with a name that ends in .gif, and --seconds, from 1 to 30");
-    const auto folder = std::filesystem::path(path).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        throw Refused(fmt::format("{} cannot be written: there is no folder {}", path, folder.string()));
+    check_writable(o.out);
 }
 
 struct TourStop {
@@ -143,7 +134,7 @@ std::string visit(Lab& lab, Context& context, const TourStop& stop, const std::f
     lab.state().layout = Layout::slide;
     write_png(capture(lab, context), (folder / (stop.name + ".png")).string());
     write_file((folder / (stop.name + ".csv")).string(), s.recorder().csv(s.lesson()));
-    write_file((folder / (stop.name + ".json")).string(), run_json(s.runner()));
+    write_file((folder / (stop.name + ".json")).string(), run_json(s.runner(), unused_settings(stop.scene)));
     return fmt::format(
         "<section><h2>{}</h2><p>{}</p><a href=\"{}.png\"><img src=\"{}.png\" alt=\"{}\"></a><p><a href=\"{}.csv\">probes as "
         "CSV</a> · <a href=\"{}.json\">all figures as JSON</a></p></section>\n",
@@ -163,6 +154,24 @@ constexpr std::string_view page_head = R"(<!doctype html><html lang="en"><meta c
 
 }  // namespace
 
+Image capture(Lab& lab, Context& context) {
+    for (int i = 0; i < 3; ++i) {
+        if (i) context.present();
+        lab.frame(0);
+    }
+    Image image = read_pixels(context);
+    context.present();
+    return image;
+}
+
+void show_slide(Session& s, std::size_t n, bool revealed) {
+    walkthrough_of(s.entry());
+    s.start_walkthrough();
+    s.go_to_slide(n);
+    if (revealed && !s.message()) s.walkthrough_next();
+    if (s.message() && !s.autopsy()) throw Refused(s.message()->text);
+}
+
 int shot(const RunOptions& options, const PictureOptions& picture) {
     const SceneFile scene = scene_from(options);
     const Size size = size_from(picture.size);
@@ -180,6 +189,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     if (picture.difference && picture.beside.empty())
         throw Refused("--difference needs a second run: give --beside KEY=VALUE as well");
     check_writable_picture(picture);
+    tell_unused(unused_in(scene, picture, layout), options.strict);
     std::optional<Animation> animation;
     if (picture.seconds != 0) animation.emplace(picture.seconds, picture.frames_per_second, size.width);
     const auto context = headless(picture.backend, size);
@@ -198,7 +208,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     std::optional<Diverged> divergence;
     try {
         if (layout == Layout::deck)
-            show_slide(s, picture);
+            show_slide(s, static_cast<std::size_t>(picture.slide.value_or(1) - 1), picture.revealed);
         else
             s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
         choose_view(s, picture);
@@ -224,10 +234,13 @@ std::vector<const LessonEntry*> lessons_of_tour(const std::vector<std::string>& 
     return entries;
 }
 
-int tour(const std::string& folder_name, const std::vector<std::string>& names) {
+int tour(const std::string& folder_name, const std::vector<std::string>& names, bool strict) {
     const auto entries = lessons_of_tour(names);
-    const std::filesystem::path folder(folder_name.empty() ? "out/tour" : folder_name);
+    const std::filesystem::path folder(folder_name);
+    refuse_file_ending("--out", folder_name);
     make_folder(folder);
+    for (const LessonEntry* entry : entries)
+        for (const TourStop& stop : stops_of(*entry)) tell_unused(unused_settings(stop.scene), strict);
     std::string page(page_head);
     const auto slide_context = open_headless({1280, 720});
     {
@@ -235,13 +248,13 @@ int tour(const std::string& folder_name, const std::vector<std::string>& names) 
         lab.state().hints_shown = false;
         for (const LessonEntry* entry : entries)
             for (const TourStop& stop : stops_of(*entry)) {
-                fmt::print(stderr, "pliant: {}\n", stop.name);
+                tell(stop.name);
                 page += visit(lab, *slide_context, stop, folder);
                 visit_lab(lab, *slide_context, stop.name, folder);
             }
     }
     write_file((folder / "index.html").string(), page + "</html>\n");
-    fmt::print("{}\n", (folder / "index.html").string());
+    print((folder / "index.html").string() + "\n");
     return 0;
 }
 

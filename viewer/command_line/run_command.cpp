@@ -9,16 +9,15 @@
 
 #include "app/keys.h"
 #include "command_line/options.h"
+#include "command_line/output_paths.h"
+#include "command_line/terminal.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 
 namespace pliant::viewer {
 namespace {
-
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 std::string joined(const std::vector<std::string>& lines) { return fmt::format("{}\n", fmt::join(lines, "\n")); }
 
@@ -33,6 +32,11 @@ void print_slide(const WalkthroughPlayer& player, bool notes) {
     if (notes && !player.slide().notes().empty()) print("  Notes: " + player.slide().notes() + "\n");
     for (const ExpectationResult& r : player.results())
         print(fmt::format("  {} {}   ({})\n", r.met ? "✓" : "✗", r.text, r.measured));
+}
+
+void check_table(const std::string& path) {
+    refuse_other_ending("--csv", path, ".csv", "a table is written as CSV");
+    check_writable(path);
 }
 
 }  // namespace
@@ -56,9 +60,10 @@ int describe(const std::string& lesson, bool json, bool markdown) {
 int run(const RunOptions& options) {
     const SceneFile scene = scene_from(options);
     const LessonEntry& entry = find_lesson(scene.lesson);
-    if (!options.csv_path.empty()) check_writable(options.csv_path);
+    if (!options.csv_path.empty()) check_table(options.csv_path);
     Runner runner(entry, scene.parameters, 0);
     runner.set_events(scene.events);
+    const auto unused = tell_unused(unused_settings(scene), options.strict);
     const Until until = until_from(options, entry, runner.is_static());
     std::string csv = csv_header(runner.lesson());
     const auto record = [&] {
@@ -69,29 +74,32 @@ int run(const RunOptions& options) {
     try {
         record();
         advance(runner, until, record);
+        runner.check_probes();
     } catch (const Diverged& e) {
         divergence = e;
     }
     if (!options.csv_path.empty()) write_file(options.csv_path, csv);
     if (divergence) runner.note_failure(divergence->failure);
-    print(options.json ? run_json(runner) : options.summary ? summary_text(runner) : run_text(runner));
+    print(options.json ? run_json(runner, unused) : options.summary ? summary_text(runner) : run_text(runner));
     if (divergence) throw *divergence;
     if (until.what == Until::What::time && !runner.is_static() && std::abs(runner.time() - until.time) > 1e-9 * until.time)
-        fmt::print(stderr, "pliant: the time was rounded to whole steps: {} s\n", runner.time());
+        tell(fmt::format("the time was rounded to whole steps: {} s", runner.time()));
     return 0;
 }
 
 int share(const RunOptions& options) {
     const SceneFile scene = scene_from(options);
     const Runner checked(find_lesson(scene.lesson), scene.parameters, 0);
+    tell_unused(unused_settings(scene), options.strict);
     print(share_text(scene) + "\n");
     return 0;
 }
 
-int walkthrough(const std::string& lesson, bool check, bool notes) {
+int walkthrough(const std::string& lesson, const WalkthroughOptions& o) {
     const LessonEntry& entry = find_lesson(lesson);
     Runner runner(entry);
     WalkthroughPlayer player(runner, walkthrough_of(entry));
+    tell_unused(unused_settings(entry, player.walkthrough()), o.strict);
     print(player.walkthrough().title + "\n");
     int missed = 0, met = 0;
     std::string misses;
@@ -101,14 +109,14 @@ int walkthrough(const std::string& lesson, bool check, bool notes) {
         const bool was_revealed = player.revealed();
         more = player.next();
         if (player.slide_number() != slide || (was_revealed && !more) || (!more && !player.revealed())) continue;
-        print_slide(player, notes);
+        print_slide(player, o.notes);
         for (const ExpectationResult& r : player.results()) {
             r.met ? ++met : ++missed;
             if (!r.met) misses += fmt::format("\n{}:{}: {} ({})", player.walkthrough().path, r.line, r.text, r.measured);
         }
     }
     print(fmt::format("\n{} expectations met, {} missed\n", met, missed));
-    if (check && missed) throw CheckFailed("the walkthrough misses what it expects:" + misses);
+    if (o.check && missed) throw CheckFailed("the walkthrough misses what it expects:" + misses);
     return 0;
 }
 

@@ -5,6 +5,8 @@
 
 #include "app/map_picture.h"
 #include "command_line/options.h"
+#include "command_line/output_paths.h"
+#include "command_line/terminal.h"
 #include "platform/png_file.h"
 
 #include <fmt/format.h>
@@ -12,9 +14,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <thread>
 
 namespace pliant::viewer {
 namespace {
@@ -29,13 +31,12 @@ public:
         if (terminal_ ? percent == told_ : quarter == told_) return;
         told_ = terminal_ ? percent : quarter;
         if (terminal_)
-            fmt::print(stderr, "\r\033[K{} % of {} cells", percent, total);
+            tell_raw(fmt::format("\r\033[K{} % of {} cells", percent, total));
         else
-            fmt::print(stderr, "pliant: {} of {} cells\n", done, total);
-        std::fflush(stderr);
+            viewer::tell(fmt::format("{} of {} cells", done, total));
     }
     void clear() const {
-        if (terminal_) fmt::print(stderr, "\r\033[K");
+        if (terminal_) tell_raw("\r\033[K");
     }
 
 private:
@@ -52,14 +53,14 @@ MapOrder order_from(const RunOptions& run, const StudyOptions& o) {
         throw Refused(fmt::format("a map has two knobs, and --map gives {}: give --map KEY=FROM:TO:COUNT OTHER=FROM:TO:COUNT",
                                   o.knobs.size()));
     if (o.steps && o.time) throw Refused("give --steps or --time, not both");
-    if (o.steps == std::numeric_limits<Index>::max() || (o.steps && *o.steps > 10'000'000))
-        throw Refused("--steps is too large: give at most 10000000");
+    if (o.steps && *o.steps > 10'000'000) throw Refused("--steps is too large: give at most 10000000");
     MapOrder order{.lesson = &find_lesson(scene.lesson), .settings = scene.parameters, .probe = o.probe};
     const auto lesson = order.lesson->make();
     order.across = parse_knob(*lesson, o.knobs[0]), order.up = parse_knob(*lesson, o.knobs[1]);
     if (o.steps) order.steps = *o.steps;
     order.time = o.time;
     check_order(order);
+    tell_unused(unused_settings(order), run.strict);
     return order;
 }
 
@@ -77,7 +78,7 @@ int study(const RunOptions& run, const StudyOptions& o) {
     const Size size = size_from(o.size);
     const Theme theme = theme_from(o.theme);
     const float scale = ui_scale_from(o.ui_scale);
-    if (o.out.empty()) throw Refused("--out is missing: name the folder to write, such as --out maps");
+    refuse_file_ending("--out", o.out);
     const std::filesystem::path folder(o.out);
     make_folder(folder);
     const auto file = [&](const char* name) { return (folder / name).string(); };
@@ -91,7 +92,7 @@ int study(const RunOptions& run, const StudyOptions& o) {
     write_file(file("map.csv"), map_csv(map));
     write_file(file("map.json"), map_json(map, cost));
     write_png(map_image(map, size, theme, scale), file("map.png"));
-    fmt::print("{}  {}, map.json, map.csv\n", map_text(map, cost), file("map.png"));
+    print(fmt::format("{}  {}, map.json, map.csv\n", map_text(map, cost), file("map.png")));
     return 0;
 }
 

@@ -2,10 +2,9 @@
 #include <pliant/lesson/why.h>
 
 #include "command_line/options.h"
+#include "command_line/terminal.h"
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 namespace pliant::viewer {
 
@@ -17,11 +16,11 @@ int why(const RunOptions& options, const WhyOptions& w) {
     const LessonEntry& entry = find_lesson(scene.lesson);
     Runner runner(entry, scene.parameters);
     runner.set_events(scene.events);
+    tell_unused(unused_settings(scene), options.strict);
     advance(runner, until_from(options, entry, runner.is_static()));
     if (!w.stage.empty()) runner.run_to_stage(w.stage);
     const Answer answer = pliant::why(runner, w.field, w.index, w.component, std::max(w.depth, 1));
-    const std::string text = options.json ? why_json(answer, w.depth) : why_text(answer);
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    print(options.json ? why_json(answer, w.depth) : why_text(answer));
     return 0;
 }
 

@@ -2,17 +2,27 @@
 #include <pliant/lesson/share.h>
 
 #include "app/lab.h"
+#include "app/redraw.h"
 #include "app/settings.h"
 #include "app/state_report.h"
 #include "command_line/options.h"
+#include "command_line/output_paths.h"
+#include "command_line/terminal.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
+
+// What the scene or the walkthrough to open sets without effect.
+void check_first(const WindowOptions& o, const std::string& lesson) {
+    if (!o.scene_path.empty()) tell_unused(unused_settings(open_scene_text(o.scene_path)), o.strict);
+    const LessonEntry& entry = find_lesson(lesson);
+    if (o.deck) tell_unused(unused_settings(entry, walkthrough_of(entry)), o.strict);
+}
 
 void open_first(Lab& lab, const WindowOptions& o) {
     Session& s = lab.session();
@@ -45,14 +55,26 @@ public:
         if (!player || shown_ == player->slide_number()) return;
         shown_ = player->slide_number();
         const std::string notes = player->slide().notes();
-        fmt::print("{} / {}  {}\n{}\n\n", *shown_ + 1, player->walkthrough().slides.size(), player->slide().title,
-                   notes.empty() ? "(no notes)" : notes);
-        std::fflush(stdout);
+        print_now(fmt::format("{} / {}  {}\n{}\n\n", *shown_ + 1, player->walkthrough().slides.size(), player->slide().title,
+                              notes.empty() ? "(no notes)" : notes));
     }
 
 private:
     std::optional<std::size_t> shown_;
 };
+
+// To those who look at the lab from outside.
+void tell(Lab& lab, StateReport& report, NotesPrinter& notes, const WindowOptions& o) {
+    if (lab.busy()) {
+        if (lab.card_shows())
+            report.write_busy(busy_words(lab.worker()->watch().progress(), lab.worker()->seconds()), lab.cancel_button(),
+                              lab.busy_frames());
+        return;
+    }
+    lab.state().resting = false;
+    if (o.notes) notes.look_at(lab.session().walkthrough);
+    report.write(lab.state());
+}
 
 }  // namespace
 
@@ -61,35 +83,42 @@ int window(const WindowOptions& o) {
     if (!o.theme.empty()) theme_from(o.theme);
     const std::string lesson = o.lesson.empty() ? "mesh/mass_spring" : std::string(find_lesson(o.lesson).info.id);
     if (o.ui_scale != 0) ui_scale_from(o.ui_scale);
+    if (o.frames < 0) throw Refused("--frames", static_cast<Real>(o.frames), "", "a whole number from 0 on");
+    if (!o.state_path.empty()) refuse_other_ending("--state", o.state_path, ".json", "the state is written as JSON");
+    check_first(o, lesson);
     const auto context = open_context(Backend::window, size);
     Lab lab(*context, lesson);
     SettingsFile settings(o.no_settings ? std::filesystem::path() : settings_path());
     restore(lab, settings, o, context->ui_scale());
     settings.begin(lab.state());
-    lab.state().speak = [](const std::string& text) {
-        fmt::print("{}\n", text);
-        std::fflush(stdout);
-    };
+    lab.state().speak = [](const std::string& text) { print_now(text + "\n"); };
     open_first(lab, o);
     if (!settings.trouble().empty()) lab.session().say(Session::Message::Kind::refused, settings.trouble());
     StateReport report(o.state_path);
     NotesPrinter notes;
 
     using Clock = std::chrono::steady_clock;
-    auto last = Clock::now();
-    for (long frame = 0; !context->close_requested() && (o.frames == 0 || frame < o.frames); ++frame) {
-        // A lab at rest leaves the processor alone.
-        const bool at_rest = !lab.session().playing && !lab.state().animation.progress && !lab.state().cost_shown;
-        context->poll_events(at_rest ? 1.0 / 60 : 0);
-        const auto now = Clock::now();
-        const Real seconds = std::chrono::duration<Real>(now - last).count();
-        lab.frame(seconds);
-        settings.keep(lab.state(), seconds);
-        last = now;
-        context->present();
-        if (o.notes) notes.look_at(lab.session().walkthrough);
-        report.write(lab.state());
+    const auto start = Clock::now();
+    const auto now = [&] { return std::chrono::duration<Real>(Clock::now() - start).count(); };
+    lab.work_beside({});
+    Redraw redraw;
+    Real last = 0, kept = 0;
+    for (long frame = 0; !context->close_requested() && (o.frames == 0 || frame < o.frames);) {
+        context->poll_events(redraw.wait(now()));
+        const bool damaged = context->take_damage();
+        if (damaged || lab.has_input()) redraw.input(now());
+        if (!lab.busy()) settings.keep(lab.state(), now() - std::exchange(kept, now()));
+        if (!redraw.due(now())) {
+            if (redraw.resting(now()) && !lab.busy() && !std::exchange(lab.state().resting, true)) report.write(lab.state());
+            continue;
+        }
+        const Real begun = now();
+        if (lab.frame(begun - std::exchange(last, begun))) context->present(), ++frame;
+        // A number of frames that was asked for is drawn without a rest.
+        redraw.drawn(begun, o.frames == 0 ? lab.next_change() : 0);
+        tell(lab, report, notes, o);
     }
+    lab.call_off();
     settings.finish(lab.state());
     return 0;
 }

@@ -7,11 +7,15 @@ namespace pliant::viewer {
 namespace {
 
 constexpr const char* popup = "An animation";
+constexpr int longest = 30;  // s
 
 void choices(LabState& lab) {
     AnimationOrder& order = lab.animation;
     ImGui::SetNextItemWidth(lab.px(160));
-    ImGui::SliderInt("seconds", &order.seconds, 1, 30, "%d", ImGuiSliderFlags_AlwaysClamp);
+    const auto text = slider_or_text(lab.typed, "seconds", fmt::format("{}", order.seconds), [&] {
+        ImGui::SliderInt("seconds", &order.seconds, 1, longest, "%d", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    });
+    if (text) lab.take_typed([&] { order.seconds = static_cast<int>(whole_typed("seconds", *text, 1, longest)); });
     lab.note_control("animation seconds");
     tooltip("How long the animation takes to watch", lab.scale);
     for (const int width : {480, 640, 960}) {

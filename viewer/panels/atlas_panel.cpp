@@ -38,7 +38,11 @@ void choose_knob(LabState& lab, const char* label, std::string& key, const std::
 void whole_slider(LabState& lab, const char* label, float width, Index& value, int least, int most, const char* help) {
     int shown = static_cast<int>(value);
     ImGui::SetNextItemWidth(width - ImGui::CalcTextSize(label).x - lab.px(10));
-    if (ImGui::SliderInt(label, &shown, least, most, "%d", ImGuiSliderFlags_AlwaysClamp)) value = shown;
+    const auto text = slider_or_text(lab.typed, label, fmt::format("{}", shown), [&] {
+        if (ImGui::SliderInt(label, &shown, least, most, "%d", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
+            value = shown;
+    });
+    if (text) lab.take_typed([&] { value = whole_typed(label, *text, least, most); });
     lab.note_control(fmt::format("atlas {}", label));
     tooltip(help, lab.scale);
 }

@@ -42,12 +42,24 @@ std::vector<std::string> tick_texts(const ColourScale& scale, int intervals, std
     return texts;
 }
 
-// Five ticks, or three where the words of five would touch: the outer ones stand inside the ends of the bar.
-std::vector<std::string> ticks_that_fit(const LabState& lab, const Field& field, float width) {
-    const auto five = tick_texts(lab.session.colour_scale(), 4, field.unit);
-    float widest = 0;
-    for (const std::string& text : five) widest = std::max(widest, ImGui::CalcTextSize(text.c_str()).x);
-    return 6 * widest + 4 * lab.px(14) <= width ? five : tick_texts(lab.session.colour_scale(), 2, field.unit);
+// Where the words of tick i of a bar that lies begin, from its left end: the first begins and the last ends with the bar.
+float tick_begin(const std::vector<std::string>& ticks, std::size_t i, float width) {
+    const float size = ImGui::CalcTextSize(ticks[i].c_str()).x,
+                middle = width * static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
+    return std::clamp(middle - size / 2, 0.f, std::max(width - size, 0.f));
+}
+
+// Five ticks, or three or two where the words of more would touch.
+std::vector<std::string> bar_ticks_that_fit(const LabState& lab, const Field& field, float width) {
+    for (const int intervals : {4, 2}) {
+        const auto ticks = tick_texts(lab.session.colour_scale(), intervals, field.unit);
+        bool apart = true;
+        for (std::size_t i = 1; i < ticks.size(); ++i)
+            apart = apart && tick_begin(ticks, i - 1, width) + ImGui::CalcTextSize(ticks[i - 1].c_str()).x + lab.px(14) <=
+                                 tick_begin(ticks, i, width);
+        if (apart) return ticks;
+    }
+    return tick_texts(lab.session.colour_scale(), 1, field.unit);
 }
 
 // Hatches the part of the bar that stands for negative numbers, as the picture does. `from` and `to` are where the least and the
@@ -104,15 +116,12 @@ void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
     }
     hatch(lab, {left, bottom}, {left + width, top}, false);
     draw->AddRect({left, top}, {left + width, bottom}, lab.ink(Ink::text, 0.6f));
-    const auto ticks = ticks_that_fit(lab, field, width);
+    const auto ticks = bar_ticks_that_fit(lab, field, width);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const std::string& text = ticks[i];
-        const float x = left + width * static_cast<float>(i) / static_cast<float>(ticks.size() - 1),
-                    size = ImGui::CalcTextSize(text.c_str()).x;
+        const float x = left + width * static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
         draw->AddLine({x, bottom}, {x, bottom + lab.px(4)}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
-        // The first begins and the last ends with the bar.
-        const float at = i == 0 ? x : i + 1 == ticks.size() ? x - size : x - size / 2;
-        haloed_text(lab, {at, bottom + lab.px(5)}, lab.ink(Ink::text), text);
+        haloed_text(lab, {left + tick_begin(ticks, i, width), bottom + lab.px(5)}, lab.ink(Ink::text), text);
     }
     haloed_text(lab, {left, top - line - lab.px(3)}, lab.ink(Ink::text), title_of(lab.session, field));
     ImGui::PopFont();

@@ -15,6 +15,14 @@ FixedPanel::FixedPanel(const char* name, const Rectangle& r, int extra_flags) {
 
 FixedPanel::~FixedPanel() { ImGui::End(); }
 
+void LabState::take_typed(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Refused& e) {
+        session.say(Session::Message::Kind::refused, e.what());
+    }
+}
+
 void LabState::note_control(const std::string& name) {
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     controls[name] = {a.x, a.y, b.x - a.x, b.y - a.y};

@@ -100,7 +100,8 @@ void follow_live_error(LabState& lab) {
 void draw_cost_and_error(LabState& lab, Plot& plot) {
     const Session& s = lab.session;
     LiveError& e = lab.live_error;
-    e.advance_reference(s.runner(), s.recorder(), reference_budget_ms);
+    if (e.catching_up(s.runner()))
+        lab.session.later([&e, &s] { e.advance_reference(s.runner(), s.recorder(), reference_budget_ms); });
     e.measure(s.runner(), s.recorder(), s.costs().step_ms());
     ImGui::BeginChild("cost and error", {0, -companion_table_height(lab)});
     const std::string words_below = remark(lab);

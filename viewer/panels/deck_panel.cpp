@@ -69,18 +69,37 @@ float height_of(const LabState& lab, const std::vector<Paragraph>& words, float 
     return height;
 }
 
-// In the largest type in which the slide fits both with and without its answer, so that the question stays as it is when the
-// answer comes. The answer may take the place of the introduction.
-std::vector<Paragraph> fitting_words(const LabState& lab, ImVec2 room) {
-    const bool revealed = lab.session.walkthrough->revealed();
-    const auto fit = [&](ImFont* font, Shown shown) {
+// How the words of a slide are set. Its answer may take the place of the introduction.
+struct Setting {
+    ImFont* font;
+    bool introduction;  // beside the answer
+};
+
+std::vector<Setting> settings(const LabState& lab) {
+    std::vector<Setting> all;
+    for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
+        for (const bool introduction : {true, false}) all.push_back({font, introduction});
+    return all;
+}
+
+// The one with the largest type in which the slide fits both with and without its answer, so that the question stays as it is
+// when the answer comes; their count when none does.
+std::size_t fitting_setting(const LabState& lab, ImVec2 room) {
+    const auto fits_in = [&](ImFont* font, Shown shown) {
         return height_of(lab, words_of(lab, font, shown, room.x), room.x) <= room.y;
     };
-    for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
-        for (const bool introduction : {true, false})
-            if (fit(font, {true, false}) && fit(font, {introduction, true}))
-                return words_of(lab, font, {introduction || !revealed, revealed}, room.x);
-    return words_of(lab, lab.fonts.medium, {!revealed, revealed}, room.x);
+    const std::vector<Setting> all = settings(lab);
+    std::size_t n = 0;
+    while (n < all.size() && !(fits_in(all[n].font, {true, false}) && fits_in(all[n].font, {all[n].introduction, true}))) ++n;
+    return n;
+}
+
+std::vector<Paragraph> fitting_words(const LabState& lab, ImVec2 room) {
+    const bool revealed = lab.session.walkthrough->revealed();
+    const std::vector<Setting> all = settings(lab);
+    const std::size_t n = fitting_setting(lab, room);
+    if (n == all.size()) return words_of(lab, lab.fonts.medium, {!revealed, revealed}, room.x);
+    return words_of(lab, all[n].font, {all[n].introduction || !revealed, revealed}, room.x);
 }
 
 std::vector<const Parameter*> shown_parameters(const LabState& lab) {
@@ -136,6 +155,8 @@ void draw_slide_words(LabState& lab) {
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }
+
+std::size_t slide_words_type(const LabState& lab, ImVec2 room) { return fitting_setting(lab, room); }
 
 float slide_parameters_height(const LabState& lab) {
     const auto count = shown_parameters(lab).size();

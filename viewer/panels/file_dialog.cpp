@@ -10,7 +10,7 @@
 namespace pliant::viewer {
 namespace {
 
-constexpr const char* popup = "Choose a file";
+constexpr const char* chooser = "Choose a file";
 
 void put_text(ImGuiInputTextCallbackData& data, const std::string& text) {
     data.DeleteChars(0, data.BufTextLen);
@@ -117,13 +117,13 @@ void draw_file_dialog(LabState& lab) {
     if (!files.asking()) return;
     const bool fresh = files.questions() != lab.file_question;
     lab.file_question = files.questions();
-    if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
+    if (!ImGui::IsPopupOpen(chooser)) ImGui::OpenPopup(chooser);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const ImVec2 size{std::min(lab.px(560), 0.9f * display.x), std::min(lab.px(430), 0.9f * display.y)};
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(size);
     if (!ImGui::BeginPopupModal(
-            popup, nullptr,
+            chooser, nullptr,
             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
         return;
     // Looked at first: the field of the name would give up the key to itself.

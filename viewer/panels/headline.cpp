@@ -60,8 +60,11 @@ void draw_headline(LabState& lab) {
 void draw_key_numbers(LabState& lab) {
     if (lab.session.companion()) return draw_companion_table(lab);
     const Runner& r = lab.session.runner();
-    for (const Probe* p : key_probes(r.lesson())) {
-        const auto value = r.value(*p), exact = r.exact(*p);
+    const auto probes = key_probes(r.lesson());
+    const auto& held = lab.held.key_numbers;
+    for (std::size_t k = 0; k < probes.size() && k < held.size(); ++k) {
+        const Probe* p = probes[k];
+        const auto& [value, exact] = held[k];
         const std::string number = value ? format_quantity(*value, p->unit) : "undefined";
         const std::string exact_text = exact ? fmt::format("exact {}", format_quantity(*exact, p->unit)) : "";
         const bool beside = draw_label(lab, *p, number, exact_text);

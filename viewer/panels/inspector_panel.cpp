@@ -106,6 +106,24 @@ void quantity(LabState& lab, const Field& f, Index index) {
     ImGui::PopID();
 }
 
+// A field for the number, and a button down and up; with Ctrl they go by hundreds.
+void choose_index(LabState& lab, Index& index, Index last) {
+    const float button = ImGui::GetFrameHeight(), gap = lab.px(2);
+    if (std::exchange(lab.focus_thing, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(lab.px(120) - 2 * (button + gap));
+    const auto text = number_field(lab.typed, "##index", fmt::format("{}", index));
+    if (text) lab.take_typed([&] { index = whole_typed("its number", *text, 0, last); });
+    lab.note_control("thing index");
+    tooltip(fmt::format("Its number, 0 to {}", last), lab.scale);
+    ImGui::PushButtonRepeat(true);
+    for (const Index direction : {Index{-1}, Index{1}}) {
+        ImGui::SameLine(0, gap);
+        if (ImGui::Button(direction < 0 ? "-##index" : "+##index", {button, button}))
+            index = std::clamp<Index>(index + direction * (ImGui::GetIO().KeyCtrl ? 100 : 1), 0, last);
+    }
+    ImGui::PopButtonRepeat();
+}
+
 void choose_thing(LabState& lab) {
     Inspector& in = lab.session.inspector;
     std::set<On> kinds;
@@ -125,13 +143,9 @@ void choose_thing(LabState& lab) {
     lab.note_control("thing kind");
     tooltip("What is looked at; a click in the picture chooses too", lab.scale);
     ImGui::SameLine();
-    const Index one = 1, hundred = 100;
-    if (std::exchange(lab.focus_thing, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(lab.px(120));
-    ImGui::InputScalar("##index", ImGuiDataType_S64, &in.thing->index, &one, &hundred);
-    lab.note_control("thing index");
-    tooltip(fmt::format("Its number, 0 to {}", count - 1), lab.scale);
-    in.thing->index = std::clamp<Index>(in.thing->index, 0, std::max<Index>(count - 1, 0));
+    const Index last = std::max<Index>(count - 1, 0);
+    in.thing->index = std::clamp<Index>(in.thing->index, 0, last);
+    choose_index(lab, in.thing->index, last);
 }
 
 void save(LabState& lab, const std::string& name, const std::string& text) {

@@ -6,8 +6,11 @@
 #include "app/live_error.h"
 #include "app/session.h"
 #include "app/theme.h"
+#include "app/usage.h"
 #include "panels/file_choice.h"
+#include "panels/layout.h"
 #include "panels/plot_panel.h"
+#include "panels/typed_number.h"
 #include "render/picking.h"
 #include "render/scene_renderer.h"
 
@@ -24,11 +27,6 @@
 
 namespace pliant::viewer {
 
-// lab: all panels. slide: the picture, its plots and the numbers that matter, large. deck: a slide of the walkthrough beside
-// them.
-enum class Layout { lab, slide, deck };
-std::string_view name_of(Layout layout);
-
 struct Rectangle {
     float x = 0, y = 0, width = 0, height = 0;  // px
 };
@@ -42,6 +40,31 @@ struct AnimationOrder {
     std::string path{};              // to be started
     std::optional<Real> progress{};  // 0 to 1, while it is made
     bool writing = false;            // all frames are recorded
+};
+
+// The type of the words in a picture.
+struct LabelType {
+    int run = -1;
+    Layout layout = Layout::lab;
+    float width = 0, height = 0, scale = 0;  // of the picture, px; of the lab
+    std::size_t smaller = 0;                 // sizes below the largest
+    bool same_picture(const LabelType& o) const {
+        return run == o.run && layout == o.layout && width == o.width && height == o.height && scale == o.scale;
+    }
+};
+
+// A law or an assumption: whether it holds, and what its tip says.
+struct Light {
+    Holds holds;
+    std::string name, help;
+};
+
+// Numbers of the run as it was when it moved last; of the last whole step while one that plays is cut by a frame, so that what is
+// only of use inside a step does not flash up.
+struct HeldNumbers {
+    std::pair<int, long> of{-1, -1};  // which lesson that was opened, and the revision of its run
+    std::vector<std::pair<std::optional<Real>, std::optional<Real>>> key_numbers{};  // and their exact values
+    std::vector<Light> lights{};
 };
 
 struct LabState {
@@ -59,12 +82,20 @@ struct LabState {
     bool cost_shown = false;  // cost and error in the place of the plots
     LiveError live_error{};
 
-    bool value_changed = false;  // in the present drag of a slider, or while a number is typed: one step of undo
+    HeldNumbers held{};
+    UsageReasons usage{};
+    bool value_changed = false;  // in the present drag of a slider: one step of undo
+    TypedNumber typed{};
 
     // the scene panel
     std::optional<Picked> hovered;
     std::optional<Pull> pulling;
-    bool turning = false, clicked_only = false;        // has the pointer stayed where it was pressed?
+    Real seconds = 0;                            // of wall time since the frame before; with 0 nothing moves
+    bool turning = false, clicked_only = false;  // has the pointer stayed where it was pressed?
+    LabelType label_type{};
+    int transport_rows = 1;                            // of the last frame
+    bool stages_scroll = false;                        // likewise
+    std::optional<std::size_t> stage_in_sight{};       // to which the stages have scrolled
     bool scene_has_grid = false;                       // of the last frame
     std::unique_ptr<SceneRenderer> renderer_beside{};  // of run B, or of before
 
@@ -102,10 +133,15 @@ struct LabState {
     bool focus_menu = false;            // the menus get the keys
     AnimationOrder animation{};
 
+    bool resting = false;  // nothing is drawn until something changes
+
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls;
     // Remembers the last item under a name.
     void note_control(const std::string& name);
+
+    // Does what a text that was typed asks for; a refusal becomes a message.
+    void take_typed(const std::function<void()>& action);
 
     float px(float length) const { return length * scale; }
     unsigned ink(Ink role, float opacity = 1) const { return viewer::ink(theme, role, opacity); }
@@ -134,8 +170,10 @@ std::string without_marks(const std::string& text);
 // "youngs_modulus" as words.
 std::string words(std::string_view key);
 
-inline constexpr float stage_height = 60;  // px at scale 1
+inline constexpr float stage_height = 60, least_stage_width = 104, stage_scrollbar = 9;  // px at scale 1
 
+// Measures key numbers and lights anew, if the run has moved.
+void measure_held_numbers(LabState& lab);
 void draw_menu_bar(LabState& lab);
 void draw_animation_panel(LabState& lab);
 void draw_lesson_list(LabState& lab);
@@ -153,7 +191,8 @@ void draw_claims(LabState& lab);
 void draw_atlas(LabState& lab);
 // Begins a map of the chosen knobs; a refusal becomes a message.
 void start_atlas(LabState& lab);
-void draw_plots(LabState& lab);
+void draw_plots(LabState& lab);  // below each other
+void draw_plots_in_row(LabState& lab);
 void draw_status_line(LabState& lab);
 void draw_walkthrough(LabState& lab);
 // The deck: the title with the number of the slide; its words; the parameters that it allows; the lecturer's notes. The heights
@@ -163,6 +202,8 @@ void draw_slide_words(LabState& lab);
 void draw_slide_parameters(LabState& lab);
 void draw_slide_notes(LabState& lab);
 float slide_parameters_height(const LabState& lab);
+// In which size of type the words fit into a room, 0 for the largest.
+std::size_t slide_words_type(const LabState& lab, ImVec2 room);
 float slide_notes_height(const LabState& lab, float width);
 void draw_help(LabState& lab);
 // Over the picture, at most a third of it: why the run stopped, and what to do.

@@ -1,3 +1,4 @@
+#include "panels/flowing_text.h"
 #include "panels/lab_state.h"
 
 #include <algorithm>
@@ -71,8 +72,10 @@ void names_of_lessons(LabState& lab) {
             ImGui::PopFont();
         }
         const bool selected = e.info.id == lab.session.entry().info.id;
-        const std::string label = std::string(e.info.title) + "##" + std::string(e.info.id);
         ImGui::Indent(lab.px(6));
+        // A long name takes a second line.
+        const std::string title = flowing_text(std::string(e.info.title), ImGui::GetFont(), ImGui::GetContentRegionAvail().x);
+        const std::string label = title + "##" + std::string(e.info.id);
         if (ImGui::Selectable(label.c_str(), selected) && !selected) lab.session.open(e);
         lab.note_control("lesson " + std::string(e.info.id));
         tooltip(std::string(e.info.summary), lab.scale);
@@ -97,7 +100,7 @@ void draw_lesson_list(LabState& lab) {
     if (has_walkthrough(lab)) {
         const bool active = lab.session.walkthrough.has_value();
         if (ImGui::Button(active ? "Leave the walkthrough" : "Walkthrough", {-1, 0}))
-            active ? lab.session.walkthrough.reset() : lab.session.start_walkthrough();
+            active ? lab.session.end_walkthrough() : lab.session.start_walkthrough();
         lab.note_control("walkthrough");
     }
 }

@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
@@ -19,9 +20,10 @@ std::string describe(const Parameter& p) {
         text += "\nUsual " + p.info.useful.text() + ", accepted " + p.accepted().text() +
                 (p.info.unit.empty() ? "" : " " + std::string(p.info.unit)) + ", default " +
                 format_quantity(p.info.initial, p.info.unit) +
-                ".\nCtrl+click types a number; a double click restores the default.";
+                ".\nCtrl+click, or Enter, types a number, with a unit if you like; it may lie outside the usual range. A double "
+                "click "
+                "restores the default.";
     text += p.info.effect == Effect::live ? "\nTakes effect with the next step." : "\nRestarts the lesson (↻).";
-    if (!p.used()) text += "\nNot used by the present scene.";
     return text;
 }
 
@@ -35,18 +37,24 @@ Interval span_of(const Parameter& p, bool extreme) {
     return span;
 }
 
+std::string in_full(const Parameter& p, Real value) {
+    return p.info.unit.empty() ? p.text(value) : fmt::format("{} {}", p.text(value), p.info.unit);
+}
+
 void number_slider(LabState& lab, const Parameter& p) {
     Session& session = lab.session;
     Real value = session.addressed().wanted(p);
     Interval span = span_of(p, session.extreme);
     span.min = std::min(span.min, value), span.max = std::max(span.max, value);
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput |
                                    (p.info.scale == Scale::log ? ImGuiSliderFlags_Logarithmic : 0);
-    const ImGuiID id = ImGui::GetID("##value");
-    const bool typing = ImGui::TempInputIsActive(id);
-    // The value stands above the slider; while one is typed, it is shown in full.
-    const char* format = typing || ImGui::GetIO().KeyCtrl ? "%.10g" : "";
-    const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, format, flags);
+    // The value stands above the slider; while one is typed, it is shown in full, with its unit.
+    bool changed = false;
+    const auto text = slider_or_text(lab.typed, "##value", in_full(p, value), [&] {
+        changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, "", flags);
+    });
+    if (text) return session.enter(p, *text);
+    const bool typing = lab.typed.control == ImGui::GetItemID();
     if (!typing && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         ImGui::ClearActiveID();  // else the button that is still down would set the value again
         return session.restore_default(p);
@@ -57,9 +65,26 @@ void number_slider(LabState& lab, const Parameter& p) {
     session.assign(p, value, std::exchange(lab.value_changed, true));
 }
 
+bool fits_with(const ImFont* font, const std::string& text, float room) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x <= room;
+}
+
 void choice_box(LabState& lab, const Parameter& p) {
     const auto current = static_cast<std::size_t>(lab.session.addressed().wanted(p));
-    if (!ImGui::BeginCombo("##value", std::string(p.info.options[current].label).c_str())) return;
+    const std::string label(p.info.options[current].label);
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+    ImFont* font = ImGui::GetFont();
+    for (ImFont* smaller : {lab.fonts.medium, lab.fonts.normal, lab.fonts.small})
+        if (smaller->FontSize < font->FontSize && !fits_with(font, label, room)) font = smaller;
+    // The box keeps its height.
+    ImVec2 padding = ImGui::GetStyle().FramePadding;
+    padding.y += (ImGui::GetFontSize() - font->FontSize) / 2;
+    ImGui::PushFont(font);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    const bool open = ImGui::BeginCombo("##value", label.c_str());
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    if (!open) return;
     for (std::size_t i = 0; i < p.info.options.size(); ++i)
         if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current))
             lab.session.assign(p, static_cast<Real>(i));
@@ -79,10 +104,16 @@ std::optional<Real> value_in_other_run(const Session& s, const Parameter& p) {
     return std::nullopt;
 }
 
-std::string help_of(const LabState& lab, const Parameter& p) {
+std::string help_of(LabState& lab, const Parameter& p) {
     if (lab.session.locked(p)) return "Locked on this slide; End the walkthrough or press L to unlock.";
+    if (!p.used()) return fmt::format("{}\n{}", lab.usage.reason(lab.session.addressed(), p), describe(p));
     const auto other = value_in_other_run(lab.session, p);
     return describe(p) + (other ? fmt::format("\nThe other run has {}.", setting_text(p, *other)) : "");
+}
+
+// What would be in the tooltip is looked for only where it is shown.
+void parameter_tip(LabState& lab, const Parameter& p) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(help_of(lab, p), lab.scale);
 }
 
 std::string label_of(const LabState& lab, const Parameter& p) {
@@ -90,6 +121,15 @@ std::string label_of(const LabState& lab, const Parameter& p) {
     if (!p.info.symbol.empty()) label += "  " + std::string(p.info.symbol);
     if (p.info.effect == Effect::rebuild) label += "  ↻";
     return label;
+}
+
+// The name and the value on one line, in the large type of a deck.
+bool label_fits_large(const LabState& lab, const Parameter& p) {
+    const bool number = p.info.kind != Kind::choice && p.info.kind != Kind::toggle;
+    const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
+    const float room = ImGui::GetContentRegionAvail().x - lab.px(8);
+    const ImFont* const font = lab.fonts.large;
+    return fits_with(lab.fonts.medium, label_of(lab, p), room - font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, value.c_str()).x);
 }
 
 // The name on the left and, of a number, the value on the right.
@@ -102,7 +142,7 @@ void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     ImGui::SetCursorPosY(top + drop - ImGui::GetTextLineHeight());
     fitted_text(label_of(lab, p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
-    tooltip(help_of(lab, p), lab.scale);
+    parameter_tip(lab, p);
     if (!number) return;
     ImGui::SameLine();
     ImGui::SetCursorPosX(right);
@@ -123,12 +163,13 @@ void extreme_switch(LabState& lab) {
 
 void draw_parameter(LabState& lab, const Parameter& p, bool large) {
     ImGui::PushID(&p);
-    ImGui::PushFont(large ? lab.fonts.large : lab.fonts.normal);
+    ImFont* const label_font = !large ? lab.fonts.small : label_fits_large(lab, p) ? lab.fonts.medium : lab.fonts.normal;
+    ImGui::PushFont(!large ? lab.fonts.normal : label_font == lab.fonts.medium ? lab.fonts.large : lab.fonts.medium);
     ImGui::BeginDisabled(!p.used() || lab.session.locked(p));
     if (p.info.kind == Kind::toggle) {
         switch_box(lab, p, label_of(lab, p));
     } else {
-        label_row(lab, p, large ? lab.fonts.medium : lab.fonts.small);
+        label_row(lab, p, label_font);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
         ImGui::SetNextItemWidth(-1);
         if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
@@ -138,7 +179,7 @@ void draw_parameter(LabState& lab, const Parameter& p, bool large) {
     lab.note_control(std::string(p.info.key));
     ImGui::EndDisabled();
     ImGui::PopFont();
-    tooltip(help_of(lab, p), lab.scale);
+    parameter_tip(lab, p);
     ImGui::PopID();
 }
 

@@ -73,9 +73,7 @@ const Line* line_of_b(const Session& s, const Line& line) {
 }
 
 void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
-    Curve curve, reference;
-    line.sample(curve);
-    if (line.reference) line.reference(reference);
+    const Curve curve = curve_of(line.sample), reference = curve_of(line.reference);
     const AxisScale scale = line.log_log ? AxisScale::log : AxisScale::linear;
     const Axes axes{.x = {words(line.position_name), std::string(line.position_unit), scale},
                     .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit), scale},
@@ -84,7 +82,7 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
     Curve of_b;
     if (const Line* b = line_of_b(s, line)) {
-        b->sample(of_b);
+        of_b = curve_of(b->sample);
         plot.line(run_name(s, true, 1), of_b.position, of_b.value, {.dash = Dash::dashed});
     }
     const std::string name(line.reference_name);
@@ -94,12 +92,23 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     std::vector<Curve> others(line.others.size());  // stay in place until the plot is drawn
     for (std::size_t i = 0; i < others.size(); ++i) {
         const auto& [label, sample, points] = line.others[i];
-        sample(others[i]);
+        others[i] = curve_of(sample);
         if (others[i].position.empty()) continue;
         points ? plot.points(std::string(label), others[i].position, others[i].value)
                : plot.line(std::string(label), others[i].position, others[i].value);
     }
     plot.end();
+}
+
+// Where the line of a profile crosses an axis, as a part of the scene.
+void across_slider(LabState& lab, const char* axis, Real& at) {
+    const Real low = 0, high = 1;
+    const std::string label = fmt::format("##across {}", axis), format = fmt::format("{} at %.2f", axis);
+    const auto text = slider_or_text(lab.typed, label.c_str(), format_exact(at), [&] {
+        ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &at, &low, &high, format.c_str(),
+                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    });
+    if (text) lab.take_typed([&] { at = number_typed(axis, *text, low, high); });
 }
 
 void plot_along(LabState& lab, Plot& plot, Point size) {
@@ -118,13 +127,10 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth((ImGui::GetContentRegionAvail().x - lab.px(4)) /
                                 static_cast<float>(k == dim - 1 || (state.axis == dim - 1 && k == dim - 2) ? 1 : 2));
-        const Real low = 0, high = 1;
-        const std::string format = fmt::format("{} at %.2f", axes[static_cast<std::size_t>(k)]);
-        ImGui::SliderScalar(fmt::format("##across {}", k).c_str(), ImGuiDataType_Double, &state.across[next++], &low, &high,
-                            format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+        across_slider(lab, axes[static_cast<std::size_t>(k)], state.across[next++]);
     }
     const Inspector& looked = s.inspector;
-    const Scene scene = s.scene();
+    const Scene& scene = s.scene();
     std::vector<Real> rows;
     row_values(*field, s.colours.component, rows);
     if (s.shows_change())
@@ -153,7 +159,7 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
 void plot_map(LabState& lab, Plot& plot, Point size) {
     Session& s = lab.session;
     const Field* field = s.lesson().find_field(s.colours.field);
-    const Scene scene = s.scene();
+    const Scene& scene = s.scene();
     if (!field || scene.grids.empty() || scene.grids[0].values.empty())
         return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
     const GridMarks& g = scene.grids[0];
@@ -236,6 +242,19 @@ std::vector<std::string> shown_plots(const LabState& lab) {
     return shown;
 }
 
+void begin_plots(LabState& lab) {
+    choose_first(lab);
+    if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
+    follow_live_error(lab);
+}
+
+// How many plots are seen at once; on a slide, where nobody scrolls, none is cut.
+std::size_t rows_of_plots(const LabState& lab, std::size_t count, float least) {
+    if (lab.layout == Layout::lab) return std::min<std::size_t>(count, 3);
+    const float spacing = ImGui::GetStyle().ItemSpacing.y, room = ImGui::GetContentRegionAvail().y;
+    return std::clamp<std::size_t>(static_cast<std::size_t>(std::max(room + spacing, 0.f) / (least + spacing)), 1, count);
+}
+
 void table_below(LabState& lab) {
     if (companion_table_height(lab) > 0) draw_companion_table(lab);
 }
@@ -250,21 +269,38 @@ std::optional<Interval> zoomed_part(const Plot& plot) {
 PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dark : PlotTheme::projector; }
 
 void draw_plots(LabState& lab) {
-    choose_first(lab);
-    if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
-    follow_live_error(lab);
+    begin_plots(lab);
     if (lab.layout == Layout::lab) choice_menu(lab);
     Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
     if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
-    const std::vector<std::string> shown = shown_plots(lab);
+    std::vector<std::string> shown = shown_plots(lab);
     if (shown.empty()) return table_below(lab);
-    ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
-    const float spacing = ImGui::GetStyle().ItemSpacing.y, count = static_cast<float>(std::min<std::size_t>(shown.size(), 3));
+    ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None,
+                      ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoBackground);
+    const float spacing = ImGui::GetStyle().ItemSpacing.y,
+                least = lab.layout == Layout::lab ? lab.px(130) : std::min(lab.px(130), ImGui::GetContentRegionAvail().y);
+    const std::size_t rows = rows_of_plots(lab, shown.size(), least);
+    if (lab.layout != Layout::lab) shown.resize(rows);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float height = std::clamp((room.y - spacing * (count - 1)) / count, lab.px(130), std::max(lab.px(130), 0.85f * room.x));
+    const auto count = static_cast<float>(rows);
+    // They fill the room, but are hardly higher than wide.
+    const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, 1.1f * room.x));
     for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
     ImGui::EndChild();
     table_below(lab);
+}
+
+void draw_plots_in_row(LabState& lab) {
+    begin_plots(lab);
+    Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
+    const std::vector<std::string> shown = shown_plots(lab);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = ImGui::GetStyle().ItemSpacing.x, count = static_cast<float>(std::max<std::size_t>(shown.size(), 1));
+    const float width = std::min((room.x - gap * (count - 1)) / count, 2.6f * room.y);
+    for (const std::string& name : shown) {
+        if (name != shown.front()) ImGui::SameLine(0, gap);
+        draw_one(lab, plot, name, {width, room.y});
+    }
 }
 
 }  // namespace pliant::viewer

@@ -86,23 +86,45 @@ void draw_block(LabState& lab, const Block& b, ImVec2 at) {
     draw->AddText({right + lab.px(5), middle}, ink, b.behind.c_str());
 }
 
+struct Placed {
+    Block block;
+    ImVec2 at;
+};
+
+// As many as fit into the lower half of the place: the upper one is left to the picture.
+std::vector<Placed> placed(LabState& lab, const std::vector<MatrixMark>& matrices, const Rectangle& place) {
+    const float gap = lab.px(16), left = place.x + lab.px(14);
+    float x = left, bottom = place.y + place.height - lab.px(14), tallest = 0;
+    std::vector<Placed> blocks;
+    for (const MatrixMark& m : matrices) {
+        Block b = measured(lab, m);
+        if (x > left && x + b.size.x > place.x + place.width - lab.px(14)) x = left, bottom -= tallest + gap, tallest = 0;
+        if (bottom - b.size.y < place.y + place.height / 2 || b.size.x > place.width) break;
+        const ImVec2 at{x, bottom - b.size.y};
+        x += b.size.x + gap;
+        tallest = std::max(tallest, b.size.y);
+        blocks.push_back({std::move(b), at});
+    }
+    return blocks;
+}
+
 }  // namespace
 
 void draw_matrices(LabState& lab, const std::vector<MatrixMark>& matrices, const Rectangle& place) {
     if (matrices.empty()) return;
-    ImGui::PushFont(lab.fonts.small);
-    const float gap = lab.px(16), left = place.x + lab.px(14);
-    float x = left, bottom = place.y + place.height - lab.px(14), tallest = 0;
-    for (const MatrixMark& m : matrices) {
-        const Block b = measured(lab, m);
-        if (x > left && x + b.size.x > place.x + place.width - lab.px(14)) x = left, bottom -= tallest + gap, tallest = 0;
-        // The upper half is left to the picture.
-        if (bottom - b.size.y < place.y + place.height / 2 || b.size.x > place.width) break;
-        draw_block(lab, b, {x, bottom - b.size.y});
-        x += b.size.x + gap;
-        tallest = std::max(tallest, b.size.y);
+    // What a lecture hall reads is as large as leaves the picture most of the room.
+    const bool large = lab.layout != Layout::lab;
+    for (ImFont* font : {lab.fonts.medium, lab.fonts.normal, lab.fonts.small}) {
+        if (!large && font != lab.fonts.small) continue;
+        ImGui::PushFont(font);
+        const std::vector<Placed> blocks = placed(lab, matrices, place);
+        const bool last = font == lab.fonts.small;
+        const bool fit = blocks.size() == matrices.size() && blocks.back().at.y > place.y + 0.6f * place.height;
+        if (fit || last)
+            for (const Placed& p : blocks) draw_block(lab, p.block, p.at);
+        ImGui::PopFont();
+        if (fit) return;
     }
-    ImGui::PopFont();
 }
 
 }  // namespace pliant::viewer

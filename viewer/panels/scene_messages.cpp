@@ -1,6 +1,7 @@
 #include "panels/scene_messages.h"
 
 #include "panels/companion_panel.h"
+#include "panels/flowing_text.h"
 
 #include <fmt/format.h>
 
@@ -36,11 +37,12 @@ void draw_banner(LabState& lab, const Rectangle& place) {
 void draw_hints(LabState& lab, const Rectangle& place) {
     if (!lab.hints_shown || lab.layout != Layout::lab || lab.animation.progress) return;
     const bool can_pull = lab.session.lesson().can_pull().has_value();
-    const std::string text = fmt::format(
+    const std::string all = fmt::format(
         "{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",
         can_pull ? "Pull it with the mouse; drag beside it to turn" : "Drag to move the picture, turn the wheel to zoom");
+    const float pad = lab.px(8), button = ImGui::GetFrameHeight(), room = place.width - button - 3 * pad - lab.px(20);
+    const std::string text = ImGui::CalcTextSize(all.c_str()).x > room ? flowing_text(all, ImGui::GetFont(), room) : all;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float pad = lab.px(8), button = ImGui::GetFrameHeight();
     const ImVec2 at{place.x + lab.px(10), place.y + place.height - size.y - 2 * pad - lab.px(10)};
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + button + 3 * pad, at.y + size.y + 2 * pad},
                                               ImGui::GetColorU32(ImGuiCol_PopupBg, 0.88f), lab.px(5));

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -19,6 +21,10 @@ bool button(LabState& lab, const char* name, const char* control, const char* he
     return used;
 }
 
+constexpr float least_colour_menu = 84;  // px at scale 1
+// Of the switches behind the menu of colours, likewise.
+float switches_width(const LabState& lab) { return lab.scene_has_grid ? 270 : 190; }
+
 void colour_menu(LabState& lab) {
     Session& s = lab.session;
     const Field* shown = s.lesson().find_field(s.colours.field);
@@ -26,8 +32,8 @@ void colour_menu(LabState& lab) {
     if (shown && s.colours.component >= 0)
         current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
     // Small enough for the switches behind it.
-    const float behind = lab.scene_has_grid ? 270.f : 190.f;
-    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - lab.px(behind), lab.px(84), lab.px(140)));
+    ImGui::SetNextItemWidth(
+        std::clamp(ImGui::GetContentRegionAvail().x - lab.px(switches_width(lab)), lab.px(least_colour_menu), lab.px(140)));
     if (ImGui::BeginCombo("##colour", current.c_str(), ImGuiComboFlags_HeightLarge)) {
         if (ImGui::Selectable("none", !shown)) s.colours = {};
         for (const Field& f : s.lesson().fields) {
@@ -86,12 +92,12 @@ bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, floa
 void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
     const Runner& runner = lab.session.runner();
     const bool done_last = runner.last_stage() == i;
-    const bool next = runner.inside_step() && runner.next_stage() == i;
+    const bool inside = runner.inside_step() && !lab.session.shows_last_step(), next = inside && runner.next_stage() == i;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float line = std::max(2.f, lab.px(2));
     draw->AddRectFilled(at, {at.x + width, at.y + height},
-                        ImGui::GetColorU32(done_last && runner.inside_step() ? ImGuiCol_Header : ImGuiCol_FrameBg), lab.px(4));
+                        ImGui::GetColorU32(done_last && inside ? ImGuiCol_Header : ImGuiCol_FrameBg), lab.px(4));
     if (next) draw->AddRect(at, {at.x + width, at.y + height}, lab.ink(Ink::accent), lab.px(4), 0, line);
 
     draw->PushClipRect(at, {at.x + width, at.y + height}, true);
@@ -156,8 +162,15 @@ void draw_transport(LabState& lab) {
     if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
     draw_pin_button(lab);
     ImGui::PopStyleVar();
-    if (!s.runner().is_static()) speed_menu(lab);
-    ImGui::SameLine(0, lab.px(8));
+    // What does not fit beside the buttons stands below them.
+    const float speed = s.runner().is_static() ? 0.f : 68.f;
+    const bool below = ImGui::GetContentRegionAvail().x < lab.px(speed + least_colour_menu + switches_width(lab));
+    if (below) ImGui::NewLine();
+    if (!s.runner().is_static()) {
+        speed_menu(lab);
+        ImGui::SameLine(0, lab.px(8));
+    }
+    lab.transport_rows = below ? 2 : 1;
     colour_menu(lab);
     ImGui::SameLine();
     ImGui::Checkbox("arrows", &s.show_arrows);
@@ -172,13 +185,24 @@ void draw_stage_bar(LabState& lab) {
     const Runner& runner = lab.session.runner();
     const auto& stages = runner.stages();
     if (stages.empty()) return;
-    const float gap = lab.px(5), width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(stages.size() - 1)) /
-                                         static_cast<float>(stages.size());
+    // Where they would be too narrow to read, they are looked through sideways, and the one that is done stays in sight.
+    const auto count = static_cast<float>(stages.size());
+    const float gap = lab.px(5), share = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count,
+                width = std::max(share, lab.px(least_stage_width));
+    const bool scrolls = width > share;
+    lab.stages_scroll = scrolls;
+    ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, lab.px(stage_scrollbar));
+    ImGui::BeginChild("stages", {0, lab.px(stage_height + (scrolls ? stage_scrollbar : 0))}, ImGuiChildFlags_None,
+                      ImGuiWindowFlags_NavFlattened | (scrolls ? ImGuiWindowFlags_AlwaysHorizontalScrollbar : 0));
+    const auto seen = runner.inside_step() ? runner.last_stage() : std::optional<std::size_t>(0);
+    if (scrolls && seen && seen != std::exchange(lab.stage_in_sight, seen))
+        ImGui::SetScrollX((static_cast<float>(*seen) - 0.5f) * (width + gap));
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i) ImGui::SameLine(0, gap);
-        stage_box(lab, *stages[i], runner.cost(static_cast<std::size_t>(stages[i] - runner.lesson().stages.data())), i, width,
-                  lab.px(stage_height));
+        stage_box(lab, *stages[i], runner.cost(*stages[i]), i, width, lab.px(stage_height));
     }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace pliant::viewer

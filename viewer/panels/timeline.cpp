@@ -135,10 +135,15 @@ void scrubber(LabState& lab, float width) {
     Index step = std::clamp(runner.place().step, first, last);
     ImGui::SetNextItemWidth(width);
     ImGui::BeginDisabled(first == last);
-    const std::string format = runner.inside_step() ? fmt::format("step %lld + {} passes", runner.place().passes) : "step %lld";
-    if (ImGui::SliderScalar("##past", ImGuiDataType_S64, &step, &first, &last, format.c_str(), ImGuiSliderFlags_AlwaysClamp) &&
-        step != runner.place().step)
-        s.go_to({step, 0});
+    const bool inside = runner.inside_step() && !s.shows_last_step();
+    const std::string format = inside ? fmt::format("step %lld + {} passes", runner.place().passes) : "step %lld";
+    bool moved = false;
+    const auto text = slider_or_text(lab.typed, "##past", fmt::format("{}", step), [&] {
+        moved = ImGui::SliderScalar("##past", ImGuiDataType_S64, &step, &first, &last, format.c_str(),
+                                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    });
+    if (text) lab.take_typed([&] { step = whole_typed("step", *text, first, last), moved = true; });
+    if (moved && step != runner.place().step) s.go_to({step, 0});
     ImGui::EndDisabled();
     lab.note_control("past");
     const History& h = runner.history();

@@ -41,6 +41,8 @@ public:
     virtual float ui_scale() const { return 1; }
     // Takes what has happened; with `wait`, in s, sleeps so long at most until something does.
     virtual void poll_events(Real wait = 0) { (void)wait; }
+    // Has the window another size, was it uncovered, or were files dropped on it, since the last call?
+    virtual bool take_damage() { return false; }
     virtual bool close_requested() const { return false; }
     virtual void cancel_close() {}
     // Paths of the files dropped on the window since the last call.

@@ -112,10 +112,15 @@ private:
 
 }  // namespace
 
-GifRecording::GifRecording(int frames_per_second) : delay_(0) {
+GifRecording::GifRecording(int frames_per_second) : frames_per_second_(frames_per_second) {
     if (frames_per_second < 1 || frames_per_second > 50)
         throw Refused("frames per second", frames_per_second, "", "a whole number from 1 to 50");
-    delay_ = static_cast<int>(std::lround(100.0 / frames_per_second));
+}
+
+int GifRecording::delay(std::size_t frame) const {
+    const auto time = [this](std::size_t number) { return static_cast<Real>(number) / frames_per_second_; };
+    const Real end = end_ && frame + 1 == frames() ? *end_ : time(frame + 1);
+    return static_cast<int>(std::lround(100 * end) - std::lround(100 * time(frame)));
 }
 
 void GifRecording::add(const Image& image) {
@@ -169,7 +174,8 @@ GifWriting::~GifWriting() = default;
 
 bool GifWriting::next() {
     if (done_ == recording_.frames()) return false;
-    parts_->encoder.add(parts_->palette.indices(recording_.frame(done_++)), recording_.delay_);
+    parts_->encoder.add(parts_->palette.indices(recording_.frame(done_)), recording_.delay(done_));
+    ++done_;
     return true;
 }
 

@@ -1,7 +1,9 @@
 // Animated GIFs (GIF89a, CompuServe 1990) of frames of one size, repeated without end.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "platform/image.h"
 
@@ -11,12 +13,17 @@ namespace pliant::viewer {
 // The same frames give the same bytes.
 class GifRecording {
 public:
-    // frames_per_second: 1 to 50, shown to the nearest hundredth of a second a frame. Throws Refused.
+    // frames_per_second: 1 to 50. A GIF counts hundredths of a second: each frame begins at the one that is nearest to its time,
+    // so that the whole lasts as long as it should. Throws Refused.
     explicit GifRecording(int frames_per_second);
+    // The last frame stays until this time, in s from the start of the first; without it as long as any other.
+    void end_at(Real seconds) { end_ = seconds; }
 
     // Throws Refused for a frame whose size is not that of the first, or without pixels.
     void add(const Image& frame);
     std::size_t frames() const { return frames_.size(); }
+    // How long a frame is shown, in hundredths of a second; frames are counted from 0.
+    int delay(std::size_t frame) const;
     // The whole file. Throws Refused when there is no frame.
     std::string encoded() const;
 
@@ -24,7 +31,8 @@ private:
     friend class GifWriting;
     Image frame(std::size_t number) const;
 
-    int delay_;  // hundredths of a second
+    int frames_per_second_;
+    std::optional<Real> end_;
     int width_ = 0, height_ = 0;
     std::vector<std::vector<unsigned char>> frames_;  // deflated
 };

@@ -75,6 +75,7 @@ public:
         return std::max(1.0f, x / inside_units);
     }
     void poll_events(Real wait) override { wait > 0 ? glfwWaitEventsTimeout(wait) : glfwPollEvents(); }
+    bool take_damage() override { return std::exchange(damaged_, false); }
     bool close_requested() const override { return glfwWindowShouldClose(window_) != 0; }
     void cancel_close() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
     std::vector<std::string> take_dropped_files() override { return std::exchange(dropped_, {}); }
@@ -99,7 +100,10 @@ private:
         glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
             auto& files = self(window).dropped_;
             files.insert(files.end(), paths, paths + count);
+            self(window).damaged_ = true;
         });
+        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { self(window).damaged_ = true; });
+        glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { self(window).damaged_ = true; });
         make_current();
         glfwSwapInterval(1);
     }
@@ -137,6 +141,7 @@ private:
     GLFWwindow* window_ = nullptr;
     GLFWkeyfun gui_key_ = nullptr;
     std::vector<std::string> dropped_;
+    bool damaged_ = true;
 };
 
 }  // namespace

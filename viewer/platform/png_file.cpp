@@ -1,5 +1,6 @@
 #include "platform/png_file.h"
 
+#include <pliant/lesson/file.h>
 #include <pliant/math/error.h>
 #include <png.h>
 
@@ -7,7 +8,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <system_error>
 
 namespace pliant::viewer {
 namespace {
@@ -24,69 +24,25 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-// A file beside `path` that no one else has, open for writing. It goes away unless it is kept.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(const fs::path& path) {
-        for (int number = 0; !file_ && number < 100; ++number) {
-            name_ = path;
-            name_ += ".part" + std::to_string(number);
-            file_.reset(std::fopen(name_.c_str(), "wbx"));
-            if (!file_ && errno != EEXIST) cannot("write", path, std::strerror(errno));
-        }
-        if (!file_) cannot("write", path, "the folder is full of unfinished pictures (*.part*), remove them");
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        if (!kept_) fs::remove(name_, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    std::FILE* get() const { return file_.get(); }
-    // Gives the finished file its name.
-    void keep_as(const fs::path& path) {
-        if (std::fclose(file_.release()) != 0) cannot("write", path, std::strerror(errno));
-        std::error_code failed;
-        fs::rename(name_, path, failed);
-        if (failed) cannot("write", path, failed.message());
-        kept_ = true;
-    }
-
-private:
-    fs::path name_;
-    File file_;
-    bool kept_ = false;
-};
-
-void encode(const Image& image, std::FILE* file, const fs::path& path) {
+std::string encoded(const Image& image, const fs::path& path) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(image.width);
     png.height = static_cast<png_uint_32>(image.height);
     png.format = PNG_FORMAT_RGB;
-    if (!png_image_write_to_stdio(&png, file, 0, image.rgb.data(), 0, nullptr)) cannot("write", path, png.message);
-    if (std::fflush(file) != 0) cannot("write", path, std::strerror(errno));
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::string bytes(size, '\0');
+    if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr))
+        cannot("write", path, png.message);
+    bytes.resize(size);
+    return bytes;
 }
 
 }  // namespace
 
 void write_png(const Image& image, const fs::path& path) {
     if (image.width <= 0 || image.height <= 0) cannot("write", path, "it has no pixels");
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (fs::is_directory(status)) cannot("write", path, "it is a folder");
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        // A pipe or a device is written to, never replaced.
-        const File file(std::fopen(path.c_str(), "wb"));
-        if (!file) cannot("write", path, std::strerror(errno));
-        return encode(image, file.get(), path);
-    }
-    // A link stays a link: the file it leads to is replaced.
-    const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
-    TemporaryFile file(target);
-    encode(image, file.get(), path);
-    file.keep_as(target);
+    write_file(path.string(), encoded(image, path));
 }
 
 Image read_png(const fs::path& path) {

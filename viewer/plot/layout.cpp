@@ -19,7 +19,7 @@ public:
         : model_(model), memory_(memory), view_(view), canvas_(canvas), em_(canvas.line_height()) {
         out_.whole = whole;
         small_ = whole.height() < small_height * em_ || whole.width() < small_width * em_;
-        inner_ = {{whole.min.x + 0.4f * em_, whole.min.y + 0.25f * em_}, {whole.max.x - 0.5f * em_, whole.max.y - 0.25f * em_}};
+        inner_ = {{whole.min.x + 0.4f * em_, whole.min.y + 0.25f * em_}, {whole.max.x - beside_area * em_, whole.max.y - 0.25f * em_}};
     }
 
     PlotLayout run() {
@@ -217,9 +217,11 @@ Ticks ticks_that_fit(Range range, AxisScale scale, std::string_view unit, float 
         Real end = -1e9;  // of the last number
         for (const Tick& tick : ticks.ticks) {
             if (tick.text.empty()) continue;
-            const Real half = ((vertical ? em : canvas.text_size(tick.text).x) + gap) / 2, middle = map.pixel(tick.value);
-            if (middle - half < end) return false;
-            end = middle + half;
+            const Real size = vertical ? em : canvas.text_size(tick.text).x, middle = map.pixel(tick.value);
+            // The last number along x ends with the plot.
+            const Real start = vertical ? middle - size / 2 : std::min(middle - size / 2, length + beside_area * em - size);
+            if (start - gap / 2 < end) return false;
+            end = start + size + gap / 2;
         }
         return true;
     };

@@ -40,6 +40,8 @@ PlotLayout lay_out(Box whole, const PlotModel& model, const PlotMemory& memory, 
 
 // From the picture down to the numbers of x, in heights of a line.
 inline constexpr float below_area = 0.45f;
+// From the picture to the right end of the plot.
+inline constexpr float beside_area = 0.5f;
 
 // The ticks of an axis `length` px long whose numbers do not touch one another.
 Ticks ticks_that_fit(Range range, AxisScale scale, std::string_view unit, float length, bool vertical, const Canvas& canvas);

@@ -89,7 +89,6 @@ void Plot::reference(const std::string& name, Samples xs, Samples ys, const Seri
 }
 
 void Plot::vertical_line(const std::string& label, Real x, Dash dash) { model_.guides.push_back({true, x, label, dash}); }
-void Plot::horizontal_line(const std::string& label, Real y, Dash dash) { model_.guides.push_back({false, y, label, dash}); }
 
 void Plot::heat_map(HeatMap heat) {
     if (heat.nx < 0 || heat.ny < 0 || static_cast<std::size_t>(heat.nx * heat.ny) != heat.values.size())

@@ -8,7 +8,6 @@
 //         plot.line("kinetic", times, kinetic);
 //         plot.line("total", times, total);
 //         plot.reference("exact", times, exact);
-//         plot.horizontal_line("rest", 0);
 //         plot.end();
 //     }
 //
@@ -85,7 +84,6 @@ public:
     void reference(const std::string& name, Samples xs, Samples ys, const SeriesStyle& style = {});
     // A limit or an event. Where it lies outside the picture an arrow points to it.
     void vertical_line(const std::string& label, Real x, Dash dash = Dash::dashed);
-    void horizontal_line(const std::string& label, Real y, Dash dash = Dash::dashed);
     // At most one per plot. Throws Refused when there are not nx * ny values.
     void heat_map(HeatMap heat);
 

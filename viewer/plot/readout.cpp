@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot/free_place.h"
 #include "plot/interaction.h"
 
 namespace pliant::viewer {
@@ -62,15 +63,42 @@ std::vector<Row> rows_at(const Hand& h, Real x, Real y) {
     return rows;
 }
 
+// Where the curves are, thinned out; a heat map is everywhere.
+std::vector<Point> seen_samples(const Hand& h) {
+    constexpr std::size_t most = 200;  // of a curve
+    const AxisMap x = h.layout.x_map(h.view), y = h.layout.y_map(h.view);
+    std::vector<Point> seen;
+    for (const Series& s : h.model.series) {
+        if (h.record.memory.hidden.contains(s.name)) continue;
+        for (std::size_t i = 0; i < s.xs.size(); i += 1 + s.xs.size() / most) {
+            const Point at{static_cast<float>(x.pixel(s.xs.view()[i])), static_cast<float>(y.pixel(s.ys.view()[i]))};
+            if (h.layout.area.contains(at)) seen.push_back(at);
+        }
+    }
+    return seen;
+}
+
+// Beside the place that it tells of, where it covers least of the curves.
 void tooltip(const Hand& h, const std::optional<Sample>& sample, Real x, Real y) {
-    if (!ImGui::BeginTooltip()) return;
-    if (sample) ImGui::TextUnformatted(h.model.series[sample->series].name.c_str());
+    const std::string name = sample ? h.model.series[sample->series].name : "";
     const std::vector<Row> rows = rows_at(h, x, y);
-    float widest = 0;
-    for (const Row& r : rows) widest = std::max(widest, ImGui::CalcTextSize(r.label.c_str()).x);
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding, screen = ImGui::GetIO().DisplaySize;
+    float widest = 0, widest_value = 0;
+    for (const Row& r : rows) {
+        widest = std::max(widest, ImGui::CalcTextSize(r.label.c_str()).x);
+        widest_value = std::max(widest_value, ImGui::CalcTextSize(r.value.c_str()).x);
+    }
+    const float width = std::max(widest + ImGui::GetFontSize() + widest_value, ImGui::CalcTextSize(name.c_str()).x);
+    const auto lines = static_cast<float>(rows.size() + (sample ? 1 : 0));
+    const Point size{width + 2 * padding.x, lines * ImGui::GetTextLineHeightWithSpacing() + 2 * padding.y};
+    const Point there{static_cast<float>(h.layout.x_map(h.view).pixel(x)), static_cast<float>(h.layout.y_map(h.view).pixel(y))};
+    const Point at = free_place(there, size, h.style.px(14), {{0, 0}, {screen.x, screen.y}}, seen_samples(h));
+    ImGui::SetNextWindowPos({at.x, at.y});
+    if (!ImGui::BeginTooltip()) return;
+    if (sample) ImGui::TextUnformatted(name.c_str());
     for (const Row& r : rows) {
         ImGui::TextUnformatted(r.label.c_str());
-        ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + widest + ImGui::GetFontSize());
+        ImGui::SameLine(padding.x + widest + ImGui::GetFontSize());
         ImGui::TextUnformatted(r.value.c_str());
     }
     ImGui::EndTooltip();

@@ -29,8 +29,10 @@ private:
     Real metres_per_pixel_;
 };
 
-// Frames the scene with a margin; aspect is that of the part of the rectangle that is free.
-Camera framing(const Scene& scene, int dimension, float aspect);
+// The camera's axes, in rows: right, up and towards the eye.
+Eigen::Matrix3d eye_axes(const Camera& camera, int dimension);
+// Half of the height that is seen at a distance from the eye, per metre of that distance; in 2D per metre of the camera's.
+Real seen_half_height(int dimension);
 
 // Mouse moves, in pixels.
 void orbit(Camera& camera, float dx, float dy);

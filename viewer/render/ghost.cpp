@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "render/moving_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -16,9 +18,6 @@ constexpr float flat = 0.9f;                          // cosine between triangle
 constexpr int contours = 5;
 
 using Edge = std::pair<Position, Position>;
-
-// Walls, supports, guides and words are the same in both pictures, or tell of now.
-bool moves(Ink ink) { return ink == Ink::body || ink == Ink::edge || ink == Ink::accent; }
 
 Eigen::Vector3f vector(const Position& p) { return {p[0], p[1], p[2]}; }
 

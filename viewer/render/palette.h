@@ -23,6 +23,7 @@ struct ColourScale {
     Real min = 0, max = 1;
     ColourMap map = ColourMap::viridis;
     Rgba8 of(float value) const;
+    bool operator==(const ColourScale&) const = default;
 };
 
 // A scale for these numbers: about zero and diverging when they have both signs, else from the least to the greatest.

@@ -101,8 +101,12 @@ void SceneRenderer::ensure_target(Size size) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
 }
 
-GLuint SceneRenderer::render(const Scene& scene, int dimension, const Camera& camera, const Palette& colours,
+GLuint SceneRenderer::render(const Picture& picture, int dimension, const Camera& camera, const Palette& colours,
                              const ColourScale& scale, Size size, float pixel_scale, float right_margin, bool patterns) {
+    const Seen seen{picture.number, camera, &colours, scale, size, pixel_scale, right_margin, patterns};
+    if (seen_ == seen) return colour_;
+    seen_ = seen;
+    const Scene& scene = picture.scene;
     const Projection projection(camera, dimension, static_cast<float>(size.width), static_cast<float>(size.height), right_margin);
     matrix_ = projection.matrix(), view_ = projection.view();
     lit_ = dimension == 3, pixel_scale_ = pixel_scale, palette_ = &colours, scale_ = scale, patterns_ = patterns;

@@ -6,7 +6,9 @@
 #include "render/camera.h"
 #include "render/gl_objects.h"
 #include "render/palette.h"
+#include "render/picture.h"
 
+#include <optional>
 #include <span>
 
 namespace pliant::viewer {
@@ -18,7 +20,8 @@ public:
     // Everything but the labels, which the panel writes over it. pixel_scale multiplies the sizes of marks; right_margin as for
     // Projection. With `patterns` negative numbers show by more than their colours: hatched areas with lines between equal
     // numbers, squares in place of discs, dashed lines. The texture is opaque, its rows bottom-up.
-    GLuint render(const Scene& scene, int dimension, const Camera& camera, const Palette& palette, const ColourScale& scale,
+    // A picture that was drawn last, seen as it was then, is not drawn again.
+    GLuint render(const Picture& picture, int dimension, const Camera& camera, const Palette& palette, const ColourScale& scale,
                   Size size, float pixel_scale, float right_margin, bool patterns = false);
 
 private:
@@ -40,6 +43,18 @@ private:
         int vertices = 0;
     };
 
+    // How a picture was seen.
+    struct Seen {
+        long picture = 0;
+        Camera camera{};
+        const Palette* palette = nullptr;
+        ColourScale scale{};
+        Size size{};
+        float pixel_scale = 1, right_margin = 0;
+        bool patterns = false;
+        bool operator==(const Seen&) const = default;
+    };
+
     MarkProgram mark_program(const char* vertex, const char* fragment, std::span<const float> corners);
     void ensure_target(Size size);
     void draw_grid(const GridMarks& grid);
@@ -59,6 +74,7 @@ private:
     GlFramebuffer framebuffer_;
     GlRenderbuffer depth_;
     Size size_;
+    std::optional<Seen> seen_;
 
     // of the picture being drawn
     Eigen::Matrix4f matrix_, view_;

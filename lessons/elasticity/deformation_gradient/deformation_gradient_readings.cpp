@@ -48,24 +48,7 @@ void DeformationGradientLesson::declare_fields() {
 }
 
 void DeformationGradientLesson::declare_state() {
-    state = {state_array("position", "m", position_),
-             state_array("displacement", "m", displacement_),
-             state_array("displacement_gradient", "", slope_),
-             state_array("deformation_gradient", "", deformation_),
-             state_array("volume_ratio", "", volume_ratio_),
-             state_array("green_strain", "", strain_),
-             state_array("point_position", "m", point_position_),
-             state_array("point_displacement", "m", point_displacement_),
-             state_array("point_gradient", "", point_slope_),
-             state_array("point_deformation", "", point_deformation_),
-             state_array("point_rotation", "", point_rotation_),
-             state_array("point_stretch", "", point_stretch_),
-             state_array("rest_vector", "m", rest_vector_),
-             state_array("relative_displacement", "m", relative_displacement_),
-             state_array("deformed_vector", "m", deformed_vector_),
-             state_array("mapped_vector", "m", mapped_vector_),
-             state_array("taylor_gap", "m", gap_),
-             state_array("done", "", done_)};
+    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
 }
 
 void DeformationGradientLesson::declare_probes() {

@@ -194,11 +194,11 @@ void EnergyDensityLesson::begin_block() {
 void EnergyDensityLesson::block_pass() {
     block_->iterate();
     const Index nodes = block_->mesh().node_count();
-    displacement_.rightCols(nodes) = block_->newton().displacement();
+    displacement_.rightCols(nodes) = block_->displacement();
     direction_.rightCols(nodes) = block_->direction();
-    unbalanced_.rightCols(nodes) = block_->newton().residual_force();
+    unbalanced_.rightCols(nodes) = block_->unbalanced();
     done_[2] = static_cast<Real>(block_->newton().iterations());
-    done_[3] = block_->newton().residual();
+    done_[3] = block_->residual();
     if (!block_->running()) done_[1] = 1;
 }
 

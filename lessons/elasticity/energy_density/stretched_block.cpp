@@ -2,6 +2,8 @@
 
 #include <pliant/math/error.h>
 
+#include <cmath>
+
 namespace pliant::energies {
 namespace {
 
@@ -34,25 +36,43 @@ StretchedBlock::StretchedBlock(Energy energy, const Lame& material, Ends ends, R
       body_(mesh_, energy, material),
       supports_(make_supports(mesh_, ends, stretch)),
       newton_(body_, supports_, {.tolerance = 1e-9, .max_iterations = 100}),
-      before_(Points<3>::Zero(3, mesh_.node_count())),
-      nothing_(before_) {}
+      nothing_(Points<3>::Zero(3, mesh_.node_count())) {
+    begin();
+}
 
 void StretchedBlock::begin() {
-    before_.setZero(3, mesh_.node_count());
-    newton_.begin(before_, Points<3>::Zero(3, mesh_.node_count()), supports_);
-    step_length_ = 0;
+    before_ = displacement_ = unbalanced_ = nothing_;
+    newton_.begin(before_, nothing_, supports_);
+    step_length_ = 0, residual_ = 1;
     failed_ = false;
 }
 
 void StretchedBlock::iterate() {
-    before_ = newton_.displacement();
+    before_ = displacement_;
     const Index iterations = newton_.iterations();
     try {
         newton_.iterate();
+        failed_ = !is_sound();
     } catch (const Diverged&) {
         failed_ = true;
     }
-    step_length_ = newton_.iterations() > iterations ? newton_.step_length() : 0;
+    step_length_ = !failed_ && newton_.iterations() > iterations ? newton_.step_length() : 0;
+    if (!failed_) advance();
+}
+
+void StretchedBlock::advance() {
+    displacement_ = newton_.displacement();
+    unbalanced_ = newton_.residual_force();
+    residual_ = supports_.distance_from(displacement_) == 0 ? newton_.residual() : 1;
+}
+
+bool StretchedBlock::is_sound() const {
+    const auto within = [](const Points<3>& numbers, Real most) {
+        return numbers.allFinite() && numbers.cwiseAbs().maxCoeff() <= most;
+    };
+    const Lame material = body_.density(0).material();
+    return within(newton_.displacement(), farthest) && within(newton_.step(), farthest) &&
+           within(newton_.residual_force(), strongest * (material.mu + std::abs(material.lambda)));
 }
 
 Real StretchedBlock::stress(const Points<3>& u) const {

@@ -16,6 +16,8 @@ enum class Ends {
 class StretchedBlock {
 public:
     static constexpr Real width_at_rest = 0.5;  // m; it is 1 m long
+    // Beyond these an iteration has lost its way: of displacements and steps [m], and of forces over moduli [m^2].
+    static constexpr Real farthest = 1e6, strongest = 1e15;
 
     StretchedBlock(Energy energy, const Lame& material, Ends ends, Real stretch);
     StretchedBlock(const StretchedBlock&) = delete;
@@ -25,13 +27,19 @@ public:
     const HyperelasticFem<3>& body() const { return body_; }
     const DisplacementConstraints<3>& supports() const { return supports_; }
 
-    // From rest; then an iteration at a time.
+    // From rest; then an iteration at a time. One that fails is undone, and is the last: it never throws, since the block is only
+    // shown beside the cube.
     void begin();
     void iterate();
     bool running() const { return newton_.running() && !failed_; }
-    // No direction could be found: a tangent that no factorisation takes.
+    // No direction could be found, by a tangent that no factorisation takes or in numbers that mean nothing any more.
     bool failed() const { return failed_; }
     const NewtonEquilibrium<3>& newton() const { return newton_; }
+    // The displacements [m] and what no force balances yet [N], after the latest iteration.
+    const Points<3>& displacement() const { return displacement_; }
+    const Points<3>& unbalanced() const { return unbalanced_; }
+    // Largest unbalanced force over the largest force; 1 while the ends are not where they shall be.
+    Real residual() const { return residual_; }
     // Newton's direction of the latest iteration [m]; 0 when it failed.
     const Points<3>& direction() const { return failed_ ? nothing_ : newton_.step(); }
     // Share of Newton's step that the latest iteration took; 0 when it took none.
@@ -46,12 +54,15 @@ public:
     std::vector<Index> middle(bool upper) const;
 
 private:
+    void advance();
+    bool is_sound() const;
+
     SimplexMesh<3> mesh_;
     HyperelasticFem<3> body_;
     DisplacementConstraints<3> supports_;
     NewtonEquilibrium<3> newton_;
-    Points<3> before_, nothing_;
-    Real step_length_ = 0;
+    Points<3> before_, displacement_, unbalanced_, nothing_;
+    Real step_length_ = 0, residual_ = 0;
     bool failed_ = false;
 };
 

@@ -207,9 +207,12 @@ void PoissonLesson::read_deflection() {
 }
 
 std::string PoissonLesson::blow_up_hint() const {
-    return fmt::format(
-        "The solve is linear and cannot blow up by itself; ν = {} is close to ½, where λ is infinite: lower poisson_ratio",
-        format_quantity(poisson_ratio, ""));
+    if (poisson_ratio > 0.4)
+        return fmt::format(
+            "The solve is linear and cannot blow up by itself; ν = {} is close to ½, where λ is infinite: lower poisson_ratio",
+            format_quantity(poisson_ratio, ""));
+    return fmt::format("The solve is linear and cannot blow up by itself; a strain of {} carries it too far: lower axial_strain",
+                       format_quantity(axial_strain, ""));
 }
 
 const Registration<PoissonLesson> registration{

@@ -13,6 +13,8 @@ namespace {
 
 // In lengths of the cube, beyond any that the parameters allow.
 constexpr Real largest_displacement = 1e4;
+// Over those at rest: at ν near −1 a stretch of a hundred lengths widens as much, in three directions.
+constexpr Real largest_volume = 1e9;
 // The panel under its unit force; locked or not, it moves by about 20 m.
 constexpr Real largest_deflection = 1e4;
 
@@ -43,7 +45,7 @@ void PoissonLesson::declare_fields() {
                .on = On::element,
                .view = view_of(element_volumes_),
                .help = "volume of each tetrahedron over that at rest",
-               .bound = [] { return largest_displacement; },
+               .bound = [] { return largest_volume; },
                .used = stretched}};
     fields[0].used = {};
 }

@@ -57,14 +57,4 @@ Real StretchedCube::volume_ratio(const Points<3>& u) const {
     return volume / rest_.volume();
 }
 
-Points<3> stretch_in_steps(StretchedCube& cube, Real axial_strain, Index steps) {
-    Points<3> u = Points<3>::Zero(3, cube.rest().node_count());
-    const Real length = cube.rest().points().row(0).maxCoeff();
-    for (Index k = 0; k < steps; ++k) {
-        cube.begin(u);
-        u += cube.increment(axial_strain * length / static_cast<Real>(steps));
-    }
-    return u;
-}
-
 }  // namespace pliant::poisson

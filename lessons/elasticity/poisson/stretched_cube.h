@@ -43,7 +43,4 @@ private:
     std::unique_ptr<LinearFem<3>> body_;
 };
 
-// The whole stretch in so many steps of equal lengthening. Throws Refused when a step would leave no width.
-Points<3> stretch_in_steps(StretchedCube& cube, Real axial_strain, Index steps);
-
 }  // namespace pliant::poisson

@@ -101,7 +101,8 @@ void StrainMeasuresLesson::declare_components() {
         [this]() -> std::optional<Mat<3>> {
             const bool turned = map_.kind == MapKind::rotation && map_.axis == 2;
             if (!turned && map_.kind != MapKind::translation) return std::nullopt;
-            const Real spurious = std::cos(turn * one_degree + (turned ? map_.angle : 0)) - 1;
+            const Real half = (turn * one_degree + (turned ? map_.angle : 0)) / 2,
+                       spurious = -2 * std::sin(half) * std::sin(half);
             return Mat<3>(Vec<3>(spurious, spurious, 0).asDiagonal());
         });
     add(C, C_, "", "of the right Cauchy–Green tensor C = FᵀF", "right_cauchy_green", [this] { return exact_C(); });

@@ -42,18 +42,7 @@ void StrainMeasuresLesson::declare_fields() {
 }
 
 void StrainMeasuresLesson::declare_state() {
-    state = {state_array("deformation_gradient", "", deformation_),
-             state_array("displacement_gradient", "", slope_),
-             state_array("right_cauchy_green", "", C_),
-             state_array("green_strain", "", green_),
-             state_array("cauchy_strain", "", cauchy_),
-             state_array("direction", "", v_),
-             state_array("deformed_direction", "", deformed_v_),
-             state_array("stretch", "", stretch_),
-             state_array("cauchy_stretch", "", cauchy_stretch_),
-             state_array("stress_green", "Pa", stress_green_),
-             state_array("stress_cauchy", "Pa", stress_cauchy_),
-             state_array("done", "", done_)};
+    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
 }
 
 void StrainMeasuresLesson::declare_lines() {

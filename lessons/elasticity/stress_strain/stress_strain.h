@@ -6,6 +6,7 @@
 #include <pliant/lesson/registry.h>
 #include <pliant/math/sparse_cholesky.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -97,5 +98,12 @@ private:
     Points<3> load_force_, traction_, normal_part_, shear_part_;
     Tensors<3> strain_, stress_;
 };
+
+// The largest and the smallest normal stress over all cuts in the plane of the picture [Pa]: the middle of Mohr's circle, and its
+// radius to both sides.
+inline Vec<2> principal_stresses(const Mat<3>& stress) {
+    const Real middle = (stress(0, 0) + stress(1, 1)) / 2, radius = std::hypot((stress(0, 0) - stress(1, 1)) / 2, stress(0, 1));
+    return {middle + radius, middle - radius};
+}
 
 }  // namespace pliant::stress_strain

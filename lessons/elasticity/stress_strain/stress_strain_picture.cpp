@@ -5,7 +5,6 @@
 #include <pliant/lesson/format.h>
 
 #include <fmt/format.h>
-#include <pliant/math/small_eigen.h>
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +175,7 @@ void StressStrainLesson::draw_cut(Scene& picture) const {
     if (at_rest()) {
         const Mat<3> stress = body_->mean(stress_);
         const Vec<3> t = stress * n, normal_part = t.dot(n) * n, shear = t - normal_part;
-        const Real largest = symmetric_eigenvalues<3>(applied_stress()).cwiseAbs().maxCoeff();
+        const Real largest = principal_stresses(applied_stress()).cwiseAbs().maxCoeff();
         if (largest > 0) {
             const Real scale = 0.8 * unit / largest;  // the normal stays the longest
             picture.arrow(at(front), at(front + scale * t), Ink::force, "t = σ·n");

@@ -20,15 +20,7 @@ std::pair<Real, Real> parts(const Mat<3>& stress, const Vec<3>& n) {
 }  // namespace
 
 void StressStrainLesson::declare_fields() {
-    state = {state_array("displacement", "m", displacement_),
-             state_array("reaction", "N", reaction_),
-             state_array("load", "N", load_force_),
-             state_array("strain", "", strain_),
-             state_array("stress", "Pa", stress_),
-             state_array("traction", "Pa", traction_),
-             state_array("normal_part", "Pa", normal_part_),
-             state_array("shear_part", "Pa", shear_part_),
-             state_array("done", "", done_)};
+    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
     fields = {vector_field("displacement", "u", "m", On::node, displacement_, "from the rest position"),
               vector_field("load", "f", "N", On::node, load_force_, "each node's share of the load"),
               vector_field("reaction", "r", "N", On::node, reaction_, "K u − f where a support holds the node"),
@@ -73,8 +65,8 @@ void StressStrainLesson::declare_probes() {
     const auto sign = [this] { return loading == Load::disc ? -1 : 1; };
     const auto normal_stress = [this](const Mat<3>& s) { return parts(s, normal()).first; };
     const auto shear_stress = [this](const Mat<3>& s) { return parts(s, normal()).second; };
-    const auto largest = [](const Mat<3>& s) { return (s(0, 0) + s(1, 1)) / 2 + std::hypot((s(0, 0) - s(1, 1)) / 2, s(0, 1)); };
-    const auto smallest = [](const Mat<3>& s) { return (s(0, 0) + s(1, 1)) / 2 - std::hypot((s(0, 0) - s(1, 1)) / 2, s(0, 1)); };
+    const auto largest = [](const Mat<3>& s) { return principal_stresses(s)[0]; };
+    const auto smallest = [](const Mat<3>& s) { return principal_stresses(s)[1]; };
     const auto axis = [this] { return body_->axis(); };
 
     probes = {{.name = "support_force",

@@ -25,6 +25,7 @@ public:
     int dimension() const override { return 2; }
     void reset() override;
     Real time_step() const override { return dt(); }
+    std::string unrest() const override { return "the flow carries the blob around without end"; }
     void draw(Scene& scene) const override;
     std::optional<On> can_pull() const override { return On::handle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;

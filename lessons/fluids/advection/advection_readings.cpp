@@ -71,6 +71,10 @@ void AdvectionLesson::declare_fields() {
 // ---------------------------------------------------------------------------------------------------------------- probes
 
 void AdvectionLesson::declare_probes() {
+    // Of a blob that no cell's centre lies in there is nothing to compare.
+    const auto of_seen_blob = [this](Real known) {
+        return [this, known](Real) { return first_variance_ > 0 ? std::optional(known) : std::nullopt; };
+    };
     probes = {
         {.name = "turns",
          .symbol = "t/T",
@@ -87,7 +91,7 @@ void AdvectionLesson::declare_probes() {
          .symbol = "max q",
          .help = "the largest value anywhere. No scheme makes it grow",
          .value = [this] { return quantity_.maxCoeff(); },
-         .exact = [](Real) { return 1; },
+         .exact = of_seen_blob(1),
          .explain = [this] { return why_peak(); }},
         {.name = "lowest",
          .symbol = "min q",
@@ -105,16 +109,16 @@ void AdvectionLesson::declare_probes() {
          .help = "Σ q² over what it was at first: as the kinetic energy, if q were a velocity. The flow keeps it; interpolation "
                  "loses it",
          .value = [this]() -> std::optional<Real> {
-             if (first_variance_ == 0) return std::nullopt;  // a blob that no cell's centre lies in
+             if (first_variance_ == 0) return std::nullopt;
              return variance(quantity_) / first_variance_;
          },
-         .exact = [](Real) { return 1; },
+         .exact = of_seen_blob(1),
          .explain = [this] { return why_variance_left(); }},
         {.name = "loss_per_turn",
          .symbol = "λ",
          .help = "part of Σ q² that is lost in one turn, 1 − (V/V₀)^(T/t)",
          .value = [this] { return loss_per_turn(); },
-         .exact = [this](Real t) { return t > 0 ? std::optional<Real>(0) : std::nullopt; },
+         .exact = [of_seen_blob](Real t) { return t > 0 ? of_seen_blob(0)(t) : std::nullopt; },
          .explain =
              [this] {
                  return Explanation{"λ = 1 − V^(1/N)",
@@ -129,7 +133,7 @@ void AdvectionLesson::declare_probes() {
              if (all == 0) return std::nullopt;
              return error_.lpNorm<1>() / all;
          },
-         .exact = [](Real) { return 0; }},
+         .exact = [this](Real) { return exact_.isZero(0) ? std::nullopt : std::optional<Real>(0); }},
         {.name = "correction",
          .symbol = "max|½(q_old − q̃)|",
          .help = "the largest correction that MacCormack's step asks for, before it is limited",

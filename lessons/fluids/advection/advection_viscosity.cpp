@@ -76,7 +76,7 @@ void AdvectionLesson::declare_viscosity_probes() {
                  "from its middle over 4t",
          .value = [this] { return measured_viscosity(); },
          .exact = [this](Real t) -> std::optional<Real> {
-             if (t == 0 || field == Flow::vortex) return std::nullopt;
+             if (t == 0 || field == Flow::vortex || first_variance_ == 0) return std::nullopt;
              return Real{0};
          },
          .explain =

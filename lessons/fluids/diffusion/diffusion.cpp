@@ -11,7 +11,8 @@ namespace {
 constexpr Index most_iterations = 10000;
 constexpr Real longest_step = 1e12;  // s
 
-ParameterInfo wall(std::string_view key, std::string_view symbol, std::string_view help, Real initial) {
+ParameterInfo wall(std::string_view key, std::string_view symbol, std::string_view help, Real initial,
+                   std::function<bool()> used) {
     return {.key = key,
             .symbol = symbol,
             .unit = "m/s",
@@ -19,11 +20,18 @@ ParameterInfo wall(std::string_view key, std::string_view symbol, std::string_vi
             .initial = initial,
             .useful = {-1, 1},
             .accepted = Interval{-1e3, 1e3},
-            .effect = Effect::rebuild};
+            .effect = Effect::rebuild,
+            .used = std::move(used)};
 }
 
-ParameterInfo cell(std::string_view key, std::string_view symbol, std::string_view help) {
-    return {.key = key, .symbol = symbol, .help = help, .initial = 12, .useful = {0, 127}, .accepted = Interval{0, 255}};
+ParameterInfo cell(std::string_view key, std::string_view symbol, std::string_view help, std::function<bool()> used = {}) {
+    return {.key = key,
+            .symbol = symbol,
+            .help = help,
+            .initial = 12,
+            .useful = {0, 127},
+            .accepted = Interval{0, 255},
+            .used = std::move(used)};
 }
 
 const Registration<DiffusionLesson> registration{
@@ -78,7 +86,8 @@ DiffusionLesson::DiffusionLesson()
                                .initial = 0.25,
                                .useful = {0.01, 100},
                                .accepted = Interval{0, 1e12, true},
-                               .scale = Scale::log}),
+                               .scale = Scale::log,
+                               .used = [this] { return viscosity > 0; }}),
       viscosity(*this,
                 {.key = "viscosity",
                  .symbol = "ν",
@@ -112,10 +121,11 @@ DiffusionLesson::DiffusionLesson()
                "passes",
            .effect = Effect::rebuild},
           {{"periodic", "periodic"}, {"fixed", "fixed walls"}, {"insulated", "insulated"}}),
-      wall_low(*this, wall("wall_low", "U₀", "value of the left wall", 0)),
-      wall_high(*this, wall("wall_high", "U₁", "value of the right wall", 1)),
+      wall_low(*this, wall("wall_low", "U₀", "value of the left wall", 0, [this] { return couette(); })),
+      wall_high(*this, wall("wall_high", "U₁", "value of the right wall", 1, [this] { return couette(); })),
       cell_x(*this, cell("cell_x", "i", "column of the cell whose stencil is drawn; drag the handle in the picture")),
-      cell_y(*this, cell("cell_y", "j", "row of the cell whose stencil is drawn; drag the handle in the picture")),
+      cell_y(*this, cell("cell_y", "j", "row of the cell whose stencil is drawn; drag the handle in the picture",
+                         [this] { return dims() == 2; })),
       tolerance(*this, {.key = "tolerance",
                         .symbol = "ε",
                         .help = "largest error of an implicit step, relative to u (2-norm): the solver stops there",

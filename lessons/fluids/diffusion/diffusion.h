@@ -27,6 +27,8 @@ public:
     void check() const override;
     void reset() override;
     Real time_step() const override;
+    bool at_rest() const override;
+    std::string unrest() const override { return ""; }  // what diffuses evens out, or blows up
     void draw(Scene& scene) const override;
     std::optional<On> can_pull() const override { return On::handle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;

@@ -133,6 +133,7 @@ void DiffusionLesson::write_notes(Scene& scene) const {
                                                                         : fmt::format("beyond the limit {}", limit_text),
                                       text(time_step(), "s")));
     scene.notes.push_back(formula_at_cell());
+    if (modes_.vanishes(mode)) return scene.notes.push_back(fmt::format("mode {} is 0 in every cell", Index(mode)));
     const auto G = measured_factor();
     scene.notes.push_back(fmt::format("mode {}:  × {} in a step,  by theory {},  by the equation {}", Index(mode),
                                       G ? text(*G) : "–", text(theory(mode)), text(exact_factor(mode))));

@@ -1,6 +1,7 @@
 // What the lesson shows and measures: fields, probes, lines.
-#include "couette_startup.h"
 #include "diffusion.h"
+
+#include <pliant/fluids/channel_flow.h>
 
 #include <algorithm>
 
@@ -39,6 +40,14 @@ Real DiffusionLesson::scale() const {
     const Real walls = couette() ? std::max(std::abs(wall_low), std::abs(wall_high)) : Real{0};
     if (start == Start::mode) return 1 + walls;
     return start == Start::zero && walls > 0 ? walls : std::max(Real(1), walls);
+}
+
+// What changes in the time L²/ν, in which diffusion crosses the row, is a small part of the largest u.
+bool DiffusionLesson::at_rest() const {
+    constexpr Real part = 1e-4;
+    if (elapsed_[0] == 0) return false;
+    const Real cells = static_cast<Real>(Index(resolution));
+    return (u_ - previous_).lpNorm<Eigen::Infinity>() * cells * cells <= part * scale() * rate();
 }
 
 // -------------------------------------------------------------------------------------------------------------- probes
@@ -101,36 +110,42 @@ void DiffusionLesson::declare_probes() {
 }
 
 void DiffusionLesson::declare_mode_probes() {
-    probes.insert(probes.begin(),
-                  {{.name = "amplitude",
-                    .symbol = "A",
-                    .unit = "m/s",
-                    .help = "of the watched mode: Σ u φ/Σ φ² over the cells, of u less its steady part",
-                    .value = [this] { return modes_.amplitude(deviation(u_), mode); },
-                    .exact = [this](Real t) -> std::optional<Real> {
-                        const auto from = starting_amplitude();
-                        return from ? std::optional(*from * std::exp(-modes_.laplace_factor(mode) * tau(t) / (dx() * dx())))
-                                    : std::nullopt;
-                    },
-                    .explain = [this] { return why_amplitude("u"); }},
-                   {.name = "factor_measured",
-                    .symbol = "G",
-                    .help = "by which the latest step multiplied the watched mode",
-                    .value = [this] { return measured_factor(); },
-                    .exact = [this](Real) { return measured_factor() ? std::optional(theory(mode)) : std::nullopt; },
-                    .explain = [this] { return why_factor(); }},
-                   {.name = "factor_theory",
-                    .symbol = "G_r",
-                    .help = "by which a step of this scheme multiplies the watched mode: explicit 1 − rΛ, implicit 1/(1 + rΛ), Λ "
-                            "= 4 sin²(κ/2) per "
-                            "axis, with κ the phase from cell to cell",
-                    .value = [this] { return theory(mode); },
-                    .explain = [this] { return why_theory(); }},
-                   {.name = "factor_exact",
-                    .symbol = "G_ν",
-                    .help = "by which ∂u/∂t = ν∇²u itself multiplies the watched mode in Δt: exp(−ν|k|²Δt)",
-                    .value = [this] { return exact_factor(mode); },
-                    .explain = [this] { return why_exact_factor(); }}});
+    const auto of_seen_mode = [this](auto number) {
+        return [this, number]() -> std::optional<Real> {
+            return modes_.vanishes(mode) ? std::nullopt : std::optional<Real>(number());
+        };
+    };
+    probes.insert(
+        probes.begin(),
+        {{.name = "amplitude",
+          .symbol = "A",
+          .unit = "m/s",
+          .help = "of the watched mode: Σ u φ/Σ φ² over the cells, of u less its steady part; undefined of one that is 0 "
+                  "on every cell",
+          .value = of_seen_mode([this] { return modes_.amplitude(deviation(u_), mode); }),
+          .exact = [this](Real t) -> std::optional<Real> {
+              const auto from = starting_amplitude();
+              return from ? std::optional(*from * std::exp(-modes_.laplace_factor(mode) * tau(t) / (dx() * dx()))) : std::nullopt;
+          },
+          .explain = [this] { return why_amplitude("u"); }},
+         {.name = "factor_measured",
+          .symbol = "G",
+          .help = "by which the latest step multiplied the watched mode",
+          .value = [this] { return measured_factor(); },
+          .exact = [this](Real) { return measured_factor() ? std::optional(theory(mode)) : std::nullopt; },
+          .explain = [this] { return why_factor(); }},
+         {.name = "factor_theory",
+          .symbol = "G_r",
+          .help = "by which a step of this scheme multiplies the watched mode: explicit 1 − rΛ, implicit 1/(1 + rΛ), Λ "
+                  "= 4 sin²(κ/2) per "
+                  "axis, with κ the phase from cell to cell",
+          .value = of_seen_mode([this] { return theory(mode); }),
+          .explain = [this] { return why_theory(); }},
+         {.name = "factor_exact",
+          .symbol = "G_ν",
+          .help = "by which ∂u/∂t = ν∇²u itself multiplies the watched mode in Δt: exp(−ν|k|²Δt)",
+          .value = of_seen_mode([this] { return exact_factor(mode); }),
+          .explain = [this] { return why_exact_factor(); }}});
 }
 
 Real DiffusionLesson::theory(Index m) const {
@@ -138,7 +153,7 @@ Real DiffusionLesson::theory(Index m) const {
 }
 
 std::optional<Real> DiffusionLesson::measured_factor() const {
-    if (elapsed_[0] == 0) return std::nullopt;
+    if (elapsed_[0] == 0 || modes_.vanishes(mode)) return std::nullopt;
     const VecX before = deviation(previous_);
     const Real amplitude = modes_.amplitude(before, mode);
     if (std::abs(amplitude) <= least_amplitude * std::max(before.lpNorm<Eigen::Infinity>(), least_amplitude * scale()))
@@ -147,8 +162,9 @@ std::optional<Real> DiffusionLesson::measured_factor() const {
 }
 
 std::optional<Real> DiffusionLesson::starting_amplitude() const {
+    if (modes_.vanishes(mode)) return std::nullopt;
     if (start == Start::mode) return 1;
-    if (!(couette() && start == Start::zero) || mode == 0) return std::nullopt;
+    if (!(couette() && start == Start::zero)) return std::nullopt;
     return modes_.amplitude(deviation(VecX::Zero(u_.size())), mode);
 }
 
@@ -179,7 +195,11 @@ std::optional<Real> DiffusionLesson::exact(Index cell, Real tau) const {
 
 std::optional<Real> DiffusionLesson::exact_at(Real s_x, Real s_y, Real tau) const {
     const Real share = (s_x + 0.5) / static_cast<Real>(Index(resolution));
-    if (start == Start::zero) return couette() ? couette_startup(share, tau / (length * length), wall_low, wall_high) : Real{0};
+    if (start == Start::zero) {
+        const Real spread = tau / (length * length);
+        return couette() ? couette_start_up(share, 1, wall_high, spread) + couette_start_up(1 - share, 1, wall_low, spread)
+                         : Real{0};
+    }
     if (start != Start::mode) return std::nullopt;
     const Real wave = modes_.shape(mode, s_x) * (dims() == 2 ? modes_.shape(mode, s_y) : 1);
     const Real rest = couette() ? wall_low + (wall_high - wall_low) * share : Real{0};
@@ -215,6 +235,8 @@ void DiffusionLesson::declare_lines() {
                      }},
                     {"watched mode",
                      [this](Curve& curve) {
+                         curve = {};
+                         if (modes_.vanishes(mode)) return;
                          curve.position = {static_cast<Real>(Index(mode))};
                          curve.value = {theory(mode)};
                      },

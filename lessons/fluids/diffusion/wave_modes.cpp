@@ -50,10 +50,11 @@ Real WaveModes::stencil_factor(Index m) const {
     return 4 * static_cast<Real>(dimensions_) * s * s;
 }
 
+bool WaveModes::vanishes(Index m) const { return along(m).squaredNorm() < 1e-20; }
+
 Real WaveModes::amplitude(const VecX& u, Index m) const {
     const VecX row = along(m);
     const Real square = row.squaredNorm();
-    if (square < 1e-20) return 0;
     if (dimensions_ == 1) return u.dot(row) / square;
     return row.dot(u.reshaped(n_, n_) * row) / (square * square);
 }

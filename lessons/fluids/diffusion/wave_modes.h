@@ -32,7 +32,11 @@ public:
     // κ² per axis, which Λ tends to for long waves: Δx² ∇² multiplies the mode by −κ².
     Real laplace_factor(Index m) const { return static_cast<Real>(dimensions_) * phase(m) * phase(m); }
 
-    // The part of a quantity that has the shape of the mode: Σ u φ / Σ φ². 0 for a mode that vanishes on every cell.
+    // Is the mode 0 on every cell: none at all (m = 0 between fixed walls), or one that the cells do not see? It has no part in
+    // what they hold, and no factor.
+    bool vanishes(Index m) const;
+
+    // The part of a quantity that has the shape of the mode: Σ u φ / Σ φ². The mode does not vanish.
     Real amplitude(const VecX& u, Index m) const;
     // Of all modes from least() to greatest().
     VecX amplitudes(const VecX& u) const;

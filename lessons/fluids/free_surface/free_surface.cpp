@@ -110,7 +110,7 @@ FreeSurface::FreeSurface()
                             .accepted = Interval{1e-6, 1e6},
                             .scale = Scale::log,
                             .effect = Effect::rebuild,
-                            .used = [this] { return has_paddle(); }}),
+                            .used = [this] { return has_paddle() && paddle_stroke > 0; }}),
       resolution(*this, {.key = "resolution",
                          .symbol = "n",
                          .help = "cells along the width of the tank",

@@ -23,6 +23,8 @@ public:
     void check() const override;
     void reset() override;
     Real time_step() const override { return dt; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& picture) const override;
     std::optional<On> can_pull() const override;
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
@@ -59,6 +61,7 @@ private:
     Real paddle_place(Real t) const;  // of its middle, m
     Real paddle_speed(Real t) const;  // m/s
     Real paddle_width() const;        // m
+    bool starts_level() const;        // does the liquid lie still at the start?
     std::vector<CellType> solids() const;
 
     // --- the stages (free_surface_stages.cpp) ---
@@ -97,8 +100,8 @@ private:
     Real crossing_of(Index fluid, Index air) const;  // part of the way between the centres
     Crossing front() const;
     Crossing height_in(Index column) const;
-    Real depth_pressure() const;  // m²/s²
-    Real liquid_speed() const;    // largest in the liquid, m/s
+    std::optional<Real> depth_pressure(Index row) const;  // m²/s²
+    Real liquid_speed() const;                            // largest in the liquid, m/s
     Real kinetic_energy() const;
     Real potential_energy() const;
     Real wave_frequency() const;  // ω of the linear wave, 1/s

@@ -21,6 +21,33 @@ constexpr Real cells_of_a_column = 6;  // across the smallest length of the scen
 
 }  // namespace
 
+bool FreeSurface::starts_level() const {
+    if (gravity == 0 || condition == SurfaceCondition::closed) return !has_paddle() || paddle_stroke == 0;
+    switch (scene) {
+        case Pouring::column:
+            return column_width >= tank_width || column_width == 0 || column_height == 0;
+        case Pouring::wave:
+            return wave_height == 0;
+        case Pouring::drop:
+            return drop_radius == 0;
+        case Pouring::paddle:
+            return paddle_stroke == 0;
+    }
+    return false;
+}
+
+// As slow as what the grid makes of a level surface.
+bool FreeSurface::at_rest() const {
+    constexpr Real part = 1e-3;  // of the speed of a fall from the lid
+    return time() > 0 && starts_level() && liquid_speed() <= part * std::sqrt(2 * gravity * tank_top());
+}
+
+std::string FreeSurface::unrest() const {
+    if (starts_level()) return "";
+    return has_paddle() ? "the paddle makes waves without end"
+                        : "the liquid has no viscosity, and what has begun to slosh goes on";
+}
+
 void FreeSurface::declare_checks() {
     assumptions = {
         {.name = "courant number",

@@ -100,6 +100,7 @@ void FreeSurface::draw_start(Scene& picture) const {
     picture.line(position(0, depth), position(tank_width, depth), Ink::rest, 1.5f, true);
     if (scene != Pouring::wave) return;
     handle({0, depth + wave_height});
+    if (!linear_wave(0, time())) return;
     LineMarks theory{.ends = {}, .ink = Ink::accent, .width = 2, .dashed = true};
     constexpr int pieces = 48;
     for (int k = 0; k < pieces; ++k)

@@ -98,8 +98,12 @@ void FreeSurface::declare_probes() {
         {.name = "pressure_offset",
          .symbol = "Δp",
          .unit = "m²/s²",
-         .help = "pressure in the cell on the floor at the left wall, beyond g times its depth: 0 where the liquid is still",
-         .value = [this] { return pressure_[0] - depth_pressure(); },
+         .help = "pressure in the cell on the floor at the left wall, beyond g times its depth: 0 where the liquid is still, "
+                 "undefined where p is not set to 0 above it: in a full tank, on a dry floor, in a mould",
+         .value = [this]() -> std::optional<Real> {
+             const auto still = depth_pressure(0);
+             return still ? std::optional(pressure_[0] - *still) : std::nullopt;
+         },
          .explain = [this] { return why_offset(); }},
         {.name = "kinetic_energy",
          .symbol = "E_k",
@@ -126,8 +130,13 @@ void FreeSurface::declare_probes() {
          }}};
 }
 
-// g times the depth of the cell on the floor at the left wall.
-Real FreeSurface::depth_pressure() const { return gravity * std::max(Real(0), height_in(0).place - 0.5 * dx()); }
+// g times the depth of a cell at the left wall below the surface above it. Without a surface, and in a mould, where any constant
+// may be added to p, a pressure has no level to count from.
+std::optional<Real> FreeSurface::depth_pressure(Index row) const {
+    const Crossing surface = height_in(0);
+    if (surface.air < 0 || condition == SurfaceCondition::closed) return std::nullopt;
+    return gravity * std::max(Real(0), surface.place - (static_cast<Real>(row) + 0.5) * dx());
+}
 
 Real FreeSurface::crossing_of(Index fluid, Index air) const {
     const VecX& phi = liquid_->distance();
@@ -199,7 +208,7 @@ Real FreeSurface::wave_frequency() const {
 }
 
 std::optional<Real> FreeSurface::linear_wave(Real x, Real t) const {
-    if (scene != Pouring::wave) return std::nullopt;
+    if (scene != Pouring::wave || std::abs(wave_height) > depth) return std::nullopt;
     return depth + wave_height * std::cos(pi * x / tank_width) * std::cos(wave_frequency() * t);
 }
 
@@ -234,10 +243,12 @@ void FreeSurface::declare_lines() {
               .reference =
                   [this](Curve& curve) {
                       curve = {};
-                      if (scene != Pouring::wave) return;
                       for (Index i = 0; i < resolution; ++i) {
-                          curve.position.push_back((static_cast<Real>(i) + 0.5) * dx());
-                          curve.value.push_back(*linear_wave(curve.position.back(), time()));
+                          const Real x = (static_cast<Real>(i) + 0.5) * dx();
+                          const auto height = linear_wave(x, time());
+                          if (!height) return;
+                          curve.position.push_back(x);
+                          curve.value.push_back(*height);
                       }
                   },
               .reference_name = "linear wave"},
@@ -257,10 +268,11 @@ void FreeSurface::declare_lines() {
               .reference =
                   [this](Curve& curve) {
                       curve = {};
-                      const Real h = height_in(0).place;
                       for (Index j = 0; j < rows(); ++j) {
+                          const auto still = depth_pressure(j);
+                          if (!still) return;
                           curve.position.push_back((static_cast<Real>(j) + 0.5) * dx());
-                          curve.value.push_back(gravity * std::max(Real(0), h - curve.position.back()));
+                          curve.value.push_back(*still);
                       }
                   },
               .reference_name = "still liquid: g (h − y)"}};

@@ -44,7 +44,7 @@ NavierStokes::NavierStokes()
                         .useful = {1e-6, 1},
                         .accepted = Interval{0, 1e6},
                         .scale = Scale::log,
-                        .used = [this] { return scene().reynolds_length == 0; }}),
+                        .used = [this] { return with_viscosity && scene().reynolds_length == 0; }}),
       reynolds(*this,
                {.key = "reynolds",
                 .symbol = "Re",
@@ -54,7 +54,7 @@ NavierStokes::NavierStokes()
                 .useful = {1, 1e4},
                 .accepted = Interval{1e-6, 1e9},
                 .scale = Scale::log,
-                .used = [this] { return scene().reynolds_length > 0; }}),
+                .used = [this] { return with_viscosity && scene().reynolds_length > 0; }}),
       dt(*this, {.key = "time_step",
                  .symbol = "Δt",
                  .unit = "s",
@@ -105,7 +105,7 @@ NavierStokes::NavierStokes()
                        .initial = 6,
                        .useful = {-20, 20},
                        .accepted = Interval{-1e6, 1e6},
-                       .used = [this] { return scene().drives.stirrer; }}),
+                       .used = [this] { return with_forces && scene().drives.stirrer; }}),
       body_force(*this, {.key = "body_force",
                          .symbol = "G",
                          .unit = "m/s²",
@@ -115,7 +115,7 @@ NavierStokes::NavierStokes()
                          .useful = {-1, 1},
                          .accepted = Interval{-1e6, 1e6},
                          .effect = Effect::rebuild,
-                         .used = [this] { return scene().drives.body_force; }}),
+                         .used = [this] { return with_forces && scene().drives.body_force; }}),
       buoyancy(*this, {.key = "buoyancy",
                        .symbol = "β",
                        .unit = "m/s²",
@@ -123,7 +123,7 @@ NavierStokes::NavierStokes()
                        .initial = 2,
                        .useful = {-5, 5},
                        .accepted = Interval{-1e6, 1e6},
-                       .used = [this] { return scene().drives.smoke; }}),
+                       .used = [this] { return with_forces && scene().drives.smoke; }}),
       order(
           *this,
           {.key = "order",
@@ -134,7 +134,10 @@ NavierStokes::NavierStokes()
            {"projection_first", "projection first"},
            {"advection_last", "advection last"},
            {"forces_last", "forces last"}}),
-      with_forces(*this, {.key = "with_forces", .help = "f: without it nothing pushes the fluid but walls", .initial = 1}),
+      with_forces(*this, {.key = "with_forces",
+                          .help = "f: without it nothing pushes the fluid but walls",
+                          .initial = 1,
+                          .used = [this] { return scene().drives.by_force(); }}),
       with_advection(*this, {.key = "with_advection",
                              .help = "(u·∇)u: without it the fluid does not carry itself along, as in very thick flow",
                              .initial = 1}),
@@ -234,7 +237,6 @@ Input NavierStokes::nu_input() const {
 // ------------------------------------------------------------------------------------------------------ the initial state
 
 void NavierStokes::reset() {
-    put_stages_in_order();
     grid_ = std::make_unique<StaggeredGrid<2>>(domain(scene(), settings()));
     advection_.reset();
     diffusion_.reset();
@@ -247,6 +249,7 @@ void NavierStokes::reset() {
     smoke_ = VecX::Zero(scene().drives.smoke ? cells : 0);
     fill_source();
     elapsed_.setZero();
+    elapsed_[4] = max_speed(velocity_);
     wake_.reset();
     if (scene().readings.wake) {
         // Two and a half diameters behind the middle of the disc.
@@ -261,6 +264,7 @@ void NavierStokes::reset() {
     }
     fields_of_flow_.reset(*grid_, velocity_);
     initial_energy_ = specific_energy();
+    compared_ = velocity_;
 }
 
 std::string NavierStokes::blow_up_hint() const {

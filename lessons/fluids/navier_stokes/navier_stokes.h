@@ -30,8 +30,11 @@ public:
 
     int dimension() const override { return 2; }
     void check() const override;
+    std::vector<std::string_view> stage_order() const override;
     void reset() override;
     Real time_step() const override { return dt; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& scene) const override;
     std::optional<On> can_pull() const override { return with_forces ? std::optional(On::cell) : std::nullopt; }
     void pull(const std::optional<Pull>& pull) override { pull_ = pull; }
@@ -63,11 +66,13 @@ private:
     Real reference_speed() const;  // U of the scene: of the lid or the inflow, m/s; 0 for none
     Real nu() const;               // m²/s, given or set by the Reynolds number
     Input nu_input() const;
-    // Up to now: the time, s; ∫ν dt, m²; ∫G dt, m/s; and the largest divergence that the latest step left, 1/s.
+    // Up to now: the time, s; ∫ν dt, m²; ∫G dt, m/s; the largest divergence that the latest step left, 1/s; the largest velocity
+    // since the start, m/s; when the velocity was last compared with what it was before, s, and what was found, m/s.
     Real time() const { return elapsed_[0]; }
     Real viscous_time() const { return elapsed_[1]; }
     Real pushed() const { return elapsed_[2]; }
     Real divergence_left() const { return elapsed_[3]; }
+    Real top_speed() const { return elapsed_[4]; }
 
     // Names of readings, with the divergence that the step leaves in place of that which the projection leaves, where the two
     // are not the same.
@@ -81,9 +86,9 @@ private:
     void declare_checks();
 
     // --- the stages (navier_stokes_stages.cpp) ---
-    void put_stages_in_order();
     void end_stage(std::string_view name);
     void end_step();
+    void compare_velocity();
     void external_forces();
     void advect();
     AdvectionSettings advection_settings() const;
@@ -176,7 +181,8 @@ private:
     // has passed, and the rhythm of the wake.
     FaceField<2> velocity_;
     VecX pressure_, smoke_;
-    Eigen::Array4d elapsed_ = Eigen::Array4d::Zero();
+    Eigen::Array<Real, 7, 1> elapsed_ = Eigen::Array<Real, 7, 1>::Zero();
+    FaceField<2> compared_;  // the velocity when it was last compared
     Rhythm wake_;
     Real initial_energy_ = 0;  // J/kg
     std::vector<Index> source_cells_;

@@ -102,7 +102,30 @@ void NavierStokes::declare_checks() {
                           const Drives& drives = scene().drives;
                           return order == Order::lecture && with_projection && !(with_forces && forced()) && !drives.lid &&
                                  !drives.inflow;
-                      }}};
+                      },
+                  .cancels = [this] { return specific_energy(); }}};
+}
+
+// Steady: what has changed in the time in which the fastest fluid goes the length L is a small part of its speed.
+bool NavierStokes::at_rest() const {
+    constexpr Real part = 1e-4;
+    return elapsed_[5] > 0 && elapsed_[6] <= part * top_speed();
+}
+
+std::string NavierStokes::unrest() const {
+    // Reynolds numbers up to which they are [Williamson1996], [BruneauSaad2006].
+    constexpr Real steady_wake = 40, steady_cavity = 8000;
+    const Drives& drives = scene().drives;
+    if (with_forces && stirred()) return "a jet goes around in the box without end (stirring)";
+    if (with_forces && drives.smoke && buoyancy != 0) return "smoke is made and rises without end (buoyancy)";
+    if (with_forces && uniform_force() != Vec<2>::Zero() && !(with_viscosity && nu() > 0))
+        return "without viscosity nothing holds the fluid back, and the force makes it ever faster";
+    if (!with_advection || !with_viscosity) return "";
+    if (scene().readings.wake && reynolds > steady_wake)
+        return fmt::format("above Re = {} vortices leave the disc without end (reynolds)", steady_wake);
+    if (drives.lid && scene().reynolds_length > 0 && reynolds > steady_cavity)
+        return fmt::format("above Re = {} the flow in a cavity is not steady (reynolds)", steady_cavity);
+    return "";
 }
 
 }  // namespace pliant::navier_stokes

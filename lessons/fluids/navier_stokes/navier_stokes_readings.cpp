@@ -15,9 +15,14 @@ constexpr Real largest_velocity = 1e9;  // m/s: beyond it the run is stopped
 }  // namespace
 
 void NavierStokes::declare_fields() {
-    state = {state_array("u_on_faces", "m/s", velocity_[0]),      state_array("v_on_faces", "m/s", velocity_[1]),
-             state_array("pressure", "m²/s²", pressure_),         state_array("smoke", "", smoke_),
-             state_array("elapsed", "s, m², m/s, 1/s", elapsed_), state_array("wake", "s, m/s", wake_.memory())};
+    state = {state_array("u_on_faces", "m/s", velocity_[0]),
+             state_array("v_on_faces", "m/s", velocity_[1]),
+             state_array("pressure", "m²/s²", pressure_),
+             state_array("smoke", "", smoke_),
+             state_array("elapsed", "s, m², m/s, 1/s, m/s, s, m/s", elapsed_),
+             state_array("wake", "s, m/s", wake_.memory()),
+             state_array("u_compared", "m/s", compared_[0]),
+             state_array("v_compared", "m/s", compared_[1])};
     const auto projected = [this] { return bool(with_projection); };
     fields = {{.name = "velocity",
                .symbol = "u",

@@ -1,11 +1,8 @@
 // The stages of a step, in the lecture's order or another.
 #include "navier_stokes.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 namespace pliant::navier_stokes {
 namespace {
@@ -17,21 +14,6 @@ constexpr Real stirrer_radius = 0.06, stirrer_width = 0.3, stirrer_height = 0.25
 constexpr Real stirrer_period = 8;                                                 // s
 // A pull is a jet at its start, of this acceleration per metre that it is drawn out.
 constexpr Real pull_radius = 0.06, pull_stiffness = 40;  // L, 1/s²
-
-using Names = std::array<std::string_view, 5>;
-Names names_in(Order order) {
-    switch (order) {
-        case Order::lecture:
-            break;
-        case Order::projection_first:
-            return {"projection", "external_forces", "advection", "viscosity", "smoke"};
-        case Order::advection_last:
-            return {"external_forces", "viscosity", "projection", "advection", "smoke"};
-        case Order::forces_last:
-            return {"advection", "viscosity", "projection", "external_forces", "smoke"};
-    }
-    return {"external_forces", "advection", "viscosity", "projection", "smoke"};
-}
 
 }  // namespace
 
@@ -87,17 +69,24 @@ void NavierStokes::declare_stages() {
         };
 }
 
-void NavierStokes::put_stages_in_order() {
-    const Names names = names_in(order);
-    const auto rank = [&](const Stage& s) { return std::ranges::find(names, s.name) - names.begin(); };
-    if (!std::ranges::is_sorted(stages, {}, rank)) std::ranges::sort(stages, {}, rank);
+std::vector<std::string_view> NavierStokes::stage_order() const {
+    switch (order) {
+        case Order::lecture:
+            break;
+        case Order::projection_first:
+            return {"projection", "external_forces", "advection", "viscosity"};
+        case Order::advection_last:
+            return {"external_forces", "viscosity", "projection", "advection"};
+        case Order::forces_last:
+            return {"advection", "viscosity", "projection", "external_forces"};
+    }
+    return {};
 }
 
 // Every stage that changes the velocity, and the step itself, which ends with the last stage in use.
 void NavierStokes::end_stage(std::string_view name) {
     fields_of_flow_.renew();
-    const auto last = std::ranges::find_if(stages | std::views::reverse, &Stage::in_use);
-    if (last->name == name) end_step();
+    if (stages_in_use().back()->name == name) end_step();
 }
 
 void NavierStokes::end_step() {
@@ -105,7 +94,20 @@ void NavierStokes::end_step() {
     if (with_viscosity) elapsed_[1] += nu() * dt;
     if (with_forces) elapsed_[2] += uniform_force()[0] * dt;
     elapsed_[3] = largest_divergence();
+    compare_velocity();
     if (scene().readings.wake) wake_.note(time(), wake_velocity(), 0.05 * reference_speed());
+}
+
+// Once in the time in which the fastest fluid goes the length L: what the solver leaves open in a single step evens out.
+void NavierStokes::compare_velocity() {
+    elapsed_[4] = std::max(top_speed(), max_speed(velocity_));
+    const Real since = time() - elapsed_[5], crossing = top_speed() > 0 ? size / top_speed() : Real{0};
+    if (since < crossing) return;
+    elapsed_[6] = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        elapsed_[6] = std::max(elapsed_[6], (velocity_[axis] - compared_[axis]).lpNorm<Eigen::Infinity>());
+    elapsed_[5] = time();
+    compared_ = velocity_;
 }
 
 // ------------------------------------------------------------------------------------------------------------------ forces

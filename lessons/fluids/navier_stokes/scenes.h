@@ -24,6 +24,9 @@ struct Drives {
     bool inflow = false;      // fluid enters through the left wall and leaves through the right one, at one speed
     bool body_force = false;  // an acceleration along x
     bool smoke = false;       // carried along, and lifted by its warmth
+
+    // Is there a force in it?
+    bool by_force() const { return stirrer || body_force || smoke; }
 };
 
 // What is measured.

@@ -21,18 +21,7 @@ constexpr Real loose = 1e-2;
 }  // namespace
 
 void Projection::declare_state() {
-    state = {state_array("u_on_faces", "m/s", velocity_[0]),
-             state_array("v_on_faces", "m/s", velocity_[1]),
-             state_array("u_in_cells", "m/s", central_[0]),
-             state_array("v_in_cells", "m/s", central_[1]),
-             state_array("velocity", "m/s", centre_),
-             state_array("divergence_before", "1/s", before_),
-             state_array("pressure", "m²/s²", pressure_),
-             state_array("divergence_after", "1/s", after_),
-             state_array("gradient_part", "m/s", gradient_),
-             state_array("solenoidal_part", "m/s", solenoidal_),
-             state_array("drift", "m/s", drift_),
-             state_array("tally", "", tally_)};
+    state = {state_array("tally", "", tally_)};  // each projection begins anew from the given field
 }
 
 void Projection::declare_fields() {

@@ -20,7 +20,7 @@ constexpr Real longest = 0.12;          // of an arrow there
 // Middle of a cell of the three by three, counted from the middle one.
 Vec<2> middle_of(int i, int j) { return lower_corner + edge * Vec<2>(i + 1.5, j + 1.5); }
 
-std::string number(Real value) { return fmt::format("{:.3g}", value); }
+std::string three_digits(Real value) { return fmt::format("{:.3g}", value); }
 std::string short_number(Real value) { return fmt::format("{:.2g}", value); }
 
 }  // namespace
@@ -50,7 +50,7 @@ std::string Projection::selected_sum() const {
     const Counts<2> at = grid_->cells().coordinates(selected_cell());
     if (!grid_->is_fluid(selected_cell())) return fmt::format("cell ({}, {}) is solid", at[0], at[1]);
     const Beside b = beside_selected();
-    const auto rounded = [](Real x) { return as_factor(std::strtod(number(x).c_str(), nullptr)); };
+    const auto rounded = [](Real x) { return as_factor(std::strtod(three_digits(x).c_str(), nullptr)); };
     return fmt::format("cell ({}, {}): ∇·u = ({} − {} + {} − {}) / {} = {}", at[0], at[1], rounded(b.u[1]), rounded(b.u[0]),
                        rounded(b.u[3]), rounded(b.u[2]), staggered() ? "Δx" : "(2 Δx)", format_quantity(b.divergence, "1/s", 3));
 }

@@ -93,7 +93,7 @@ ClothLesson::ClothLesson()
                    .initial = 0.3,
                    .useful = {0, 1},
                    .accepted = Interval{0, 10},
-                   .used = [this] { return in_air(); }}),
+                   .used = [this] { return in_air() && wind != 0; }}),
       air_drag(*this, {.key = "air_drag",
                        .symbol = "c",
                        .help = "drag coefficient of a small plate across the wind, also of still air; 0: no air",
@@ -115,7 +115,7 @@ ClothLesson::ClothLesson()
                        .initial = 0.3,
                        .useful = {0, 1.5},
                        .accepted = Interval{0, 1e6},
-                       .used = [this] { return setting == Setting::drape; }}),
+                       .used = [this] { return has_sphere(); }}),
       scheme(*this, {.key = "scheme", .help = "how forces become motion", .initial = 2}, scheme_options(3)),
       dt(*this, {.key = "time_step",
                  .symbol = "Δt",
@@ -141,7 +141,7 @@ ClothLesson::ClothLesson()
                                .useful = {1e-12, 1e-2},
                                .accepted = Interval{1e-14, 1, false, true},
                                .scale = Scale::log,
-                               .used = [this] { return implicit(); }}),
+                               .used = [this] { return implicit() && (!capped() || newton_cap > 1); }}),
       linear_solver(*this,
                     {.key = "linear_solver",
                      .help = "how each Newton iteration solves its linear system",
@@ -256,7 +256,7 @@ void ClothLesson::reset() {
     strain_.setZero(sheet_->springs().size());
     for (VecX* values : {&stretch_, &bending_, &held_, &imbalance_}) values->setZero(count);
     std::ranges::fill(drag_numbers_, Real{0});
-    gust_time_[0] = gust_at_ = unbalanced_work_[0] = 0;
+    gust_time_[0] = gust_at_ = pace_[0] = pace_[1] = 0;
     touches_.assign(static_cast<std::size_t>(count), {});
     touching_ = 0;
     stretch_before_limiting_ = limiter_excess_ = 0;

@@ -36,6 +36,8 @@ public:
     void check() const override;
     void reset() override;
     Real time_step() const override { return dt; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& picture) const override;
     std::optional<On> can_pull() const override { return On::node; }
     void pull(const std::optional<Pull>& hand) override;
@@ -108,9 +110,12 @@ private:
     void end_integration();
     void begin_limiting();
     void contact_stage();
+    void note_pace();
 
     // --- what can be read off (cloth_readings.cpp) ---
     Real total_energy() const;
+    Real rounding_energy() const;
+    Real energy_terms() const;
     Real energy_tolerance() const;
     std::optional<Real> drape_coefficient() const;
     const SpringRates& rates() const;
@@ -175,11 +180,13 @@ private:
     std::unique_ptr<StrainLimiter> limiter_;
     ExternalLoad<3> load_;
 
-    // State [m, m/s, N, s, J]: positions and velocities; the force with which the sphere holds each node; the time of the gusts;
-    // and the most energy that what the solver left unbalanced can have added.
+    // State [m, m/s, N, s]: positions and velocities; the force with which the sphere holds each node; the time of the gusts.
     Points<3> position_, velocity_;
     VecX contact_force_;
-    std::array<Real, 1> gust_time_{}, unbalanced_work_{};
+    std::array<Real, 1> gust_time_{};
+    // Largest speed since the start, m/s, and largest change of a velocity per second in the latest step, m/s².
+    std::array<Real, 2> pace_{};
+    Points<3> start_velocity_;  // of the step
 
     Points<3> spring_force_, damping_force_, external_force_, wind_force_;
     VecX total_force_;

@@ -22,7 +22,7 @@ void ClothLesson::declare_fields() {
     const auto has = [](const auto& values) { return [&values] { return values.size() > 0; }; };
     state = {state_array("position", "m", position_), state_array("velocity", "m/s", velocity_),
              state_array("contact_force", "N", contact_force_), state_array("gust_time", "s", gust_time_),
-             state_array("unbalanced_work", "J", unbalanced_work_)};
+             state_array("pace", "m/s, m/s²", pace_)};
     fields = {
         vector_field("position", "x", "m", On::node, position_, "of the nodes"),
         vector_field("velocity", "v", "m/s", On::node, velocity_, "of the nodes"),
@@ -106,6 +106,7 @@ void ClothLesson::declare_stages() {
          .active = [this] { return bool(strain_limiting); },
          .again = [this] { return limiter_excess_ > 1e-3 && limiter_->passes() < limit_passes; },
          .begin = [this] { begin_limiting(); },
+         .end = [this] { note_pace(); },
          .explain = [this](const Question& q) { return why_limited(q); }},
         {.name = "sphere_contact",
          .formula = "|x − c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = force of the plane that held it, or m |Δv_n| / Δt",
@@ -209,6 +210,7 @@ void ClothLesson::begin_integration() {
     if (damped()) total_force_ += flat(damping_force_);
     if (loaded()) total_force_ += flat(external_force_);
     if (in_air()) total_force_ += flat(wind_force_);
+    start_velocity_ = velocity_;
     integrator_->begin(dt, flat(position_), flat(velocity_), &total_force_);
 }
 
@@ -243,9 +245,9 @@ void ClothLesson::end_integration() {
     gust_time_[0] += dt;
     held_.setZero();
     integrator_->finish(flat(position_), flat(velocity_));
+    note_pace();
     if (!implicit()) return;
     integrator_->solver().imbalance(imbalance_);
-    unbalanced_work_[0] += dt * std::abs(imbalance_.dot(flat(velocity_)));
     plane_forces(system_->terms.planes, position_, held_);
 }
 
@@ -258,6 +260,13 @@ void ClothLesson::begin_limiting() {
 
 void ClothLesson::contact_stage() {
     touching_ = resolve_sphere_contact(sphere(), sheet_->inertia(), dt, held_, position_, velocity_, contact_force_, touches_);
+    note_pace();
+}
+
+// Behind every stage that changes velocities: the last one has the last word.
+void ClothLesson::note_pace() {
+    pace_[0] = std::max(pace_[0], velocity_.colwise().norm().maxCoeff());
+    pace_[1] = (velocity_ - start_velocity_).colwise().norm().maxCoeff() / dt;
 }
 
 }  // namespace pliant::cloth

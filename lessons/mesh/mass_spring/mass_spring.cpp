@@ -50,6 +50,11 @@ void MassSpringLesson::check() const {
                         "factorised in every step; give cells that make at most {} nodes",
                         tested() ? "scene = stretch_test" : fmt::format("integrator = {}", integrator.option_key()), nodes,
                         Index(cells_x), Index(cells_y), Index(cells_z), most_implicit_nodes));
+    if (tested() && std::ranges::all_of(stiffnesses(), [](Real k) { return k == 0; }))
+        throw Refused(
+            fmt::format("scene = stretch_test with no springs at all is not accepted: {} = 0 N/m; give one of them a "
+                        "stiffness above 0 N/m",
+                        has_diagonals() ? "k_structural = k_shear = k_bending" : "k_structural = k_bending"));
     if (setting == Setting::swing) {
         if (mode_number > free_masses())
             throw Refused("mode_number", Real(Index(mode_number)), "",
@@ -104,10 +109,10 @@ void MassSpringLesson::reset() {
     for (Points<3>* force : {&damping_force_, &external_force_}) force->setZero();
     for (VecX* values : {&tension_, &strain_}) values->setZero(block_->springs().size());
     touching_ = 0;
-    energy_wobble_ = 0;
     start_gravity_ = gravity;
     start_mass_ = total_mass;
     interfered_ = false;
+    start_motion_ = kinetic_energy<3>(block_->mass(), velocity_) + elastic_energy();
     start_height_ = centre_of_mass<3>(block_->mass(), position_)[1];
     start_angular_momentum_ = angular_momentum<3>(block_->mass(), position_, velocity_).norm();
 }

@@ -39,6 +39,7 @@ public:
     void reset() override;
     Real time_step() const override { return tested() ? Real{0} : Real{dt}; }
     bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& picture) const override;
     std::optional<On> can_pull() const override { return tested() ? std::nullopt : std::optional(On::node); }
     void pull(const std::optional<Pull>& hand) override;
@@ -91,11 +92,12 @@ private:
     bool falls() const { return setting == Setting::drop || setting == Setting::hang; }
     bool tested() const { return setting == Setting::stretch_test; }
     bool grounded() const { return ground && falls(); }
+    Ground ground_plane() const { return {0, restitution, friction}; }
     // Only a chain swings, and it can only be stretched.
     LatticeKind lattice() const { return setting == Setting::swing ? LatticeKind::chain : LatticeKind{kind}; }
     BlockTest block_test() const { return lattice() == LatticeKind::chain ? BlockTest::stretch : BlockTest{test}; }
     bool has_diagonals() const { return lattice() != LatticeKind::triangular && lattice() != LatticeKind::chain; }
-    bool damped() const { return damping_mode != SpringDamping::none; }
+    bool damped() const { return !tested() && damping_mode != SpringDamping::none; }
     std::string_view telling_probe() const;
     bool held() const { return setting == Setting::hang || setting == Setting::swing; }
     bool pulled() const { return load_.pull.node >= 0 && pull_stiffness > 0; }
@@ -106,6 +108,11 @@ private:
     Real edge() const { return size / Real(lattice() == LatticeKind::chain ? Index(cells_y) : Index(cells_x)); }  // m
     Points<3> start_positions() const;
     Points<3> start_velocities() const;
+
+    // --- what comes to rest (mass_spring_rest.cpp) ---
+    bool has_dampers() const;
+    Real rest_speed() const;
+    Real rest_force(Index node) const;
 
     // --- the stages ---
     void follow_parameters();
@@ -135,6 +142,10 @@ private:
     Real elastic_energy() const { return spring_energy<3>(block_->springs(), position_); }
     Real total_energy() const;
     std::optional<Real> shadow_energy() const;
+    Real motion_energy() const;
+    Real rounding_energy() const;
+    Real energy_terms() const;
+    Real momentum_terms() const;
     Real energy_tolerance() const;
     Real shadow_tolerance() const;
     Real momentum_tolerance() const;
@@ -174,7 +185,6 @@ private:
     Explanation why_second_order(const Question& q) const;
     Explanation why_iterate_velocity(Index node, int component) const;
     Explanation why_acceleration(Index node, int component) const;
-    Real arrested_time() const;
     Explanation why_newton_position(Index node, int component) const;
     Input newton_start(Index node, int component) const;
     Input newton_direction(Index dof) const;
@@ -182,6 +192,8 @@ private:
     Explanation why_rebound(Index node) const;
     Explanation why_rubbed_velocity(Index node, int component) const;
     Input impact_speed(Index node) const;
+    Input free_speed(Index node) const;
+    Input acceleration_on_ground(Index node) const;
     // --- (mass_spring_why_probes.cpp) ---
     void explain_probes();
     Explanation why_energy() const;
@@ -226,20 +238,18 @@ private:
     ExternalLoad<3> load_;
 
     // What the closed forms start from; they end when a hand or a slider has interfered.
-    Real start_height_ = 0, start_angular_momentum_ = 0, start_gravity_ = 0, start_mass_ = 0;
+    Real start_height_ = 0, start_angular_momentum_ = 0, start_gravity_ = 0, start_mass_ = 0, start_motion_ = 0;
     bool interfered_ = false;
 
     // State [m, m/s], forces on the nodes [N], tension [N] and strain of the springs.
     Points<3> position_, velocity_;
     Points<3> spring_force_, damping_force_, external_force_;
-    VecX total_force_, start_position_;    // of the step
+    VecX total_force_;                     // at the start of the step
     VecX memory_, clock_ = VecX::Zero(1);  // of the integrator; s
     Rhythm rhythm_;
     VecX tension_, strain_;
-    std::vector<Real> arrested_;  // by the ground within an implicit step, m/s
-    std::vector<Touch> touches_;  // of the latest contact stage, one per node
+    GroundContact<3> contact_;
     Index touching_ = 0;
-    Real energy_wobble_ = 0;  // largest Δt/2 |v·f| since the start, J
 
     // Rates of the net at rest, with the parameters that they belong to.
     struct RatesKey {

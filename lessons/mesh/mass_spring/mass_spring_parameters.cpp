@@ -131,7 +131,7 @@ MassSpringLesson::MassSpringLesson()
                       .useful = {1e-3, 10},
                       .accepted = Interval{0, 1e12},
                       .scale = Scale::log,
-                      .used = [this] { return damped() && !tested(); }}),
+                      .used = [this] { return damped(); }}),
       gravity(*this, {.key = "gravity",
                       .symbol = "g",
                       .unit = "m/s²",

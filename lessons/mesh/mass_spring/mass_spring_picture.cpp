@@ -46,7 +46,8 @@ void MassSpringLesson::set_frame(Scene& picture) const {
     const Real bottom = falls() ? Real{0} : std::min(Real{0}, -room);
     const Real top =
         !falls() ? edges[1] + std::max(room, Real{0}) : edges[1] + drop_height + (setting == Setting::drop ? 0.1 * edges[0] : 0);
-    const Real side = frame_side();
+    // A block that turns stays within a cylinder, whose outline is that of a narrower box.
+    const Real side = (setting == Setting::drop || setting == Setting::spin ? 0.8 : 1.0) * frame_side();
     picture.frame(position(-side, bottom, -side), position(side, top, side));
 }
 
@@ -116,7 +117,7 @@ void MassSpringLesson::draw_ground(Scene& picture) const {
 void MassSpringLesson::draw_arrows(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
     if (picture.show_arrows && weight_acceleration() > 0) {
-        const Real x = -frame_side() - 0.3 * edges.norm(), top = edges[1] + drop_height, length = 0.4 * edges[1];
+        const Real x = -frame_side() - 0.3 * edges.norm(), top = 0.8 * (edges[1] + drop_height), length = 0.4 * edges[1];
         picture.arrow(position(x, top, 0), position(x, top - length, 0), Ink::force,
                       "g = " + format_quantity(gravity, "m/s²", 3));
     }

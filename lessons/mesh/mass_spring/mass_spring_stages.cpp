@@ -64,7 +64,6 @@ void MassSpringLesson::begin_integration() {
     total_force_ = flat(spring_force_);
     if (damped()) total_force_ += flat(damping_force_);
     if (loaded()) total_force_ += flat(external_force_);
-    energy_wobble_ = std::max(energy_wobble_, 0.5 * dt * std::abs(flat(velocity_).dot(total_force_)));
 
     const NewtonOptions options{newton_tolerance, static_cast<int>(Index(newton_cap))};
     if (!integrator_) {
@@ -77,10 +76,10 @@ void MassSpringLesson::begin_integration() {
     system_->damping = damping_mode;
     system_->load = load_;
     if (grounded())
-        set_ground_bounds<3>({0, restitution, friction}, position_, integrator_->lower_bound());
+        set_ground_bounds<3>(ground_plane(), position_, integrator_->lower_bound());
     else
         integrator_->lower_bound().resize(0);
-    start_position_ = flat(position_);
+    contact_.begin(dt, position_, velocity_);
     integrator_->begin(dt, flat(position_), flat(velocity_), &total_force_);
 }
 
@@ -119,22 +118,14 @@ void MassSpringLesson::end_integration() {
 }
 
 void MassSpringLesson::contact_stage() {
-    arrested_.clear();
-    if (implicit()) arrested_speeds<3>(integrator_->solver(), block_->inertia(), arrested_time(), arrested_);
-    const Real moved_for = semi_implicit() ? Real(dt) : 0;
-    const Ground floor{0, restitution, friction};
-    touches_.resize(static_cast<std::size_t>(position_.cols()));
-    for (Index n = 0; n < position_.cols(); ++n)
-        touches_[static_cast<std::size_t>(n)] = touch_of<3>(floor, block_->inertia(), position_, arrested_, n);
-    touching_ = resolve_ground_contact<3>(floor, block_->inertia(), moved_for, position_, velocity_, arrested_);
+    if (implicit()) contact_.arrest(*integrator_, block_->inertia());
+    const auto force = [this](ConstDofs x, ConstDofs v, Dofs f) {
+        system_->begin_step(x);
+        system_->force(x, v, f);
+    };
+    touching_ = contact_.resolve(ground_plane(), block_->inertia(), integrator, force, position_, velocity_);
     // A step that starts from what the ground has changed does not follow from the one before.
     if (touching_ > 0) memory_[0] = 0;
-}
-
-// Velocity that a force during an implicit step makes, times the mass over the force.
-Real MassSpringLesson::arrested_time() const {
-    const ImplicitForm& form = integrator_->solver().form();
-    return (integrator == Scheme::implicit_midpoint ? 2 : 1) * form.velocity_rate / form.acceleration_rate;
 }
 
 }  // namespace pliant::mass_spring

@@ -11,7 +11,7 @@ namespace {}  // namespace
 
 // Nothing, where the stage has left the number as it was.
 std::optional<Explanation> MassSpringLesson::why_contact(const Question& q) const {
-    const Touch touch = touches_[static_cast<std::size_t>(q.index)];
+    const Touch touch = contact_.touch(q.index);
     if (touch == Touch::none) return std::nullopt;
     if (q.field == "velocity") return q.component == up ? why_rebound(q.index) : why_rubbed_velocity(q.index, q.component);
     if (q.component == up) {
@@ -29,9 +29,21 @@ std::optional<Explanation> MassSpringLesson::why_contact(const Question& q) cons
 }
 
 Explanation MassSpringLesson::why_rebound(Index node) const {
-    return {.formula = "v_y′ = max(v_y, 0) + e w",
-            .inputs = {Input::before("v_y", "velocity", node, up), Input::of(restitution), impact_speed(node)},
-            .evaluate = [](std::span<const Real> x) { return std::max(x[0], Real{0}) + x[1] * x[2]; }};
+    if (!contact_.approach(node).late)
+        return {.formula = "v_y′ = e w",
+                .inputs = {Input::of(restitution), impact_speed(node)},
+                .evaluate = [](std::span<const Real> x) { return x[0] * x[1]; }};
+    return {.formula = "v_y′ = max(e w + ½ Δt a_0, 0), or 0 if e w ≤ Δt a_0",
+            .inputs = {Input::of(restitution), impact_speed(node), Input::of(dt), acceleration_on_ground(node)},
+            .evaluate = [](std::span<const Real> x) {
+                const Real w = x[0] * x[1];
+                return w <= x[2] * x[3] ? 0 : std::max(w + x[2] / 2 * x[3], Real{0});
+            }};
+}
+
+Input MassSpringLesson::acceleration_on_ground(Index node) const {
+    return Input::constant("a_0", contact_.approach(node).acceleration_there, "m/s²",
+                           "downwards, from the forces on the node where the ground has it");
 }
 
 // Coulomb's friction: it takes a part of the speed along the ground, or all of it.
@@ -39,34 +51,56 @@ Explanation MassSpringLesson::why_rubbed_velocity(Index node, int component) con
     Explanation along{.formula = "|v_t| = √(v_x² + v_z²)",
                       .inputs = {Input::before("v_x", "velocity", node, 0), Input::before("v_z", "velocity", node, 2)},
                       .evaluate = [](std::span<const Real> x) { return std::hypot(x[0], x[1]); }};
-    return {.formula = "v′ = v (1 − min(1, μ (1 + e) w / |v_t|))",
-            .inputs = {Input::before("v", "velocity", node, component), Input::of(friction), Input::of(restitution),
-                       impact_speed(node), Input::part("|v_t|", "m/s", std::move(along))},
+    return {.formula = "v′ = v (1 − min(1, μ max(v_y′ + u′, 0) / |v_t|))",
+            .inputs = {Input::before("v", "velocity", node, component), Input::of(friction),
+                       Input::now("v_y′", "velocity", node, up), free_speed(node), Input::part("|v_t|", "m/s", std::move(along))},
             .evaluate = [](std::span<const Real> x) {
-                const Real taken = x[4] > 0 ? std::min(Real{1}, x[1] * (1 + x[2]) * x[3] / x[4]) : 1;
+                const Real taken = x[4] > 0 ? std::min(Real{1}, x[1] * std::max(x[2] + x[3], Real{0}) / x[4]) : 1;
                 return x[0] * (1 - taken);
             }};
 }
 
-// The speed with which a node met the ground: that with which it went below, and what held it there has already taken.
+// The speed with which a node met the ground, from what it began the step with and its acceleration on the way. Velocities of
+// semi-implicit Euler are half a step late.
 Input MassSpringLesson::impact_speed(Index node) const {
-    const bool below = touches_[static_cast<std::size_t>(node)] == Touch::below;
-    std::string formula = below ? "w = max(− v_y, 0)" : "w = ";
-    std::vector<Input> inputs;
-    if (below) inputs.push_back(Input::before("v_y", "velocity", node, up));
-    if (implicit()) {
-        formula += below ? " + h R / m" : "h R / m";
-        inputs.push_back(Input::constant("h", arrested_time(), "s", "Δt, or what the scheme takes for it at the end of a step"));
-        inputs.push_back(
-            Input::constant("R", integrator_->solver().reaction(3 * node + up), "N", "force of the ground, from the solver"));
-        inputs.push_back(node_mass());
-    }
-    return Input::part("w", "m/s",
-                       {.formula = std::move(formula), .inputs = std::move(inputs), .evaluate = [below](std::span<const Real> x) {
-                            const Real down = below ? std::max(-x[0], Real{0}) : Real{0};
-                            const std::span<const Real> held = x.subspan(below ? 1 : 0);
-                            return held.empty() ? down : down + held[0] * held[1] / held[2];
-                        }});
+    const Approach& approach = contact_.approach(node);
+    const Input before = Input::constant("u", approach.speed, "m/s", "downwards, when the step began"),
+                height = Input::constant("h", approach.height, "m", "above the ground, when the step began");
+    const Input a = Input::part("a", "m/s²",
+                                {.formula = "a = (u′ − u) / Δt",
+                                 .inputs = {free_speed(node), before, Input::of(dt)},
+                                 .evaluate = [](std::span<const Real> x) { return (x[0] - x[1]) / x[2]; }});
+    if (!approach.late)
+        return Input::part(
+            "w", "m/s",
+            {.formula = "w = √(max(u² + 2 h a, 0))", .inputs = {before, height, a}, .evaluate = [](std::span<const Real> x) {
+                 return std::sqrt(std::max(x[0] * x[0] + 2 * x[1] * x[2], Real{0}));
+             }});
+    const Input caught_up = Input::part(
+        "s", "m/s", {.formula = "s = u + ½ Δt a", .inputs = {before, Input::of(dt), a}, .evaluate = [](std::span<const Real> x) {
+                         return x[0] + x[1] / 2 * x[2];
+                     }});
+    return Input::part(
+        "w", "m/s",
+        {.formula = "w = √(max(s² + h (a + a_0), 0))",
+         .inputs = {caught_up, height, a, acceleration_on_ground(node)},
+         .evaluate = [](std::span<const Real> x) { return std::sqrt(std::max(x[0] * x[0] + x[1] * (x[2] + x[3]), Real{0})); }});
+}
+
+// Downwards, at the end of the step if there were no ground: what held the node there has taken a part of it.
+Input MassSpringLesson::free_speed(Index node) const {
+    const Input left = Input::before("v_y", "velocity", node, up);
+    if (!implicit())
+        return Input::part(
+            "u′", "m/s", {.formula = "u′ = − v_y", .inputs = {left}, .evaluate = [](std::span<const Real> x) { return -x[0]; }});
+    return Input::part("u′", "m/s",
+                       {.formula = "u′ = τ R / m − v_y",
+                        .inputs = {Input::constant("τ", integrator_->impulse_time(), "s",
+                                                   "Δt, or what the scheme takes for it at the end of a step"),
+                                   Input::constant("R", integrator_->solver().reaction(3 * node + up), "N",
+                                                   "force of the ground, from the solver"),
+                                   node_mass(), left},
+                        .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / x[2] - x[3]; }});
 }
 
 }  // namespace pliant::mass_spring

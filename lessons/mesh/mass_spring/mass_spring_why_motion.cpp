@@ -227,7 +227,7 @@ Input MassSpringLesson::newton_start(Index node, int component) const {
     if (!implicit_euler()) {
         ImplicitSolver& solver = integrator_->solver();
         const Index dof = 3 * node + component;
-        Real start = solver.began_at_prediction() ? solver.form().acceleration_origin[dof] : start_position_[dof];
+        Real start = solver.began_at_prediction() ? solver.form().acceleration_origin[dof] : contact_.start().data()[dof];
         if (form.lower_bound.size() > 0) start = std::max(start, form.lower_bound[dof]);
         return Input::constant("x_k", start, "m", "where Newton's method begins: as if no force changed, or where the node is");
     }

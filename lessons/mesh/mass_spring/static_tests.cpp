@@ -97,6 +97,16 @@ const std::vector<Real>& StaticTests::modulus_by_cells() const {
     return modulus_by_cells_;
 }
 
+// Empty where elements give up: next to a Poisson ratio of 1/2 their matrix is singular to rounding.
+std::optional<ContinuumResponse> StaticTests::continuum_beside(const SpringLattice& lattice, Real youngs_modulus,
+                                                               const Key& key) {
+    try {
+        return test_continuum(lattice, youngs_modulus, key.poisson_ratio, key.test);
+    } catch (const Diverged&) {
+        return std::nullopt;
+    }
+}
+
 void StaticTests::run(const SpringLattice& lattice, const Key& key) {
     if (knows(key)) return;
     key_.reset();
@@ -113,7 +123,7 @@ void StaticTests::run(const SpringLattice& lattice, const Key& key) {
     }
     const Real modulus = lattice_constants(key.kind, key.stiffness, key.edge).youngs_modulus();
     if (dimension_of(key.kind) > 1 && modulus > 0)
-        continuum_ = test_continuum(lattice, modulus_in_pascal(modulus, lattice), key.poisson_ratio, key.test);
+        continuum_ = continuum_beside(lattice, modulus_in_pascal(modulus, lattice), key);
     key_ = key;
 }
 

@@ -36,6 +36,7 @@ public:
     void run(const SpringLattice& lattice, const Key& key);
 
     const BlockResponse& response() const { return response_; }  // of the test of the key
+    // Empty for a chain, and where the elements of the solid cannot bear its Poisson ratio.
     const std::optional<ContinuumResponse>& continuum() const { return continuum_; }
     // Rows: stretch, shear, bend; columns: families. Rows of tests that a chain cannot be put to, or that a mechanism spoils, are
     // 0.
@@ -49,6 +50,8 @@ public:
     Real modulus_in_pascal(Real modulus, const SpringLattice& lattice) const;
 
 private:
+    static std::optional<ContinuumResponse> continuum_beside(const SpringLattice& lattice, Real youngs_modulus, const Key& key);
+
     std::optional<Key> key_;
     BlockResponse response_;
     std::optional<ContinuumResponse> continuum_;

@@ -1,10 +1,15 @@
 #include "rod.h"
 #include "time/schemes/scheme_options.h"
 
+#include <pliant/lesson/format.h>
 #include <pliant/solids/point_masses.h>
+
+#include <fmt/format.h>
 
 namespace pliant::rod {
 namespace {
+
+constexpr Real widest_pulse = 2;  // in lengths of the rod: the images behind its ends take off what reaches further
 
 const Registration<RodLesson> registration{
     {.id = "mesh/rod",
@@ -53,7 +58,7 @@ RodLesson::RodLesson()
                                .accepted = Interval{0, 1e12, true},
                                .scale = Scale::log,
                                .effect = Effect::rebuild,
-                               .used = [this] { return hangs_still() || by_hand(); }}),
+                               .used = [this] { return hangs() || by_hand(); }}),
       total_mass(*this, {.key = "mass",
                          .symbol = "M",
                          .unit = "kg",
@@ -156,6 +161,33 @@ RunningPulse RodLesson::pulse(Real speed) const { return {amplitude, pulse_width
 
 // ------------------------------------------------------------------------------------------------------ the start
 
+VecX RodLesson::start_displacements() const {
+    if (setting == Setting::wave) return amplitude * mode_shape();
+    VecX u = VecX::Zero(count() + 1);
+    if (!runs_a_pulse()) return u;
+    for (Index i = 1; i <= count(); ++i) u[i] = pulse(chain_speed()).displacement(rest_place(i), 0);
+    if (end() == RodEnd::fixed) u[count()] = 0;
+    return u;
+}
+
+// A segment that is turned over when it starts has no strain that |∂x/∂s| could tell, and no wave runs along it.
+void RodLesson::check() const {
+    if (runs_a_pulse() && pulse_width > widest_pulse * length)
+        throw Refused(
+            fmt::format("pulse_width = {} is not accepted: give at most twice the length of the rod, {}; a wider pulse is "
+                        "none",
+                        format_quantity(pulse_width, "m"), format_quantity(widest_pulse * length, "m")));
+    const VecX u = start_displacements();
+    Index at = 0;
+    const Real slope = (u.tail(count()) - u.head(count())).minCoeff(&at) / segment();
+    if (slope > -1) return;
+    throw Refused(
+        fmt::format("amplitude = {} is not accepted: segment {} would be turned over at the start, with ∂u/∂s = {}, and "
+                    "must stay above −1; give at most {}",
+                    format_quantity(amplitude, "m"), at, format_quantity(slope, "", 3),
+                    format_quantity(rounded_down(-0.99 * amplitude / slope, 2), "m")));
+}
+
 void RodLesson::reset() {
     integrator_.reset();
     system_.reset();
@@ -171,16 +203,11 @@ void RodLesson::reset() {
 
     position_.resize(2, n + 1);
     velocity_.setZero(2, n + 1);
-    const VecX shape = setting == Setting::wave ? mode_shape() : VecX::Zero(n + 1);
-    const RunningPulse running = pulse(chain_speed());
+    const VecX u = start_displacements();
     for (Index i = 0; i <= n; ++i) {
-        const Real s = rest_place(i);
-        Real u = amplitude * shape[i];
-        if (runs_a_pulse() && !inertia_.fixed(2 * i)) {
-            u = running.displacement(s, 0);
-            velocity_.col(i) = running.velocity(s, 0) * along();
-        }
-        position_.col(i) = (s + u) * along();
+        position_.col(i) = (rest_place(i) + u[i]) * along();
+        if (runs_a_pulse() && !inertia_.fixed(2 * i))
+            velocity_.col(i) = pulse(chain_speed()).velocity(rest_place(i), 0) * along();
     }
     for (Points<2>* field : {&gradient_force_, &spring_force_}) field->setZero(2, n + 1);
     damping_force_.setZero(2, damped() ? n + 1 : 0);
@@ -192,6 +219,7 @@ void RodLesson::reset() {
     if (history_.size() > 0) rod_strains(slope_, history_.col(0));
     follow_positions();
     start_energy_ = total_energy();
+    start_motion_ = motion_energy();
     start_position_ = runs_a_pulse() ? pulse_position() : Real{0};
     if (hangs_still()) return;
 

@@ -25,9 +25,11 @@ public:
     RodLesson();
 
     int dimension() const override { return 2; }
+    void check() const override;
     void reset() override;
     Real time_step() const override { return hangs_still() ? Real{0} : Real{dt}; }
-    bool at_rest() const override { return hangs_still() && clock_[balanced] == 1; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& picture) const override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
@@ -64,7 +66,7 @@ private:
     bool hangs() const { return setting == Setting::hanging || setting == Setting::released; }
     bool hangs_still() const { return setting == Setting::hanging; }
     bool runs_a_pulse() const { return setting == Setting::free_end || setting == Setting::fixed_end; }
-    bool unsolved() const { return hangs_still() && !at_rest(); }  // nothing has been let down yet
+    bool unsolved() const { return hangs_still() && clock_[balanced] != 1; }  // nothing has been let down yet
     bool damped() const { return !hangs_still() && damping > 0; }
     bool loaded() const { return hangs() && gravity > 0; }
     bool by_hand() const { return spring_rule == Rule::constant; }
@@ -85,6 +87,7 @@ private:
     MassChain chain() const { return chain_of(spring_rule, segments); }
     RunningPulse pulse(Real speed) const;
     Real chain_speed() const { return UniformRod{length, chain_axial_stiffness(), total_mass}.wave_speed(); }  // m/s
+    VecX start_displacements() const;  // m, of the nodes along the rod
     Index watched_mode() const { return std::min<Index>(mode, chain().modes(end())); }
     Real damping_ratio(Real omega) const { return damped() ? damping * omega / 2 : Real{0}; }
 
@@ -110,7 +113,14 @@ private:
     Real force_difference() const;
     Real force_rounding() const;
     Real imbalance() const;
+    Real strain_rounding() const;
+    Real least_swing() const;
+    bool swings() const { return least_swing() > 0; }
+    Real motion_energy() const;
+    Real rounding_energy() const;
+    Real energy_tolerance() const;
     Real imbalance_rounding() const;
+    Real swing(Real omega, Real t) const;
     std::optional<Real> exact_displacement(Real s, Real t) const;
     std::optional<Real> exact_strain(Real s, Real t) const;
     void sample_exact(Curve& curve, std::optional<Real> (RodLesson::*exact)(Real, Real) const) const;
@@ -181,7 +191,8 @@ private:
     DiagonalMass inertia_;
     std::unique_ptr<SpringSystem<2>> system_;
     std::unique_ptr<TimeIntegrator> integrator_;
-    Real start_energy_ = 0, start_position_ = 0;  // J, m: of the pulse
+    Real start_energy_ = 0, start_motion_ = 0;  // J: in all, and what motion can come to
+    Real start_position_ = 0;                   // m, of the pulse
 
     // State [m, m/s], and what the stages make of it.
     Points<2> position_, velocity_;

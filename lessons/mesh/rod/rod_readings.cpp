@@ -133,6 +133,9 @@ Real RodLesson::force_rounding() const {
     return 16 * epsilon * stiffness() * (position_.cwiseAbs().maxCoeff() + segment() * (1 + strain_.cwiseAbs().maxCoeff()));
 }
 
+// Of positions along the rod, after many steps.
+Real RodLesson::strain_rounding() const { return 1e4 * epsilon * length / segment(); }
+
 Real RodLesson::imbalance() const {
     Points<2> force = spring_force_;
     if (loaded()) force += external_force_;

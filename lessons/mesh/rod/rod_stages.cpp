@@ -211,7 +211,13 @@ void RodLesson::end_integration() {
     integrator_->finish(flat(position_), flat(velocity_));
     clock_[elapsed] += dt;
     if (history_.size() > 0) note_history(clock_[elapsed] - dt);
-    if (setting == Setting::wave) rhythm_.note(clock_[elapsed], mode_amplitude(), 1e-3 * amplitude);
+    if (setting == Setting::wave) rhythm_.note(clock_[elapsed], mode_amplitude(), least_swing());
+}
+
+// None, where rounding would hide it.
+Real RodLesson::least_swing() const {
+    const Real least = 1e-3 * amplitude;
+    return least > strain_rounding() * segment() / 100 ? least : 0;
 }
 
 // The strain now, at all moments since `before`; a new span begins with an empty picture.

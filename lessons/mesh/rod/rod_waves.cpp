@@ -2,6 +2,7 @@
 #include "rod.h"
 
 #include <pliant/solids/point_masses.h>
+#include <pliant/time/exact_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,16 @@ constexpr Real most_turns = 1e6;  // beyond, the place of a pulse is rounding
 
 // ----------------------------------------------------------------------------------------------------------- closed forms
 
+// Of a mode, over its start: let go at rest.
+Real RodLesson::swing(Real omega, Real t) const { return damped_oscillator(omega, damping_ratio(omega), {1, 0}, t).x; }
+
 // Of the continuum, along the rod.
 std::optional<Real> RodLesson::exact_displacement(Real s, Real t) const {
     const UniformRod rod = continuum();
     if (hangs_still()) return rod.hanging_displacement(s, gravity);
     if (setting == Setting::wave) {
         const Real omega = rod.frequency(watched_mode(), end());
-        return amplitude * std::sin(rod.wave_number(watched_mode(), end()) * s) * damped_swing(omega, damping_ratio(omega), t);
+        return amplitude * std::sin(rod.wave_number(watched_mode(), end()) * s) * swing(omega, t);
     }
     if (end() == RodEnd::fixed && s == length) return 0;
     if (damped()) return std::nullopt;
@@ -36,7 +40,7 @@ std::optional<Real> RodLesson::exact_strain(Real s, Real t) const {
     if (hangs_still()) return rod.hanging_strain(s, gravity);
     if (setting == Setting::wave) {
         const Real omega = rod.frequency(watched_mode(), end()), kappa = rod.wave_number(watched_mode(), end());
-        return amplitude * kappa * std::cos(kappa * s) * damped_swing(omega, damping_ratio(omega), t);
+        return amplitude * kappa * std::cos(kappa * s) * swing(omega, t);
     }
     if (damped() || setting == Setting::released) return std::nullopt;
     return pulse(rod.wave_speed()).strain(s, t);
@@ -88,7 +92,7 @@ std::optional<Index> RodLesson::turns() const {
 
 std::optional<Real> RodLesson::wave_speed() const {
     const Real t = clock_[elapsed];
-    if (!runs_a_pulse() || t == 0 || damped() || amplitude == 0 || !turns()) return std::nullopt;
+    if (!runs_a_pulse() || t == 0 || damped() || !swings() || !turns()) return std::nullopt;
     const Real n = static_cast<Real>(*turns());
     const Real gone = *turns() % 2 == 0 ? n * length + pulse_position() : (n + 1) * length - pulse_position();
     return (gone - start_position_) / t;
@@ -111,7 +115,7 @@ void RodLesson::declare_wave_probes() {
           .exact = [this](Real t) -> std::optional<Real> {
               if (setting != Setting::wave) return std::nullopt;
               const Real omega = chain().frequency(watched_mode(), end());
-              return amplitude * damped_swing(omega, damping_ratio(omega), t);
+              return amplitude * swing(omega, t);
           }},
          {.name = "frequency",
           .symbol = "ω",
@@ -146,7 +150,7 @@ void RodLesson::declare_wave_probes() {
           .unit = "m",
           .help = "where the energy of the pulse lies on average",
           .value = [this]() -> std::optional<Real> {
-              if (!runs_a_pulse() || amplitude == 0) return std::nullopt;
+              if (!runs_a_pulse() || !swings()) return std::nullopt;
               return pulse_position();
           },
           .exact = [this](Real t) -> std::optional<Real> {

@@ -86,14 +86,14 @@ IntegrationLesson::IntegrationLesson()
                                .accepted = Interval{1e-14, 1, false, true},
                                .scale = Scale::log,
                                .effect = Effect::rebuild,
-                               .used = [this] { return implicit(); }}),
+                               .used = [this] { return solves(); }}),
       newton_cap(*this, {.key = "newton_iterations",
                          .help = "most iterations of a time step; a step that needs more is reported, not accepted",
                          .initial = 100,
                          .useful = {1, 100},
                          .accepted = Interval{1, 10000},
                          .effect = Effect::rebuild,
-                         .used = [this] { return implicit(); }}) {
+                         .used = [this] { return solves(); }}) {
     declare_fields();
     declare_stages();
     declare_probes();

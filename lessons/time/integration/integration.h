@@ -20,6 +20,8 @@ public:
     int dimension() const override { return 2; }
     void reset() override;
     Real time_step() const override { return dt; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& scene) const override;
     std::optional<On> can_pull() const override { return On::handle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
@@ -63,6 +65,8 @@ private:
 
     // --- what the parameters mean ---
     bool implicit() const { return is_implicit(scheme); }
+    // Is there an equation to solve, in the run or beside it?
+    bool solves() const { return implicit() || compare != Compare::none; }
     bool is(System one) const { return system == one; }
     bool measures_map() const { return is(System::oscillator) && omega > 0; }
     NewtonOptions newton() const { return {newton_tolerance, static_cast<int>(Index(newton_cap))}; }

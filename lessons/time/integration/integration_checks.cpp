@@ -2,6 +2,7 @@
 #include "integration.h"
 
 #include <pliant/lesson/format.h>
+#include <pliant/lesson/until.h>
 
 #include <fmt/format.h>
 
@@ -64,22 +65,29 @@ void IntegrationLesson::declare_checks() {
 // but bounded; beyond the limit nothing is allowed.
 Real IntegrationLesson::energy_tolerance() const {
     const Real start = motion_->energy(motion_->start_position(), motion_->start_velocity());
-    const Real w = motion_->fast_rate() * dt;
-    if (!stable()) return 1e-9 * start;
-    switch (scheme) {
-        case Scheme::explicit_euler:
-            return start * (1e-9 + (zeta > 0 ? 2 * w : 0));
-        case Scheme::semi_implicit_euler:
-            return start * (1e-9 + 2 * w / std::max(2 - w, Real{1e-3}));
-        case Scheme::velocity_verlet:
-            return start * (1e-9 + 2 * w * w / std::max(4 - w * w, Real{1e-3}));
-        case Scheme::runge_kutta_4:
-            return start * (1e-9 + (motion_->linear() && zeta == 0 ? 0 : w * w * w * w));
-        case Scheme::implicit_euler:
-            return start * solved;
-        default:
-            return start * (solved + (motion_->linear() && scheme != Scheme::bdf2 ? 0 : std::min(w * w, Real{1})));
-    }
+    const Real rounding = implicit() ? solved : 1e-9;
+    if (!stable()) return rounding * start;
+    return start * (rounding + energy_excess(scheme, motion_->fast_rate() * dt, motion_->linear(), motion_->damped()));
+}
+
+namespace {
+constexpr Real still = 1e-4;  // of the swing of the start
+}
+
+bool IntegrationLesson::at_rest() const {
+    return energy() <= still * still * motion_->energy(motion_->start_position(), motion_->start_velocity());
+}
+
+// Its steps are counted by the slower of its modes, each multiplied by a factor that is known.
+std::string IntegrationLesson::unrest() const {
+    if (at_rest()) return "";
+    if (omega == 0) return "no force acts on it, and it goes on at its speed (omega = 0)";
+    const Real factor = std::max(amplification(scheme, motion_->slow_rate(), zeta, dt), growth_per_step());
+    const Real steps = factor < 1 ? std::log(still) / std::log(factor) : std::numeric_limits<Real>::infinity();
+    if (steps < static_cast<Real>(max_steps_to_rest)) return "";
+    if (growth_per_step() > 1 + 1e-9) return fmt::format("{} makes it larger in every step", name_of(scheme));
+    if (zeta == 0) return "nothing takes its energy out (damping_ratio = 0)";
+    return fmt::format("it is damped so little that it would take {} steps", format_quantity(steps, "", 3));
 }
 
 // A shorter step, or where it would have to be very short or does not exist another scheme.

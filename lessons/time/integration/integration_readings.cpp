@@ -14,6 +14,11 @@ Explanation of_one(std::string formula, Input input) {
     return {std::move(formula), {std::move(input)}, [](std::span<const Real> x) { return x[0]; }};
 }
 
+// How far along its arc a pendulum of 1 kg swings; to the top with more energy than that takes.
+Real arc_amplitude(Real energy, Real gravity, Real length) {
+    return 2 * length * std::asin(std::sqrt(std::min(Real{1}, energy / (2 * gravity * length))));
+}
+
 // Roots of z² − trace z + determinant: the larger modulus.
 Real radius(Real trace, Real determinant) {
     const Real discriminant = trace * trace / 4 - determinant;
@@ -75,7 +80,7 @@ void IntegrationLesson::declare_probes() {
               {.name = "amplitude",
                .symbol = "A",
                .unit = "m",
-               .help = "how far it would swing with its energy and without drag: √(2E)/ω; for the pendulum l arccos(1 − E/(g l))",
+               .help = "how far it would swing with its energy and without drag: √(2E)/ω; for the pendulum 2l asin(√(E/(2gl)))",
                .value = [this] { return amplitude_of(energy()); },
                .exact = [this](Real t) -> std::optional<Real> {
                    const auto e = motion_->exact_energy(t);
@@ -86,10 +91,10 @@ void IntegrationLesson::declare_probes() {
                        return {"A = √(2 E) / ω", {Input::now("E", "energy", 0), Input::of(omega)}, [](std::span<const Real> x) {
                                    return std::sqrt(2 * x[0]) / x[1];
                                }};
-                   return {"A = l arccos(1 − E / (g l))",
+                   return {"A = 2 l asin(√(E / (2 g l)))",
                            {Input::now("E", "energy", 0), Input::constant("g", Swinging::gravity, "m/s²", "gravity"),
                             Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²")},
-                           [](std::span<const Real> x) { return x[2] * std::acos(1 - x[0] / (x[1] * x[2])); }};
+                           [](std::span<const Real> x) { return arc_amplitude(x[0], x[1], x[2]); }};
                }},
               {.name = "error",
                .symbol = "e",
@@ -180,8 +185,8 @@ void IntegrationLesson::declare_work_probes() {
 std::optional<Real> IntegrationLesson::amplitude_of(Real energy) const {
     if (omega == 0 || is(System::stiff_pair)) return std::nullopt;
     if (is(System::oscillator)) return std::sqrt(2 * energy) / omega;
-    const Real drop = energy / (Swinging::gravity * motion_->length());
-    return drop <= 2 ? std::optional(motion_->length() * std::acos(1 - drop)) : std::nullopt;
+    const Real l = motion_->length();
+    return energy <= 2 * Swinging::gravity * l ? std::optional(arc_amplitude(energy, Swinging::gravity, l)) : std::nullopt;
 }
 
 std::optional<Real> IntegrationLesson::error() const {
@@ -251,8 +256,7 @@ std::optional<Real> IntegrationLesson::exact_period() const {
     if (omega == 0 || is(System::stiff_pair)) return std::nullopt;
     if (is(System::oscillator))
         return zeta < 1 ? std::optional(2 * std::numbers::pi / (omega * std::sqrt((1 - zeta) * (1 + zeta)))) : std::nullopt;
-    const Real l = motion_->length();
-    return motion_->damped() || motion_->can_leave() ? std::nullopt : std::optional(pendulum_period(omega, {x0 / l, v0 / l}));
+    return motion_->pendulum_period();
 }
 
 std::optional<Real> IntegrationLesson::order() const { return measured_order(errors_of(scheme)); }

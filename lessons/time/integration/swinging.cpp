@@ -18,7 +18,7 @@ Swinging::Swinging(const SwingingOptions& options) : options_(options) {
         // In units of the soft spring: [1 + r, -r; -r, r] with eigenvalues a >= b, a b = r.
         const Real a = 0.5 + r + std::sqrt(0.25 + r * r), b = r / a;
         rates_ = omega * Eigen::Vector2d(std::sqrt(b), std::sqrt(a));
-        modes_.col(0) = Eigen::Vector2d(r - b, r).normalized();
+        modes_.col(0) = Eigen::Vector2d(r, 1 + r - b).normalized();
         modes_.col(1) = Eigen::Vector2d(-modes_(1, 0), modes_(0, 0));
         K_ << 1 + r, -r, -r, r;
         const Mat<2> root = (K_ + std::sqrt(r) * Mat<2>::Identity()) / std::sqrt(1 + 2 * r + 2 * std::sqrt(r));
@@ -34,8 +34,8 @@ Swinging::Swinging(const SwingingOptions& options) : options_(options) {
     matrix_.makeCompressed();
 
     const Real total = energy(start_position(), start_velocity());
-    const bool over_the_top = !linear() && total >= 2 * gravity * length_;
-    leaves_ = omega == 0 || over_the_top;
+    if (!linear() && omega > 0) pendulum_.emplace(omega, gravity, options_.start);
+    leaves_ = omega == 0 || (pendulum_ && pendulum_->reaches_top());
     if (total > 0) speed_ = std::sqrt(2 * total);
     if (slow_ > 0 && total > 0) scale_ = std::max(speed_ / slow_, std::abs(options_.start.x));
     if (omega == 0 && options_.start.x != 0) scale_ = std::abs(options_.start.x);
@@ -81,10 +81,7 @@ std::optional<Motion> Swinging::exact(Index mass, Real t) const {
     if (options_.system == System::oscillator) return damped_oscillator(options_.omega, options_.zeta, options_.start, t);
     if (options_.system == System::pendulum) {
         if (damped()) return std::nullopt;
-        if (options_.omega == 0) return damped_oscillator(0, 0, options_.start, t);
-        const Motion turned =
-            pliant::integration::pendulum(options_.omega, {options_.start.x / length_, options_.start.v / length_}, t);
-        return Motion{length_ * turned.x, length_ * turned.v};
+        return pendulum_ ? pendulum_->at(t) : damped_oscillator(0, 0, options_.start, t);
     }
     Motion sum;
     for (Index mode = 0; mode < 2; ++mode) {
@@ -103,6 +100,11 @@ std::optional<Real> Swinging::exact_energy(Real t) const {
         x[mass] = motion->x, v[mass] = motion->v;
     }
     return energy(x, v);
+}
+
+std::optional<Real> Swinging::pendulum_period() const {
+    if (!pendulum_ || damped() || pendulum_->reaches_top()) return std::nullopt;
+    return pendulum_->period();
 }
 
 }  // namespace pliant::integration

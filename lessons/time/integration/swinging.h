@@ -1,8 +1,7 @@
 // What is integrated: a mass of 1 kg on a spring, a pendulum, or two masses on a soft and a stiff spring. With its solution in
 // closed form.
 #pragma once
-#include "exact_motion.h"
-
+#include <pliant/time/exact_motion.h>
 #include <pliant/time/implicit.h>
 
 #include <optional>
@@ -47,6 +46,8 @@ public:
     // Of one mass at time t; empty for a damped pendulum, which has no closed form.
     std::optional<Motion> exact(Index mass, Real t) const;
     std::optional<Real> exact_energy(Real t) const;
+    // Of one undamped swing of the pendulum to and fro [s]; empty for other systems, and where it reaches the top or is damped.
+    std::optional<Real> pendulum_period() const;
 
     void begin_step(ConstDofs) override {}
     bool damped() const override { return options_.zeta > 0 && options_.omega > 0; }
@@ -67,6 +68,7 @@ private:
     Eigen::Vector2d rates_ = Eigen::Vector2d::Zero();  // rad/s, of the modes
     Real length_ = 0, slow_ = 0, fast_ = 0, scale_ = 1, speed_ = 1;
     bool leaves_ = false;
+    std::optional<Pendulum> pendulum_;
     SparseMatrix matrix_;
 };
 

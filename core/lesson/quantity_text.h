@@ -1,0 +1,30 @@
+// Numbers with their unit, as a person writes them: "0.02", "2e-2 s", "20 ms", "0,5 m".
+#pragma once
+#include <pliant/math/types.h>
+
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+struct QuantityText {
+    enum class Problem {
+        none,
+        no_number,     // "2*3"
+        out_of_range,  // beyond all numbers, or too close to 0
+        ambiguous,     // "1,250" may be 1.25 or 1250
+        other_unit     // "3 kg" for a length
+    };
+    Real value = 0;  // in the unit that was asked for
+    Problem problem = Problem::none;
+    std::string_view unit{};  // that was written; empty when none was
+};
+
+// The number in `unit`; one that has no unit of its own is in it. The unit may bear an SI prefix, ms for s, and a power may be
+// written as "m/s^2" or "m/s2". Blanks around the number count for nothing.
+QuantityText read_quantity(std::string_view text, std::string_view unit);
+
+// What may be written behind a number in `unit`, for messages: "s, ms or µs". Empty without a unit.
+std::string units_accepted(std::string_view unit);
+
+}  // namespace pliant

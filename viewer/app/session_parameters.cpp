@@ -1,0 +1,131 @@
+// The session and its parameters: sliders, handles and undo.
+#include "app/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pliant::viewer {
+
+bool Session::set(const Values& values) {
+    const bool rebuilds = std::ranges::any_of(values, [](const auto& v) { return v.first->info.effect == Effect::rebuild; });
+    const bool all_was_done = lesson().at_rest() && !runner_->inside_step();
+    const int dimension = lesson().dimension();
+    if (!guarded([&] { runner_->assign_values(values); })) return false;
+    dismiss();
+    if (!rebuilds) {
+        moved();
+        settle(all_was_done);
+        return true;
+    }
+    // The domain may have another size, or the scene another dimension.
+    if (lesson().dimension() == 2 || lesson().dimension() != dimension) camera.reset();
+    begin_run();
+    settle(all_was_done);
+    return true;
+}
+
+bool Session::refuse_locked(const Parameter& parameter) {
+    if (!locked(parameter)) return false;
+    say(Message::Kind::refused,
+        fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
+    return true;
+}
+
+void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
+    // Of the lesson that is open now.
+    if (put_off([this, &parameter, value, same_drag, opened = open_count_] {
+            if (opened == open_count_) assign(parameter, value, same_drag);
+        }))
+        return;
+    const bool beside = companion_ && companion_->owns(parameter);
+    const Real before = (beside ? companion_->runner() : *runner_).wanted(parameter);
+    if (before == value || refuse_locked(parameter)) return;
+    if (!(beside ? set_beside(parameter, value) : set({{&parameter, value}}))) return;
+    const bool joins = same_drag && !undo_.empty() && undo_.back().values.size() == 1 &&
+                       undo_.back().values[0].first == &parameter && undo_.back().beside == beside;
+    if (!joins) undo_.push_back({{{&parameter, before}}, beside});
+}
+
+void Session::enter(const Parameter& parameter, std::string_view text) {
+    try {
+        assign(parameter, parameter.parse(text));
+    } catch (const Refused& e) {
+        say(Message::Kind::refused, e.what());
+    }
+}
+
+bool Session::assign_together(const std::vector<std::pair<std::string, Real>>& values) {
+    if (put_off([this, values] { assign_together(values); })) return true;
+    Values before, wanted;
+    for (const auto& [key, value] : values) {
+        const Parameter& p = lesson().parameter(key);
+        if (runner_->wanted(p) == value) continue;
+        if (refuse_locked(p)) return false;
+        before.emplace_back(&p, runner_->wanted(p));
+        wanted.emplace_back(&p, value);
+    }
+    if (!wanted.empty() && !set(wanted)) return false;
+    if (!before.empty()) undo_.push_back({std::move(before), false});
+    reset();
+    return true;
+}
+
+void Session::restore_default(const Parameter& parameter) { assign(parameter, parameter.info.initial); }
+
+void Session::restore_defaults() {
+    if (put_off([this] { restore_defaults(); })) return;
+    Values before, defaults;
+    for (const Parameter* p : lesson().parameters) {
+        if (runner_->wanted(*p) == p->info.initial) continue;
+        before.emplace_back(p, runner_->wanted(*p));
+        defaults.emplace_back(p, p->info.initial);
+    }
+    if (!defaults.empty() && set(defaults)) undo_.push_back({std::move(before), false});
+}
+
+void Session::undo() {
+    if (put_off([this] { undo(); })) return;
+    if (undo_.empty()) return;
+    const Undo& last = undo_.back();
+    last.beside ? set_beside(*last.values[0].first, last.values[0].second) : set(last.values);
+    undo_.pop_back();
+}
+
+void Session::pull(const std::optional<Pull>& pulled) {
+    if (put_off([this, pulled] { pull(pulled); })) return;
+    if (!pulled) moves_handle_ = false;
+    if (pulled)
+        if (const auto values = lesson().dragged(*pulled); !values.empty()) return move_handle(values);
+    hand_ = pulled;
+    hand_used_ = true;
+    runner_->pull(pulled);
+    if (companion_) companion_->pull(pulled, lesson());
+}
+
+// The moves of one drag are one step of undo.
+void Session::move_handle(const std::vector<std::pair<std::string, Real>>& values) {
+    Values before, wanted;
+    for (const auto& [key, value] : values) {
+        const Parameter& p = lesson().parameter(key);
+        if (refuse_locked(p)) return;
+        const Interval span = extreme ? p.accepted() : p.info.useful;
+        const Real within = std::clamp(value, span.min, span.max);
+        before.emplace_back(&p, runner_->wanted(p));
+        wanted.emplace_back(&p, p.info.kind == Kind::number ? within : std::trunc(within));
+    }
+    if (wanted == before) return;
+    const auto kept = camera;  // what is under the pointer stays there
+    const bool moved_it = set(wanted);
+    camera = kept;
+    if (!moved_it) return;
+    if (!std::exchange(moves_handle_, true)) undo_.push_back({std::move(before), false});
+}
+
+void Session::keep_hand() {
+    if (hand_used_) pull(hand_);
+}
+
+}  // namespace pliant::viewer

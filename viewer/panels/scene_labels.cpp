@@ -1,0 +1,132 @@
+// Words over the picture.
+#include "panels/scene_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::viewer {
+namespace {
+
+// Broken between words where it is wider than `width` px.
+std::vector<std::string> lines_of(const std::string& text, float width) {
+    std::vector<std::string> lines;
+    const char* at = text.c_str();
+    const char* const end = at + text.size();
+    while (at < end) {
+        const char* stop = ImGui::GetFont()->CalcWordWrapPositionA(1, at, end, std::max(width, 1.f));
+        lines.emplace_back(at, std::max(stop, at + 1));
+        for (at = std::max(stop, at + 1); at < end && *at == ' ';) ++at;
+    }
+    return lines;
+}
+
+// The sizes of type for labels, the largest first: what a lecture hall reads is larger.
+std::vector<ImFont*> label_fonts(const LabState& lab) {
+    if (lab.layout == Layout::lab) return {lab.fonts.normal, lab.fonts.small};
+    return {lab.fonts.medium, lab.fonts.normal, lab.fonts.small};
+}
+
+ImFont* font_of(const LabState& lab, const LabelMark& label, ImFont* font) {
+    if (!label.large) return font;
+    return lab.layout == Layout::lab ? lab.fonts.large : lab.fonts.larger;
+}
+
+struct PlacedLabel {
+    std::vector<std::string> lines;
+    ImVec2 at, size;
+};
+
+// Where a label stands in the picture, in the present type.
+PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark& l, const Eigen::Vector3f& p, float scale) {
+    const ImVec2 size = ImGui::CalcTextSize(l.text.c_str());
+    // One that is wider than the picture stands above its place, in lines.
+    const float more_lines = size.x > view.size.x - 8 ? std::floor(size.x / (view.size.x - 8)) * size.y : 0;
+    Eigen::Vector2f beyond(0, 0);
+    if (l.away_from) {
+        const Eigen::Vector2f d = (p - view.projection.pixel(*l.away_from)).head<2>().normalized();
+        beyond = d * (lab.px(6) + std::abs(d.x()) * size.x / 2 + std::abs(d.y()) * size.y / 2);
+    }
+    const float offset = lab.px(scale);
+    const float x =
+        std::clamp(p.x() + beyond.x() + offset * l.offset_x - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
+    const float y = std::clamp(p.y() + beyond.y() + offset * l.offset_y - size.y / 2 - more_lines, 2.f,
+                               std::max(2.f, view.size.y - size.y - 2));
+    return {lines_of(l.text, view.size.x - 8), {x, y}, {size.x, size.y + more_lines}};
+}
+
+// Those that are in front of the eye; empty ones stand for the others.
+std::vector<PlacedLabel> placed_labels(LabState& lab, const View& view, ImFont* font) {
+    std::vector<PlacedLabel> placed;
+    const float scale = font->FontSize / lab.fonts.normal->FontSize;
+    for (const LabelMark& l : view.picture->scene.labels) {
+        const Eigen::Vector3f p = view.projection.pixel(l.at);
+        ImGui::PushFont(font_of(lab, l, font));
+        placed.push_back(p.z() < 1 ? placed_label(lab, view, l, p, scale) : PlacedLabel{});
+        ImGui::PopFont();
+    }
+    return placed;
+}
+
+std::size_t overlaps(const std::vector<PlacedLabel>& labels) {
+    std::size_t count = 0;
+    const auto apart = [](float a, float a_size, float b, float b_size) { return a + a_size <= b || b + b_size <= a; };
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const PlacedLabel &a = labels[i], &b = labels[j];
+            // The space between lines may be shared.
+            count += !a.lines.empty() && !b.lines.empty() && !apart(a.at.x, a.size.x, b.at.x, b.size.x) &&
+                     !apart(a.at.y, 0.8f * a.size.y, b.at.y, 0.8f * b.size.y);
+        }
+    return count;
+}
+
+// The largest type in which no label lies on another, or as few as can be. It stays for the run, lest it change with every move,
+// unless it has to be smaller.
+ImFont* chosen_font(LabState& lab, const View& view) {
+    const std::vector<ImFont*> fonts = label_fonts(lab);
+    const LabelType now{lab.session.run_count(), lab.layout, view.size.x, view.size.y, lab.scale, 0};
+    if (!lab.label_type.same_picture(now)) lab.label_type = now;
+    std::size_t best = lab.label_type.smaller, least = overlaps(placed_labels(lab, view, fonts[best]));
+    for (std::size_t k = best + 1; k < fonts.size() && least > 0; ++k)
+        if (const std::size_t count = overlaps(placed_labels(lab, view, fonts[k])); count < least) best = k, least = count;
+    lab.label_type.smaller = best;
+    return fonts[best];
+}
+
+}  // namespace
+
+float mark_scale(const LabState& lab) {
+    return lab.layout == Layout::lab ? 1 : lab.fonts.medium->FontSize / lab.fonts.normal->FontSize;
+}
+
+void draw_labels(LabState& lab, const View& view) {
+    if (!view.picture->scene.show_labels || view.picture->scene.labels.empty()) return;
+    ImFont* const font = chosen_font(lab, view);
+    const std::vector<PlacedLabel> placed = placed_labels(lab, view, font);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const LabelMark& label = view.picture->scene.labels[i];
+        ImGui::PushFont(font_of(lab, label, font));
+        float y = view.origin.y + placed[i].at.y;
+        for (const std::string& line : placed[i].lines) {
+            haloed_text(lab, {view.origin.x + placed[i].at.x, y}, lab.ink(label.ink), line);
+            y += ImGui::GetTextLineHeight();
+        }
+        ImGui::PopFont();
+    }
+}
+
+void draw_notes(LabState& lab, const View& view) {
+    float y = view.origin.y + lab.px(8);
+    const auto write = [&](ImFont* font, Ink ink, const std::string& text) {
+        ImGui::PushFont(font);
+        for (const std::string& line : lines_of(text, view.size.x - lab.px(20))) {
+            haloed_text(lab, {view.origin.x + lab.px(10), y}, lab.ink(ink), line);
+            y += ImGui::GetTextLineHeightWithSpacing();
+        }
+        ImGui::PopFont();
+    };
+    if (!view.heading.empty()) write(lab.fonts.medium, Ink::accent, view.heading);
+    for (const std::string& note : view.picture->scene.notes) write(lab.fonts.normal, Ink::text, note);
+}
+
+}  // namespace pliant::viewer

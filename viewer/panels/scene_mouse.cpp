@@ -1,0 +1,104 @@
+// The picture under the mouse: turned, moved and pulled.
+#include "panels/scene_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::viewer {
+namespace {
+
+Eigen::Vector2f pointer_in(const View& view) {
+    const ImVec2 m = ImGui::GetIO().MousePos;
+    return {m.x - view.origin.x, m.y - view.origin.y};
+}
+
+// The person's from now on: it no longer goes along with what moves.
+Camera& own_camera(Session& s) { return s.camera ? *s.camera : s.camera.emplace(s.viewpoint.camera()); }
+
+void begin_drag(LabState& lab) {
+    const auto can_pull = lab.session.lesson().can_pull();
+    lab.turning = true;
+    lab.clicked_only = true;
+    if (!can_pull || !lab.hovered || lab.hovered->on != *can_pull) return;
+    lab.turning = false;
+    lab.pulling = Pull{lab.hovered->index, lab.hovered->at, lab.hovered->at};
+}
+
+void go_on_dragging(LabState& lab, const View& view) {
+    Session& s = lab.session;
+    if (lab.clicked_only && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, lab.px(4))) return;
+    lab.clicked_only = false;
+    if (lab.pulling) {
+        lab.pulling->to = view.projection.at_depth_of(pointer_in(view), lab.pulling->from);
+        s.pull(lab.pulling);
+        return;
+    }
+    const ImVec2 d = ImGui::GetIO().MouseDelta;
+    if (!lab.turning || (d.x == 0 && d.y == 0)) return;
+    if (view.dimension == 2)
+        pan(own_camera(s), 2, view.projection, d.x, d.y);
+    else
+        s.camera ? orbit(*s.camera, d.x, d.y) : s.viewpoint.turn(d.x, d.y);
+}
+
+// A lesson that looks at one cell, with a handle on it, looks at the one that is clicked.
+void look_at_cell(LabState& lab) {
+    const Lesson& lesson = lab.session.lesson();
+    if (lab.hovered->on != On::cell || lesson.can_pull() != On::handle) return;
+    const Pull there{0, lab.hovered->at, lab.hovered->at};
+    const auto chosen = lesson.dragged(there);
+    const auto of_cell = [](const auto& assignment) { return assignment.first == "cell_x" || assignment.first == "cell_y"; };
+    if (chosen.empty() || !std::ranges::all_of(chosen, of_cell)) return;
+    lab.session.pull(there);
+    lab.session.pull(std::nullopt);
+}
+
+// A press that did not move picks what lies there.
+void end_drag(LabState& lab) {
+    if (lab.clicked_only && lab.hovered && lab.hovered->on != On::handle && lab.layout == Layout::lab) {
+        lab.session.inspector.thing = Thing{lab.hovered->on, lab.hovered->index};
+        lab.choose_inspector = true;
+        look_at_cell(lab);
+    }
+    if (lab.pulling && !lab.clicked_only) lab.session.pull(std::nullopt);
+    lab.clicked_only = false;
+    lab.pulling.reset();
+    lab.turning = false;
+}
+
+}  // namespace
+
+void handle_mouse(LabState& lab, const View& view) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool inside = ImGui::IsItemHovered();
+    if (!lab.pulling && !lab.turning && (inside || view.first))
+        lab.hovered =
+            inside && view.lesson ? pick(view.picture->scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) begin_drag(lab);
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, view);
+    const bool drags = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+    if (ImGui::IsItemActive() && drags && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
+        pan(own_camera(lab.session), view.dimension, view.projection, io.MouseDelta.x, io.MouseDelta.y);
+    if (ImGui::IsItemDeactivated()) end_drag(lab);
+    if (inside && io.MouseWheel != 0)
+        zoom(own_camera(lab.session), view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
+    if (inside && view.lesson && lab.hovered && !lab.turning && !lab.pulling) read_out(lab, view, *lab.hovered);
+}
+
+void note_handles(LabState& lab, const View& view) {
+    constexpr std::size_t most = 16;  // a lattice of nodes needs no names
+    const auto pulled = lab.session.lesson().can_pull();
+    for (const PointMarks& marks : view.picture->scene.points) {
+        if (!marks.pick.pickable || marks.pick.on != pulled || marks.at.size() > most) continue;
+        const float reach = lab.px(marks.radius);
+        for (std::size_t i = 0; i < marks.at.size(); ++i) {
+            const Eigen::Vector3f p = view.projection.pixel(marks.at[i]);
+            lab.controls[fmt::format("handle {}", marks.pick.id(i))] = {view.origin.x + p.x() - reach,
+                                                                        view.origin.y + p.y() - reach, 2 * reach, 2 * reach};
+        }
+    }
+}
+
+}  // namespace pliant::viewer
