@@ -76,7 +76,7 @@ public:
     // More of the command line: a command, if any, comes first. config: where the lab keeps its settings; a folder of this desk's
     // own when not given. keyboard: its layout, "de" or "fr"; that of the US when not given.
     explicit Desk(const Arguments& more = {}, const std::string& config = "", const std::string& keyboard = "us") {
-        REQUIRE(run_process("setxkbmap", {"-display", screen_.display(), keyboard}, {}, 20s).exit_code == 0);
+        REQUIRE(run_process("setxkbmap", {"-display", screen_.display(), keyboard}, {}).exit_code == 0);
         Arguments arguments = more;
         arguments.insert(arguments.end(), {"--size", "1280x800", "--state", state_path_});
         lab_ = std::make_unique<Child>(PLIANT_PROGRAM, arguments, scratch_.path("lab.out"), scratch_.path("lab.err"),
