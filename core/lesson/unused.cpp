@@ -98,8 +98,15 @@ private:
         }
         return ways;
     }
+    // Where `a` lets a number lie above or below, a certain value of it in `b` says no more.
+    static bool covers(const std::vector<Need>& a, const std::vector<Need>& b) {
+        return std::ranges::equal(a, b, [](const Need& x, const Need& y) {
+            return x.key == y.key && (x.what != Need::What::one_of || x.text() == y.text());
+        });
+    }
     // Does `a` say what `b` says, or can it be made to?
     static bool take_in(std::vector<Need>& a, const std::vector<Need>& b) {
+        if (covers(a, b)) return true;
         Need* other = nullptr;
         const Need* with = nullptr;
         for (std::size_t i = 0; i < a.size(); ++i) {

@@ -40,7 +40,7 @@ Real complete_elliptic_integral(Real complement) {
 
 Real elliptic_integral(Real sine, Real cosine, Real dn) { return sine * carlson_rf(cosine * cosine, dn * dn, 1); }
 
-Jacobi jacobi(Real u, Real complement) {
+EllipticFunctions elliptic_functions(Real u, Real complement) {
     struct Means {
         Real a, b, c;
     };

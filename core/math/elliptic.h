@@ -14,9 +14,9 @@ Real elliptic_integral(Real sine, Real cosine, Real dn);
 
 // sn(u, k), cn(u, k), dn(u, k) and the amplitude am(u, k), whose sine and cosine sn and cn are, for k' in (0, 1]. By the
 // descending Landen transformation [Abramowitz1964 §16.4].
-struct Jacobi {
+struct EllipticFunctions {
     Real am, sn, cn, dn;
 };
-Jacobi jacobi(Real u, Real complement);
+EllipticFunctions elliptic_functions(Real u, Real complement);
 
 }  // namespace pliant

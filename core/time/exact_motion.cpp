@@ -63,12 +63,12 @@ Motion Pendulum::at(Real t) const {
         case Kind::swings: {
             // sin(theta/2) = k sn, cos(theta/2) = dn, theta' = 2 omega k cn
             const Real lap = 4 * complete_elliptic_integral(complement_);
-            const auto [am, sn, cn, dn] = jacobi(std::fmod(phase_ + omega_ * t, lap), complement_);
+            const auto [am, sn, cn, dn] = elliptic_functions(std::fmod(phase_ + omega_ * t, lap), complement_);
             return on_arc(std::atan2(modulus_ * sn, dn), modulus_ * cn);
         }
         case Kind::turns: {
             // theta/2 = am(omega k t + u, 1/k) to the side that it turns to
-            const Jacobi now = jacobi(phase_ + omega_ * modulus_ * t, complement_);
+            const EllipticFunctions now = elliptic_functions(phase_ + omega_ * modulus_ * t, complement_);
             return on_arc(side_ * now.am, side_ * modulus_ * now.dn);
         }
         case Kind::comes_to_the_top:

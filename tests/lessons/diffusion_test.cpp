@@ -242,12 +242,12 @@ TEST_CASE("diffusion: a mode that is 0 on every cell has no amplitude and no fac
 TEST_CASE("diffusion: a channel has its closed form from the first moment on", "[diffusion]") {
     // Long before the other wall is felt, u = U erfc(y/(2 √(νt))).
     const Runner runner = start_diffusion({{"start", "zero"},
-                                 {"boundary", "fixed"},
-                                 {"wall_low", "2"},
-                                 {"wall_high", "-1"},
-                                 {"viscosity", "1"},
-                                 {"diffusion_number", "1e-5"},
-                                 {"cell_x", "0"}});
+                                           {"boundary", "fixed"},
+                                           {"wall_low", "2"},
+                                           {"wall_high", "-1"},
+                                           {"viscosity", "1"},
+                                           {"diffusion_number", "1e-5"},
+                                           {"cell_x", "0"}});
     const Real cell = 1.0 / 32;
     for (const Real t : {1e-8, 1e-6, 1e-4})
         CHECK_THAT(*runner.lesson().probe("u_selected").exact(t), WithinAbs(2 * std::erfc(cell / 2 / (2 * std::sqrt(t))), 1e-14));

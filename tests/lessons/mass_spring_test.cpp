@@ -41,8 +41,7 @@ struct Run : Runner {
 
 TEST_CASE("mass-spring: the stages stand in the lecture's order, and only those that the scene needs") {
     Run run;
-    CHECK(stage_names(run) ==
-          Names{"spring_forces", "damping_forces", "external_forces", "integrate", "contact"});
+    CHECK(stage_names(run) == Names{"spring_forces", "damping_forces", "external_forces", "integrate", "contact"});
     Run bare({{"scene", "spin"}, {"damping_mode", "none"}});
     CHECK(stage_names(bare) == Names{"spring_forces", "integrate"});
     CHECK_FALSE(bare.has("damping_force"));

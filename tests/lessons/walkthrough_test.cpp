@@ -133,7 +133,7 @@ TEST_CASE("an action or an expectation with more, or less, than it says is refus
     for (const char* action : {"reset now", "release 3", "set", "preset", "show x twice", "step", "show"})
         check_line_refused("do", action, "no such action");
     for (const char* run : {"run", "run 1.5 steps", "run 0x10 steps", "run +-5 steps", "run 10 stepsize", "run 10 steps more",
-                            "run nan s", "run 1,5 s", "run rest now", "run 3"})
+                            "run nan s", "run 1,2,5 s", "run rest now", "run 3"})
         check_line_refused("do", run, "run needs one of");
     for (const char* pull :
          {"pull", "pull 1 to 0 0", "pull 1.5 to 0 0 0", "pull 1 at 0 0 0", "pull 1 to 0 0 0 0", "pull 1 to 0 0 inf"})

@@ -22,20 +22,20 @@ bool accepts(const Json& parameter, double value) {
 }
 
 // No probe, and no assumption, is other than a number or undefined.
-void check_finite(const Outcome& outcome) {
+void check_run(const Outcome& outcome) {
     REQUIRE(outcome.exit_code == 0);
     const Json run = Json::parse(outcome.out);
-    pliant::test::check_finite(run);
+    check_finite(run);
     for (const auto& [name, assumption] : run["assumptions"].items()) {
         INFO(name);
         CHECK_FALSE(assumption["value"].is_null());
     }
 }
 
-void check_finite(const Arguments& arguments) {
+void check_run(const Arguments& arguments) {
     const Outcome outcome = call(arguments);
     INFO(sentence(arguments) << "\n" << outcome.err);
-    check_finite(outcome);
+    check_run(outcome);
 }
 
 // Refused in one line that names the parameter and what is accepted.
@@ -51,7 +51,7 @@ void check_refused(const Arguments& arguments, const std::string& key) {
 void check_finite_or_reported(const Arguments& arguments) {
     const Outcome outcome = call(arguments);
     INFO(sentence(arguments) << "\n" << outcome.err);
-    if (outcome.exit_code == 0) return check_finite(outcome);
+    if (outcome.exit_code == 0) return check_run(outcome);
     REQUIRE(outcome.exit_code == diverged);
     const Json failure = Json::parse(outcome.out)["failure"];
     for (const char* key : {"stage", "what", "limit"}) CHECK_FALSE(failure[key].get<std::string>().empty());
@@ -62,7 +62,7 @@ void check_finite_or_reported(const Arguments& arguments) {
 void check_finite_reported_or_refused(const Arguments& arguments) {
     const Outcome outcome = call(arguments);
     INFO(sentence(arguments) << "\n" << outcome.err);
-    if (outcome.exit_code == 0) return check_finite(outcome);
+    if (outcome.exit_code == 0) return check_run(outcome);
     REQUIRE((outcome.exit_code == refused || outcome.exit_code == diverged));
     CHECK(std::ranges::count(outcome.err, '\n') == 1);
     CHECK(outcome.err.find_first_of("0123456789") != std::string::npos);
@@ -117,7 +117,7 @@ TEST_CASE("a time step of a second, or of ten, is finite or reported with its li
 
 TEST_CASE("stiff springs in a step of a second: implicit is finite, the others report their limit", "[process]") {
     const Arguments stiff = with({"run", "mesh/mass_spring", "--steps", "50", "--json"}, {"time_step=1", "k_structural=1e6"});
-    check_finite(with(stiff, {"integrator=implicit_euler"}));
+    check_run(with(stiff, {"integrator=implicit_euler"}));
     for (const char* method : {"explicit_euler", "semi_implicit_euler"}) {
         const Outcome outcome = call(with(stiff, {std::string("integrator=") + method}));
         INFO(method << "\n" << outcome.err);
@@ -129,11 +129,11 @@ TEST_CASE("stiff springs in a step of a second: implicit is finite, the others r
 
 TEST_CASE("a thick fluid: implicit viscosity is finite, explicit viscosity is refused with its limit", "[process]") {
     const Arguments thick = with({"run", "fluids/navier_stokes", "--steps", "50", "--json"}, {"viscosity=1e6", "resolution=16"});
-    check_finite(with(thick, {"viscosity_scheme=implicit"}));
+    check_run(with(thick, {"viscosity_scheme=implicit"}));
     const Arguments explicit_run = with(thick, {"viscosity_scheme=explicit"});
     check_refused(explicit_run, "time_step");
     CHECK(contains(call(explicit_run).err, "Δx²/(4ν)"));
-    check_finite(with({"run", "fluids/navier_stokes", "--steps", "3", "--json"}, {"viscosity=0", "resolution=16"}));
+    check_run(with({"run", "fluids/navier_stokes", "--steps", "3", "--json"}, {"viscosity=0", "resolution=16"}));
 }
 
 TEST_CASE("a solver that is stopped early says so, with its residual", "[process]") {
@@ -198,7 +198,7 @@ TEST_CASE("Poisson's ratio is refused where the material is impossible, and fini
         const Json& nu = *parameter_named(parameters, "poisson_ratio");
         for (const char* value : {"0.5", "0.6", "-1", "-1.2", "0.4999", "-0.9", "0"}) {
             const Arguments run{"run", lesson, "--steps", "1", "--json", "--set", std::string("poisson_ratio=") + value};
-            accepts(nu, std::stod(value)) ? check_finite(run) : check_refused(run, "poisson_ratio");
+            accepts(nu, std::stod(value)) ? check_run(run) : check_refused(run, "poisson_ratio");
         }
     }
 }

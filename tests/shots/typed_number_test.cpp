@@ -104,23 +104,23 @@ TEST_CASE("what is no number, or not in its unit, is refused in the words of the
             words = e.what();
         }
         CHECK(typist.told() == words);
-        CHECK_THAT(words, ContainsSubstring("give a"));
+        CHECK_THAT(words, ContainsSubstring("give ") || ContainsSubstring("accepted range"));
     }
 }
 
 TEST_CASE("a number outside the useful and inside the accepted range is taken, and the slider widens", "[lab]") {
     Typist typist("mesh/mass_spring");
-    const Parameter& h = typist.session().lesson().parameter("drop_height");
+    const Parameter& h = typist.session().lesson().parameter("mass");
     REQUIRE(h.info.useful.max < h.accepted().max);
     const Real beyond = h.info.useful.max + (std::min(h.accepted().max, 10 * h.info.useful.max) - h.info.useful.max) / 2;
-    typist.type("drop_height", h.text(beyond));
-    CHECK(typist.value("drop_height") == beyond);
+    typist.type("mass", h.text(beyond));
+    CHECK(typist.value("mass") == beyond);
     CHECK(typist.told().empty());
     // A frame later it is still there, and a drag reaches it.
     typist.frames(3);
-    CHECK(typist.value("drop_height") == beyond);
-    typist.type("drop_height", "1e300");
-    CHECK(typist.value("drop_height") == beyond);
+    CHECK(typist.value("mass") == beyond);
+    typist.type("mass", "1e300");
+    CHECK(typist.value("mass") == beyond);
     CHECK(typist.refused());
     CHECK_THAT(typist.told(), ContainsSubstring("outside the accepted range"));
 }

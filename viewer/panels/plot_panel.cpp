@@ -248,10 +248,12 @@ void begin_plots(LabState& lab) {
     follow_live_error(lab);
 }
 
-// How many plots are seen at once; on a slide, where nobody scrolls, none is cut.
+// How many plots are seen at once; on a slide, where nobody scrolls, none is cut, and one that has no room for its axes is left
+// out.
 std::size_t rows_of_plots(const LabState& lab, std::size_t count, float least) {
     if (lab.layout == Layout::lab) return std::min<std::size_t>(count, 3);
     const float spacing = ImGui::GetStyle().ItemSpacing.y, room = ImGui::GetContentRegionAvail().y;
+    if (room < lab.px(80)) return 0;
     return std::clamp<std::size_t>(static_cast<std::size_t>(std::max(room + spacing, 0.f) / (least + spacing)), 1, count);
 }
 
@@ -281,6 +283,7 @@ void draw_plots(LabState& lab) {
                 least = lab.layout == Layout::lab ? lab.px(130) : std::min(lab.px(130), ImGui::GetContentRegionAvail().y);
     const std::size_t rows = rows_of_plots(lab, shown.size(), least);
     if (lab.layout != Layout::lab) shown.resize(rows);
+    if (shown.empty()) return ImGui::EndChild(), table_below(lab);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const auto count = static_cast<float>(rows);
     // They fill the room, but are hardly higher than wide.

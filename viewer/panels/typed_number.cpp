@@ -49,7 +49,10 @@ std::optional<std::string> slider_or_text(TypedNumber& typed, const char* label,
     const ImRect frame(from, {from.x + ImGui::CalcItemWidth(), from.y + ImGui::GetFrameHeight()});
     bool typing = ImGui::TempInputIsActive(id);
     if (!typing && typing_starts(id, frame)) begin_typing(typed, id, now), typing = true;
+    // Tab goes to it to type, as to any field of text.
+    ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);
     typing ? draw_text(typed, label, id, frame) : draw_slider();
+    ImGui::PopItemFlag();
     return entered(typed, id);
 }
 

@@ -19,7 +19,8 @@ public:
         : model_(model), memory_(memory), view_(view), canvas_(canvas), em_(canvas.line_height()) {
         out_.whole = whole;
         small_ = whole.height() < small_height * em_ || whole.width() < small_width * em_;
-        inner_ = {{whole.min.x + 0.4f * em_, whole.min.y + 0.25f * em_}, {whole.max.x - beside_area * em_, whole.max.y - 0.25f * em_}};
+        inner_ = {{whole.min.x + 0.4f * em_, whole.min.y + 0.25f * em_},
+                  {whole.max.x - beside_area * em_, whole.max.y - 0.25f * em_}};
     }
 
     PlotLayout run() {
