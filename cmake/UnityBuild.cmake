@@ -18,6 +18,9 @@ function(pliant_unity target most)
   # In a unit every file is an included one, whose anonymous namespaces GCC takes for those of a header.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # Clang also tells of names in headers that hide those of a file before them in the unit.
+    target_compile_options(${target} PRIVATE -Wno-shadow)
   endif()
   set(before "")
   set(filled 0)

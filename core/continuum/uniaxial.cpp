@@ -10,8 +10,7 @@ namespace {
 // a point where g >= 0 comes down to the root without passing it.
 std::optional<Real> neo_hookean_width(const Lame& material, Real s) {
     if (!(s > 0)) return std::nullopt;
-    const auto [lambda, mu] = material;
-    const Real ln_s = std::log(s);
+    const Real lambda = material.lambda, mu = material.mu, ln_s = std::log(s);
     const auto g = [&](Real c) { return mu * std::expm1(c) + lambda * (ln_s + c); };
     // With lambda < 0 it rises only beyond its minimum.
     if (lambda < 0) {

@@ -137,8 +137,7 @@ std::string csv_rows(const std::vector<const TimeSeries*>& all, bool has_clock) 
     for (const TimeSeries* s : all)
         for (std::size_t i = 0; i < s->size(); ++i) moments.emplace_back(s->steps()[i], has_clock ? s->at()[i] : 0);
     std::ranges::sort(moments);
-    const auto repeated = std::ranges::unique(moments);
-    moments.erase(repeated.begin(), repeated.end());
+    moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
     std::string text;
     for (const auto& [step, time] : moments) {
         text += fmt::format("{},{}", step, format_exact(time));

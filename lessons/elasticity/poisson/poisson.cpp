@@ -109,7 +109,7 @@ void PoissonLesson::declare_stages() {
     stages = {{.name = "pull",
                .formula = "Δx = s L / N on the far face",
                .source = "lecture: Poisson's ratio, the cube of size L",
-               .run = [this] { pull(); },
+               .run = [this] { stretch_cube(); },
                .reads = {},
                .writes = {"prescribed"},
                .active = stretched,
@@ -160,7 +160,7 @@ void PoissonLesson::declare_stages() {
 }
 
 // The next step; after the last one nothing is left to do.
-void PoissonLesson::pull() {
+void PoissonLesson::stretch_cube() {
     advancing_ = !at_rest();
     if (!advancing_) return;
     const Real dx = axial_strain * length / static_cast<Real>(steps());

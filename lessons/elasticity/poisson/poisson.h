@@ -55,7 +55,7 @@ private:
     void declare_checks();
 
     // --- the stages ---
-    void pull();
+    void stretch_cube();
     void solve();
     void move();
     void measure();

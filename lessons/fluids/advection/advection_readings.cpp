@@ -120,7 +120,7 @@ void AdvectionLesson::declare_probes() {
          .value = [this] { return loss_per_turn(); },
          .exact = [of_seen_blob](Real t) { return t > 0 ? of_seen_blob(0)(t) : std::nullopt; },
          .explain =
-             [this] {
+             [] {
                  return Explanation{"λ = 1 − V^(1/N)",
                                     {Input::now("V", "variance_left", 0), Input::now("N", "turns", 0)},
                                     [](Values v) { return 1 - std::pow(v[0], 1 / v[1]); }};

@@ -54,8 +54,8 @@ void MassSpringLesson::explain_probes() {
     give("stiffness_ratio", &MassSpringLesson::why_stiffness_ratio);
     for (const auto& [name, family] :
          {std::pair{"coupling_structural", structural}, {"coupling_shear", shear}, {"coupling_bending", bending}})
-        std::ranges::find(probes, std::string_view(name), &Probe::name)->explain = [this, family] {
-            return why_coupling(family);
+        std::ranges::find(probes, std::string_view(name), &Probe::name)->explain = [this, of = family] {
+            return why_coupling(of);
         };
 }
 

@@ -42,7 +42,7 @@ void RodLesson::explain_probes() {
     give("chain_axial_stiffness", [this]() -> Explanation {
         return {"k Δs", {why_stiffness(), why_segment()}, [](Values x) { return x[0] * x[1]; }};
     });
-    give("energy", [this] {
+    give("energy", [] {
         return sum_of("E = K + U + V", {Input::now("K", "kinetic_energy", 0), Input::now("U", "elastic_energy", 0),
                                         Input::now("V", "gravitational_energy", 0)});
     });
