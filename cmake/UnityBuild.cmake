@@ -8,6 +8,11 @@ if(PLIANT_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:--param ggc-min-expand=200 --param ggc-min-heapsize=1000000>")
 endif()
 
+# Clang also tells of names that hide those of a file before them in the unit.
+if(PLIANT_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  target_compile_options(pliant_settings INTERFACE -Wno-shadow)
+endif()
+
 # pliant_unity(TARGET BYTES FILES...): the files of each folder that lies in the calling one, with those of the folders in it, in
 # their order, in units of at most BYTES of source.
 function(pliant_unity target most)
@@ -18,9 +23,6 @@ function(pliant_unity target most)
   # In a unit every file is an included one, whose anonymous namespaces GCC takes for those of a header.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
-  elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    # Clang also tells of names in headers that hide those of a file before them in the unit.
-    target_compile_options(${target} PRIVATE -Wno-shadow)
   endif()
   set(before "")
   set(filled 0)
