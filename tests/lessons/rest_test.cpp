@@ -61,8 +61,7 @@ TEST_CASE("rest: scenes without a steady state are refused before the first step
 }
 
 TEST_CASE("rest: flows become steady") {
-    const Runner channel =
-        rested("fluids/navier_stokes", {{"scene", "poiseuille"}, {"resolution", "16"}, {"viscosity", "0.2"}});
+    const Runner channel = rested("fluids/navier_stokes", {{"scene", "poiseuille"}, {"resolution", "16"}, {"viscosity", "0.2"}});
     CHECK(reading(channel, "profile_difference") < 1e-2 * reading(channel, "max_speed"));
     rested("fluids/navier_stokes", {{"scene", "couette"}, {"resolution", "16"}});
     const Runner vortices =
