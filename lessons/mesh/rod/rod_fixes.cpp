@@ -115,7 +115,6 @@ Real RodLesson::rounding_energy() const { return 0.5 * chain_axial_stiffness() *
 bool RodLesson::at_rest() const {
     if (hangs_still()) return clock_[balanced] == 1;
     constexpr Real part = 1e-4;
-    const Real energy = start_motion_ + rounding_energy();
     Points<2> force = Points<2>::Zero(2, position_.cols());
     add_spring_forces<2>(springs_, position_, force);
     for (Index i = 0; i < force.cols(); ++i)
@@ -123,8 +122,12 @@ bool RodLesson::at_rest() const {
             force.col(i).setZero();
         else
             force.col(i) += node_masses_[i] * weight_acceleration() * along();
-    const Real speed = std::sqrt(2 * energy / total_mass), tension = std::sqrt(2 * energy * chain_axial_stiffness() / length);
-    return velocity_.cwiseAbs().maxCoeff() <= part * speed && force.cwiseAbs().maxCoeff() <= part * tension;
+    const auto tension_of = [this](Real energy) { return std::sqrt(2 * energy * chain_axial_stiffness() / length); };
+    const Real speed = std::sqrt(2 * (start_motion_ + rounding_energy()) / total_mass);
+    // What is left at the nodes adds up along the rod to what still moves its tip; so does their rounding.
+    const Real rounding = static_cast<Real>(force.cols()) * tension_of(rounding_energy());
+    return velocity_.cwiseAbs().maxCoeff() <= part * speed &&
+           force.cwiseAbs().sum() <= part * (tension_of(start_motion_) + rounding);
 }
 
 std::string RodLesson::unrest() const {
