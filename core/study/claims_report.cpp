@@ -1,5 +1,6 @@
 #include <pliant/lesson/format.h>
 #include <pliant/math/error.h>
+#include <pliant/math/watch.h>
 #include <pliant/study/claims_report.h>
 
 #include <fmt/format.h>
@@ -71,6 +72,8 @@ ClaimResult measured(const Claim& claim) {
     try {
         result.finding = claim.measure();
         if (const std::string wrong = objection(*result.finding); !wrong.empty()) fail(wrong);
+    } catch (const Cancelled&) {
+        throw;
     } catch (const Error& e) {
         fail(fmt::format("the experiment {}: {}", e.code() == ExitCode::diverged ? "diverged" : "was refused", e.what()));
     } catch (const std::exception& e) {

@@ -18,7 +18,7 @@ struct ClaimResult {
 };
 
 // Makes the experiment. Whatever it throws becomes a failure and never a verdict; so do a figure that is not finite, a finding
-// without words, and a qualified verdict without its condition.
+// without words, and a qualified verdict without its condition. Throws Cancelled when a Watch calls it off.
 ClaimResult measured(const Claim& claim);
 
 // "reproduced", "qualified", "refuted", or "failed" without a finding.

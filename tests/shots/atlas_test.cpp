@@ -59,6 +59,7 @@ TEST_CASE("a map is made of the open lesson's parameters while the lab goes on",
     CHECK_FALSE(atlas.map());
     atlas.start(session);
     CHECK(atlas.busy());
+    CHECK(atlas.progress().total == 64);
     session.step();
     REQUIRE(wait_for(atlas, session));
     REQUIRE(atlas.map());

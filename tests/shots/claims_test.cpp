@@ -1,5 +1,6 @@
 // Claims as a person goes through them in the lab: predict, measure, open as a scene; and what happens meanwhile.
 #include <pliant/math/error.h>
+#include <pliant/math/watch.h>
 
 #include "app/claim_book.h"
 #include "app/lab.h"
@@ -126,6 +127,29 @@ TEST_CASE("experiments are made one after the other, and the lab goes on meanwhi
     CHECK(book.phase(first) == Phase::measured);
     CHECK(book.phase(second) == Phase::measured);
     CHECK(most == 1);
+}
+
+TEST_CASE("an experiment can be called off, and then stands as it was asked", "[session]") {
+    const auto endless = []() -> Finding {
+        for (;;) tell_progress("springs", 1, 4);
+    };
+    const Claim first = claim_with("E90", endless), second = claim_with("E91", found), third = claim_with("E92", found);
+    ClaimBook book;
+    book.predict(first, 1);
+    for (const Claim* c : {&first, &second, &third}) book.measure(*c);
+    REQUIRE(comes_true([&] { return book.watch().progress().share() == 0.25; }));
+    CHECK(book.phase(second) == Phase::waiting);
+    book.cancel(second);
+    CHECK(book.phase(second) == Phase::asked);
+    book.cancel(first);
+    REQUIRE(wait_for(book));
+    CHECK(book.phase(first) == Phase::predicted);
+    CHECK(book.result(first) == nullptr);
+    CHECK(book.phase(third) == Phase::measured);
+    CHECK(book.phase(second) == Phase::asked);
+    book.measure(first);
+    REQUIRE(comes_true([&] { return book.watch().progress().done == 1; }));
+    // The lab that closes calls it off.
 }
 
 TEST_CASE("a lab that closes waits for the experiment under way and makes no other", "[session]") {

@@ -62,8 +62,9 @@ void Atlas::start(const Session& session) {
     auto job = std::make_unique<Job>(order_of(session));
     cancel();
     trouble_.clear();
+    job->watch.tell("map", 0, static_cast<Index>(job->order.across.values.size() * job->order.up.values.size()));
     job->work.emplace([&j = *job](const std::stop_token& stop) {
-        const auto tell = [&j](Index done, Index total) { j.total = total, j.done = done; };
+        const auto tell = [&j](Index done, Index total) { j.watch.tell("map", done, total); };
         return make_stability_map(j.order, jobs_beside_lab(), tell, stop);
     });
     under_way_ = std::move(job);
@@ -81,9 +82,7 @@ void Atlas::cancel() {
     cancelled_.push_back(std::move(under_way_));
 }
 
-Real Atlas::progress() const {
-    return under_way_ ? static_cast<Real>(under_way_->done) / static_cast<Real>(under_way_->total) : 0;
-}
+Watch::Progress Atlas::progress() const { return under_way_ ? under_way_->watch.progress() : Watch::Progress{}; }
 
 void Atlas::take(StabilityMap map) {
     map_ = std::make_unique<StabilityMap>(std::move(map));

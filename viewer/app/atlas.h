@@ -2,11 +2,11 @@
 // nothing.
 #pragma once
 #include <pliant/math/background.h>
+#include <pliant/math/watch.h>
 #include <pliant/study/stability_map.h>
 
 #include "plot/map_plot.h"
 
-#include <atomic>
 #include <list>
 #include <memory>
 #include <optional>
@@ -37,7 +37,7 @@ public:
     void make_now(const Session& session);  // in this thread
     void cancel();
     bool busy() const { return under_way_ != nullptr; }
-    Real progress() const;  // 0 to 1
+    Watch::Progress progress() const;  // in cells
 
     // --- what came out ---
     const StabilityMap* map() const { return map_.get(); }
@@ -52,7 +52,7 @@ private:
     struct Job {
         explicit Job(MapOrder wanted) : order(std::move(wanted)) {}
         MapOrder order;
-        std::atomic<Index> done = 0, total = 1;
+        Watch watch;
         std::optional<Background<StabilityMap>> work{};  // last: it is waited for before the others go
     };
     MapOrder order_of(const Session& session) const;

@@ -57,16 +57,30 @@ void ClaimBook::forget(const Claim& claim) {
     cards_.erase(claim.id);
 }
 
+void ClaimBook::cancel(const Claim& claim) {
+    if (measuring_ == &claim) watch_.cancel();
+    std::erase(waiting_, &claim);
+}
+
 void ClaimBook::update() {
     if (under_way_ && under_way_->done()) {
-        cards_[measuring_->id].result = under_way_->take();
+        try {
+            cards_[measuring_->id].result = under_way_->take();
+        } catch (const Cancelled&) {
+            // The card is as it was.
+        }
         under_way_.reset();
         measuring_ = nullptr;
     }
     if (under_way_ || waiting_.empty()) return;
     measuring_ = waiting_.front();
     waiting_.pop_front();
-    under_way_.emplace([claim = measuring_](const std::stop_token&) { return measured(*claim); });
+    watch_.begin();
+    since_ = Clock::now();
+    under_way_.emplace([this, claim = measuring_](const std::stop_token&) {
+        const Watched watched(watch_);
+        return measured(*claim);
+    });
 }
 
 std::vector<const Claim*> ClaimBook::listed(std::string_view lesson) const {

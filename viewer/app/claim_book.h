@@ -2,8 +2,10 @@
 // draws nothing.
 #pragma once
 #include <pliant/math/background.h>
+#include <pliant/math/watch.h>
 #include <pliant/study/claims_report.h>
 
+#include <chrono>
 #include <deque>
 #include <map>
 #include <optional>
@@ -22,8 +24,8 @@ public:
     ClaimBook() = default;
     ClaimBook(const ClaimBook&) = delete;
     ClaimBook& operator=(const ClaimBook&) = delete;
-    // An experiment that is under way is waited for; those that wait for it are not made.
-    ~ClaimBook() = default;
+    // An experiment that is under way is called off and waited for; those that wait for it are not made.
+    ~ClaimBook() { watch_.cancel(); }
 
     Phase phase(const Claim& claim) const;
     std::optional<int> prediction(const Claim& claim) const;  // the number of the answer, from 0
@@ -36,6 +38,11 @@ public:
     // Each after those asked for before it; at once and in this thread with `now`.
     void measure(const Claim& claim);
     void measure_now(const Claim& claim);
+    // One that waits, or is under way: that ends at the next place where it can, and is then as before.
+    void cancel(const Claim& claim);
+    // What is under way.
+    const Watch& watch() const { return watch_; }
+    Real seconds() const { return std::chrono::duration<Real>(Clock::now() - since_).count(); }  // since it began
     // Asks anew, unless it is being measured.
     void forget(const Claim& claim);
 
@@ -51,6 +58,7 @@ public:
     void unfold(const Claim& claim) { chosen_ = claim.id; }
 
 private:
+    using Clock = std::chrono::steady_clock;
     struct Card {
         std::optional<int> prediction;
         std::optional<ClaimResult> result;
@@ -61,6 +69,8 @@ private:
     std::deque<const Claim*> waiting_;
     const Claim* measuring_ = nullptr;
     std::string_view chosen_;
+    Watch watch_;
+    Clock::time_point since_{};
     std::optional<Background<ClaimResult>> under_way_;
 };
 

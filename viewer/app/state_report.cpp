@@ -47,9 +47,15 @@ nlohmann::ordered_json claims_json(const LabState& lab) {
 
 nlohmann::ordered_json atlas_json(const LabState& lab) {
     const Atlas& a = lab.atlas;
-    nlohmann::ordered_json j{{"shown", lab.show_atlas},  {"across", a.across},     {"up", a.up},
-                             {"cells", a.cells},         {"steps", a.steps},       {"busy", a.busy()},
-                             {"progress", a.progress()}, {"trouble", a.trouble()}, {"mapped", a.map() != nullptr}};
+    nlohmann::ordered_json j{{"shown", lab.show_atlas},
+                             {"across", a.across},
+                             {"up", a.up},
+                             {"cells", a.cells},
+                             {"steps", a.steps},
+                             {"busy", a.busy()},
+                             {"progress", a.progress().share().value_or(0)},
+                             {"trouble", a.trouble()},
+                             {"mapped", a.map() != nullptr}};
     if (lab.atlas_cell) j["cell"] = {lab.atlas_cell->first, lab.atlas_cell->second};
     if (!a.map()) return j;
     j["columns"] = a.map()->columns(), j["rows"] = a.map()->rows();

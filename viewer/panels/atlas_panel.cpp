@@ -1,6 +1,7 @@
 // The atlas: where the open lesson is stable, over two of its parameters.
 #include <pliant/study/stability_report.h>
 
+#include "app/worker.h"
 #include "panels/companion_panel.h"
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"
@@ -58,9 +59,11 @@ void make_or_cancel(LabState& lab) {
     }
     if (flowing_button(lab, "Cancel", "atlas cancel", "Stops making the map", true)) atlas.cancel();
     ImGui::SameLine();
-    ImGui::ProgressBar(static_cast<float>(atlas.progress()), {-1, 0});
+    const Watch::Progress progress = atlas.progress();
+    ImGui::ProgressBar(static_cast<float>(progress.share().value_or(0)), {-1, 0});
     lab.note_control("atlas progress");
     tooltip("The cells that are done", lab.scale);
+    flowing_words(busy_words(progress, progress.seconds).line, true);
 }
 
 std::string theory_text(const MapCell& c) {

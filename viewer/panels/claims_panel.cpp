@@ -1,6 +1,7 @@
 // The claims of the lectures as cards: predict, measure, compare, and open as a scene.
 #include <pliant/lesson/registry.h>
 
+#include "app/worker.h"
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"
 
@@ -143,18 +144,33 @@ void question(LabState& lab, const Claim& c) {
     ImGui::PopStyleVar();
 }
 
+void tell_progress_of(LabState& lab, const Claim& c) {
+    ClaimBook& book = lab.claims;
+    if (book.phase(c) == Phase::waiting) {
+        quiet_words(lab, "It waits for the experiment that is under way.");
+    } else if (book.watch().cancelling()) {
+        quiet_words(lab, "Called off; it ends at the next place where it can.");
+        return;
+    } else {
+        const BusyWords text = busy_words(book.watch().progress(), book.seconds());
+        quiet_words(lab, fmt::format("{}: {}", text.title, text.line));
+    }
+    if (flowing_button(lab, "Cancel", "claim cancel", "Leaves the experiment, and asks as before", true)) book.cancel(c);
+}
+
 void buttons(LabState& lab, const Claim& c) {
     ClaimBook& book = lab.claims;
     ImGui::Spacing();
     const Phase phase = book.phase(c);
     const bool over = phase == Phase::measured || phase == Phase::failed,
                busy = phase == Phase::measuring || phase == Phase::waiting;
-    ImGui::BeginDisabled(busy);
-    if (!over && flowing_button(lab, busy ? "Measuring…" : "Measure", "claim run",
-                                fmt::format("Makes the experiment now. {}", c.experiment), true))
+    if (busy) {
+        tell_progress_of(lab, c);
+    } else if (over) {
+        if (flowing_button(lab, "Ask again", "claim again", "Forgets the answer and the figure", true)) book.forget(c);
+    } else if (flowing_button(lab, "Measure", "claim run", fmt::format("Makes the experiment now. {}", c.experiment), true)) {
         book.measure(c);
-    if (over && flowing_button(lab, "Ask again", "claim again", "Forgets the answer and the figure", true)) book.forget(c);
-    ImGui::EndDisabled();
+    }
     if (flowing_button(lab, "Open as scene", "claim scene",
                        fmt::format("Opens {} with the parameters that show this claim", c.lesson)))
         open_as_scene(lab.session, c);
