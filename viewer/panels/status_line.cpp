@@ -7,10 +7,22 @@
 namespace pliant::viewer {
 namespace {
 
+float light_width(const LabState& lab) { return lab.px(10); }
+float gap_before_name(const LabState& lab) { return lab.px(4); }
+float gap_of_lights(const LabState& lab) { return lab.px(14); }
+
+// Is there room for the names of the lights?
+bool names_fit(const LabState& lab) {
+    float width = 0;
+    for (const Light& l : lab.held.lights)
+        width += light_width(lab) + gap_before_name(lab) + ImGui::CalcTextSize(l.name.c_str()).x + gap_of_lights(lab);
+    return width <= ImGui::GetContentRegionAvail().x + gap_of_lights(lab);
+}
+
 // A light that tells by its shape as well: a filled disc holds, a crossed square does not, a ring is not expected.
-void draw_light(LabState& lab, const Light& light) {
+void draw_light(LabState& lab, const Light& light, bool named) {
     const Holds holds = light.holds;
-    const float r = lab.px(5), line = std::max(2.f, lab.px(1.5f));
+    const float r = light_width(lab) / 2, line = std::max(2.f, lab.px(1.5f));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 c{at.x + r, at.y + ImGui::GetTextLineHeight() / 2};
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -22,10 +34,12 @@ void draw_light(LabState& lab, const Light& light) {
         draw->AddLine({c.x - r * 0.6f, c.y + r * 0.6f}, {c.x + r * 0.6f, c.y - r * 0.6f}, IM_COL32_WHITE, line);
     }
     ImGui::Dummy({2 * r, ImGui::GetTextLineHeight()});
-    ImGui::SameLine(0, lab.px(4));
-    ImGui::TextUnformatted(light.name.c_str());
-    tooltip(light.help, lab.scale);
-    ImGui::SameLine(0, lab.px(14));
+    if (named) {
+        ImGui::SameLine(0, gap_before_name(lab));
+        ImGui::TextUnformatted(light.name.c_str());
+    }
+    tooltip(named ? light.help : fmt::format("{}: {}", light.name, light.help), lab.scale);
+    ImGui::SameLine(0, gap_of_lights(lab));
 }
 
 // Where the run stands inside a step; "" between two.
@@ -64,7 +78,8 @@ void draw_status_line(LabState& lab) {
     ImGui::SameLine(0, lab.px(14));
     ImGui::Text("%.2f ms/step", r.step_ms());
     ImGui::SameLine(0, lab.px(18));
-    for (const Light& l : lab.held.lights) draw_light(lab, l);
+    const bool room = names_fit(lab);
+    for (const Light& l : lab.held.lights) draw_light(lab, l, room || l.holds == Holds::no);
     const std::string past =
         fmt::format("past {} steps, {:.0f} of {:.0f} MB", r.history().size(), static_cast<double>(r.history().bytes()) / 1e6,
                     static_cast<double>(r.history().cap()) / 1e6);
