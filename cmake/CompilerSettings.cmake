@@ -55,3 +55,10 @@ if(NOT MSVC)
     target_compile_options(pliant_settings INTERFACE -Werror)
   endif()
 endif()
+
+# What computes little of its own: what a lesson declares, says and draws, the lab, the tests. It compiles a quarter sooner so.
+add_library(pliant_light_settings INTERFACE)
+if(NOT MSVC)
+  target_compile_options(pliant_light_settings INTERFACE $<$<CONFIG:Release>:-O1>)
+endif()
+target_link_libraries(pliant_light_settings INTERFACE pliant_settings)

@@ -13,8 +13,27 @@ if(PLIANT_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(pliant_settings INTERFACE -Wno-shadow)
 endif()
 
+# Files that read and write JSON or the command line: these libraries take seconds in each unit that has one of them.
+set(pliant_heavy_includes "#include [<\"](nlohmann/|CLI/|.*/json_positions.h|.*/report_json.h)")
+
+# pliant_sort_heavy(SOURCES...): the files of each folder in their order, those with heavy includes after the others, to `sorted`.
+function(pliant_sort_heavy)
+  set(keyed "")
+  foreach(source IN LISTS ARGN)
+    get_filename_component(path ${source} ABSOLUTE)
+    file(RELATIVE_PATH relative ${CMAKE_CURRENT_SOURCE_DIR} ${path})
+    string(REGEX REPLACE "/.*" "" folder ${relative})
+    file(STRINGS ${path} heavy REGEX "${pliant_heavy_includes}" LIMIT_COUNT 1)
+    string(COMPARE NOTEQUAL "${heavy}" "" late)
+    list(APPEND keyed "${folder}|${late}|${relative}|${source}")
+  endforeach()
+  list(SORT keyed)
+  list(TRANSFORM keyed REPLACE ".*[|]" "")
+  set(sorted "${keyed}" PARENT_SCOPE)
+endfunction()
+
 # pliant_unity(TARGET BYTES FILES...): the files of each folder that lies in the calling one, with those of the folders in it, in
-# their order, in units of at most BYTES of source.
+# units of at most BYTES of source.
 function(pliant_unity target most)
   if(NOT PLIANT_UNITY)
     return()
@@ -26,7 +45,8 @@ function(pliant_unity target most)
   endif()
   set(before "")
   set(filled 0)
-  foreach(source IN LISTS ARGN)
+  pliant_sort_heavy(${ARGN})
+  foreach(source IN LISTS sorted)
     get_filename_component(path ${source} ABSOLUTE)
     file(RELATIVE_PATH folder ${CMAKE_CURRENT_SOURCE_DIR} ${path})
     string(REGEX REPLACE "/.*" "" folder ${folder})
