@@ -32,20 +32,30 @@ std::string title_of(const Session& s, const Field& field) {
     return s.range.automatic ? title : title + " (fixed)";
 }
 
+// With as many digits as it takes for all to differ; one alone where the whole scale is one number.
 std::vector<std::string> tick_texts(const ColourScale& scale, int intervals, std::string_view unit) {
     std::vector<std::string> texts;
-    for (int i = 0; i <= intervals; ++i) {
-        const Real value = scale.min + (scale.max - scale.min) * i / intervals;
-        const bool zero = std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max));
-        texts.push_back(format_quantity(zero ? 0 : value, unit, 3));
+    for (const int digits : {3, 4, 5}) {
+        texts.clear();
+        for (int i = 0; i <= intervals; ++i) {
+            const Real value = scale.min + (scale.max - scale.min) * i / intervals;
+            const bool zero = std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max));
+            texts.push_back(format_quantity(zero ? 0 : value, unit, digits));
+        }
+        if (std::ranges::adjacent_find(texts) == texts.end()) return texts;
     }
+    if (texts.front() == texts.back()) return {format_quantity((scale.min + scale.max) / 2, unit, 3)};
     return texts;
+}
+
+// Where tick i stands, as a part of the bar.
+float tick_part(const std::vector<std::string>& ticks, std::size_t i) {
+    return ticks.size() == 1 ? 0.5f : static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
 }
 
 // Where the words of tick i of a bar that lies begin, from its left end: the first begins and the last ends with the bar.
 float tick_begin(const std::vector<std::string>& ticks, std::size_t i, float width) {
-    const float size = ImGui::CalcTextSize(ticks[i].c_str()).x,
-                middle = width * static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
+    const float size = ImGui::CalcTextSize(ticks[i].c_str()).x, middle = width * tick_part(ticks, i);
     return std::clamp(middle - size / 2, 0.f, std::max(width - size, 0.f));
 }
 
@@ -95,7 +105,7 @@ void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
     const auto ticks = tick_texts(scale, 4, field.unit);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const std::string& text = ticks[i];
-        const float y = low.y - height * static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
+        const float y = low.y - height * tick_part(ticks, i);
         draw->AddLine({low.x - lab.px(4), y}, {low.x, y}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
         haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
     }
@@ -119,7 +129,7 @@ void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
     const auto ticks = bar_ticks_that_fit(lab, field, width);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const std::string& text = ticks[i];
-        const float x = left + width * static_cast<float>(i) / static_cast<float>(ticks.size() - 1);
+        const float x = left + width * tick_part(ticks, i);
         draw->AddLine({x, bottom}, {x, bottom + lab.px(4)}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
         haloed_text(lab, {left + tick_begin(ticks, i, width), bottom + lab.px(5)}, lab.ink(Ink::text), text);
     }
