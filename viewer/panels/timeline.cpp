@@ -138,10 +138,13 @@ void scrubber(LabState& lab, float width) {
     const bool inside = runner.inside_step() && !s.shows_last_step();
     const std::string format = inside ? fmt::format("step %lld + {} passes", runner.place().passes) : "step %lld";
     bool moved = false;
+    // The number stands over the grab, which is wide where few steps are stored.
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImGui::GetColorU32(ImGuiCol_SliderGrab, 0.4f));
     const auto text = slider_or_text(lab.typed, "##past", fmt::format("{}", step), [&] {
         moved = ImGui::SliderScalar("##past", ImGuiDataType_S64, &step, &first, &last, format.c_str(),
                                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
     });
+    ImGui::PopStyleColor();
     if (text) lab.take_typed([&] { step = whole_typed("step", *text, first, last), moved = true; });
     if (moved && step != runner.place().step) s.go_to({step, 0});
     ImGui::EndDisabled();
