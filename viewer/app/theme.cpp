@@ -4,6 +4,9 @@
 
 #include "platform/font.h"
 
+#include <array>
+#include <vector>
+
 namespace pliant::viewer {
 namespace {
 
@@ -64,14 +67,9 @@ void projector_colours(ImVec4* c) {
 Fonts load_fonts(float scale) {
     const auto file = find_font();
     ImGui::GetIO().Fonts->Clear();
-    Fonts fonts;
-    fonts.normal = add_font(file, 15 * scale);
-    fonts.small = add_font(file, 12.5f * scale);
-    fonts.medium = add_font(file, 19 * scale);
-    fonts.large = add_font(file, 24 * scale);
-    fonts.larger = add_font(file, 29 * scale);
-    fonts.huge = add_font(file, 34 * scale);
-    return fonts;
+    const std::array heights{15 * scale, 12.5f * scale, 19 * scale, 24 * scale, 29 * scale, 34 * scale};
+    const std::vector<ImFont*> all = add_fonts(file, heights);
+    return {.normal = all[0], .small = all[1], .medium = all[2], .large = all[3], .larger = all[4], .huge = all[5]};
 }
 
 void apply_theme(Theme theme, float scale) {

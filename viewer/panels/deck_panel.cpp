@@ -1,6 +1,7 @@
 // What the deck shows beside picture, plots and numbers: a slide of the walkthrough in large type.
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"
+#include "platform/index_letters.h"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,8 @@ Paragraph formula(const LabState& lab, const std::string& line, float width) {
     return {line, lab.fonts.large, lab.ink(Ink::velocity)};
 }
 
+std::string on_screen(const Block& block) { return with_index_letters(without_marks(block.paragraph())); }
+
 // What of the slide is shown: the introduction, formulas, the question, and the answer.
 struct Shown {
     bool introduction, answer;
@@ -50,13 +53,13 @@ std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, Shown shown, 
     std::vector<Paragraph> result;
     const auto headed = [&](const char* heading, Ink role, const Block& block, unsigned colour) {
         result.push_back({heading, font, lab.ink(role)});
-        result.push_back({flowing_text(without_marks(block.paragraph()), font, width), font, colour});
+        result.push_back({flowing_text(on_screen(block), font, width), font, colour});
     };
     for (const Block& b : lab.session.walkthrough->slide().blocks) {
         if (b.kind == BlockKind::text && shown.introduction)
-            result.push_back({flowing_text(without_marks(b.paragraph()), font, width), font, ink});
+            result.push_back({flowing_text(on_screen(b), font, width), font, ink});
         if (b.kind == BlockKind::formula)
-            for (const std::string& line : b.lines) result.push_back(formula(lab, line, width));
+            for (const std::string& line : b.lines) result.push_back(formula(lab, with_index_letters(line), width));
         if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, shown.answer ? quiet : ink);
         if (b.kind == BlockKind::answer && shown.answer) headed("What happened", Ink::velocity, b, ink);
     }

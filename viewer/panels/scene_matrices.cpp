@@ -1,5 +1,7 @@
 #include "panels/scene_matrices.h"
 
+#include "platform/index_letters.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +47,12 @@ std::string entry_text(Real x, int decimals) {
 
 Block measured(LabState& lab, const MatrixMark& m) {
     const int exponent = common_exponent(m);
-    Block b{.entries = {}, .before = m.name + " =", .behind = m.unit, .rows = m.rows, .columns = m.columns, .ink = m.ink};
+    Block b{.entries = {},
+            .before = with_index_letters(m.name) + " =",
+            .behind = m.unit,
+            .rows = m.rows,
+            .columns = m.columns,
+            .ink = m.ink};
     if (exponent) b.behind = fmt::format("10{}{}{}", raised(exponent), m.unit.empty() ? "" : " ", m.unit);
     Real largest = 0;
     for (const Real x : m.entries) largest = std::max(largest, std::abs(x) * std::pow(10.0, -exponent));

@@ -1,4 +1,5 @@
 #include "panels/lab_state.h"
+#include "platform/index_letters.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +7,13 @@ namespace pliant::viewer {
 namespace {
 
 void paragraph(const std::string& text) {
-    ImGui::TextWrapped("%s", without_marks(text).c_str());
+    ImGui::TextWrapped("%s", with_index_letters(without_marks(text)).c_str());
     ImGui::Spacing();
 }
 
 void formula(LabState& lab, const Block& block) {
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::velocity));
-    for (const std::string& line : block.lines) ImGui::TextWrapped("    %s", line.c_str());
+    for (const std::string& line : block.lines) ImGui::TextWrapped("    %s", with_index_letters(line).c_str());
     ImGui::PopStyleColor();
     ImGui::Spacing();
 }

@@ -1,5 +1,7 @@
 #include "platform/font.h"
 
+#include "platform/index_letters.h"
+
 #include <imgui.h>
 #include <pliant/math/error.h>
 
@@ -31,6 +33,8 @@ constexpr ImWchar glyph_ranges[] = {
     0x2c7c, 0x2c7c,  // ⱼ
     0,
 };
+// Of indices and exponents.
+constexpr ImWchar index_ranges[] = {0x0020, 0x007e, 0x00b0, 0x00b7, 0x0370, 0x03ff, 0x2212, 0x2212, 0};
 
 }  // namespace
 
@@ -50,7 +54,9 @@ std::filesystem::path find_font() {
         "The typeface DejaVu Sans is not on this machine: install fonts-dejavu-core, or set PLIANT_FONT to its file.");
 }
 
-ImFont* add_font(const std::filesystem::path& file, float pixels) {
+namespace {
+
+ImFont* add_font(const std::filesystem::path& file, float pixels, const ImWchar* ranges) {
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
@@ -58,9 +64,22 @@ ImFont* add_font(const std::filesystem::path& file, float pixels) {
     std::error_code failed;
     if (!std::filesystem::is_regular_file(file, failed))
         throw MachineLacks("The typeface '" + file.string() + "' cannot be read.");
-    ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, glyph_ranges);
+    ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), pixels, &config, ranges);
     if (!font) throw MachineLacks("The typeface '" + file.string() + "' cannot be read.");
     return font;
+}
+
+}  // namespace
+
+std::vector<ImFont*> add_fonts(const std::filesystem::path& file, std::span<const float> heights) {
+    std::vector<ImFont*> fonts, small;
+    for (const float height : heights) {
+        fonts.push_back(add_font(file, height, glyph_ranges));
+        small.push_back(add_font(file, index_size * height, index_ranges));
+    }
+    ImGui::GetIO().Fonts->Build();
+    for (std::size_t i = 0; i < fonts.size(); ++i) add_index_letters(*fonts[i], *small[i]);
+    return fonts;
 }
 
 }  // namespace pliant::viewer

@@ -1,6 +1,8 @@
 // The typeface of the viewer: DejaVu Sans, which has the Greek letters and the mathematics that lessons use.
 #pragma once
 #include <filesystem>
+#include <span>
+#include <vector>
 
 struct ImFont;
 
@@ -10,8 +12,8 @@ namespace pliant::viewer {
 // install, when it is nowhere.
 std::filesystem::path find_font();
 
-// Adds the typeface to ImGui's atlas at a height in px (of a line of type, not of a letter). Call between frames. Throws
-// MachineLacks.
-ImFont* add_font(const std::filesystem::path& file, float pixels);
+// Adds the typeface to ImGui's atlas at heights in px (of a line of type, not of a letter), each with letters for indices and
+// exponents, and builds the atlas. Call between frames. Throws MachineLacks.
+std::vector<ImFont*> add_fonts(const std::filesystem::path& file, std::span<const float> heights);
 
 }  // namespace pliant::viewer

@@ -1,5 +1,7 @@
 #include "plot/imgui_canvas.h"
 
+#include "platform/index_letters.h"
+
 #include <imgui.h>
 
 #include <cmath>
@@ -54,11 +56,11 @@ void ImguiCanvas::polygon(std::span<const Point> corners, Rgba8 colour) {
 }
 
 void ImguiCanvas::text(Point top_left, Rgba8 colour, std::string_view words) {
-    list_.AddText(im(top_left), im(colour), words.data(), words.data() + words.size());
+    list_.AddText(im(top_left), im(colour), with_index_letters(words).c_str());
 }
 
 Point ImguiCanvas::text_size(std::string_view words) const {
-    const ImVec2 size = ImGui::CalcTextSize(words.data(), words.data() + words.size());
+    const ImVec2 size = ImGui::CalcTextSize(with_index_letters(words).c_str());
     return {size.x, size.y};
 }
 
