@@ -30,15 +30,18 @@ void LabState::note_control(const std::string& name) {
 
 std::string_view name_of(Layout layout) { return layout == Layout::lab ? "lab" : layout == Layout::slide ? "slide" : "deck"; }
 
+std::string with_ellipsis(std::string text, float width) {
+    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {
+        // Takes off one whole UTF-8 character.
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "…";
+}
+
 void fitted_text(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return ImGui::TextUnformatted(text.c_str());
-    std::string cut = text;
-    while (!cut.empty() && ImGui::CalcTextSize((cut + "…").c_str()).x > width) {
-        // Takes off one whole UTF-8 character.
-        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xc0) == 0x80) cut.pop_back();
-        if (!cut.empty()) cut.pop_back();
-    }
-    ImGui::TextUnformatted((cut + "…").c_str());
+    ImGui::TextUnformatted(with_ellipsis(text, width).c_str());
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) ImGui::SetTooltip("%s", text.c_str());
 }
 
@@ -80,14 +83,44 @@ std::string without_marks(const std::string& text) {
     return plain;
 }
 
+std::string capitalised(std::string text) {
+    const bool symbol = text.size() < 2 || text[1] == ' ';
+    if (!symbol && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 std::string words(std::string_view key) {
     std::string text(key);
     std::ranges::replace(text, '_', ' ');
     if (text.starts_with("youngs ")) text.replace(0, 7, "Young's ");
     if (text.starts_with("poisson ")) text.replace(0, 8, "Poisson ");
     if (text == "cfl") return "CFL";
-    if (text.size() > 1 && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
+    return capitalised(std::move(text));
+}
+
+namespace {
+
+// Small letters and digits alone, with lowered digits as plain ones.
+std::string spelled(std::string_view text) {
+    std::string letters(text);
+    constexpr std::string_view lowered = "₀₁₂₃₄₅₆₇₈₉";
+    for (std::size_t digit = 0; digit < 10; ++digit) {
+        const std::string_view sign = lowered.substr(3 * digit, 3);
+        for (auto at = letters.find(sign); at != std::string::npos; at = letters.find(sign))
+            letters.replace(at, 3, 1, static_cast<char>('0' + digit));
+    }
+    std::erase_if(letters, [](char c) { return c == ' ' || c == '_'; });
+    std::ranges::transform(letters, letters.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return letters;
+}
+
+}  // namespace
+
+std::string name_with_symbol(std::string_view key, std::string_view symbol, std::string_view gap) {
+    std::string name = words(key);
+    if (symbol.empty()) return name;
+    if (spelled(key) == spelled(symbol)) return std::string(symbol);
+    return name.append(gap).append(symbol);
 }
 
 }  // namespace pliant::viewer

@@ -53,6 +53,18 @@ struct LabelType {
     }
 };
 
+// The strip above a picture that its notes stand in.
+struct NotesStrip {
+    int run = -1;
+    Layout layout = Layout::lab;
+    float width = 0, room = 0, scale = 0;  // of one picture and of the panel's height, px; of the lab
+    bool small = false;                    // their type
+    float height = 0;                      // the greatest that was asked for, px
+    bool same_place(const NotesStrip& o) const {
+        return run == o.run && layout == o.layout && width == o.width && room == o.room && scale == o.scale;
+    }
+};
+
 // A law or an assumption: whether it holds, and what its tip says.
 struct Light {
     Holds holds;
@@ -93,6 +105,7 @@ struct LabState {
     Real seconds = 0;                            // of wall time since the frame before; with 0 nothing moves
     bool turning = false, clicked_only = false;  // has the pointer stayed where it was pressed?
     LabelType label_type{};
+    NotesStrip notes_strip{};
     int transport_rows = 1;                            // of the last frame
     bool stages_scroll = false;                        // likewise
     std::optional<std::size_t> stage_in_sight{};       // to which the stages have scrolled
@@ -156,6 +169,8 @@ public:
     FixedPanel& operator=(const FixedPanel&) = delete;
 };
 
+// As much of the text as fits into a width in px, with an ellipsis behind it.
+std::string with_ellipsis(std::string text, float width);
 // Text cut with an ellipsis to a width in px; the whole text is its tooltip when it was cut.
 void fitted_text(const std::string& text, float width);
 // Words that stay readable over any picture, at this place of the window that is being drawn.
@@ -167,8 +182,12 @@ bool flowing_button(LabState& lab, const std::string& label, const std::string& 
                     bool first = false);
 // Without Markdown's marks of emphasis; the words stay.
 std::string without_marks(const std::string& text);
+// With a large first letter, unless the first word is a symbol of one letter.
+std::string capitalised(std::string text);
 // "youngs_modulus" as words.
 std::string words(std::string_view key);
+// The words with the symbol behind them; the symbol alone where it says the same: det F, P₁₁.
+std::string name_with_symbol(std::string_view key, std::string_view symbol, std::string_view gap);
 
 inline constexpr float stage_height = 60, least_stage_width = 104, stage_scrollbar = 9;  // px at scale 1
 

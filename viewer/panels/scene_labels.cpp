@@ -1,24 +1,12 @@
 // Words over the picture.
 #include "panels/scene_view.h"
+#include "platform/index_letters.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace pliant::viewer {
 namespace {
-
-// Broken between words where it is wider than `width` px.
-std::vector<std::string> lines_of(const std::string& text, float width) {
-    std::vector<std::string> lines;
-    const char* at = text.c_str();
-    const char* const end = at + text.size();
-    while (at < end) {
-        const char* stop = ImGui::GetFont()->CalcWordWrapPositionA(1, at, end, std::max(width, 1.f));
-        lines.emplace_back(at, std::max(stop, at + 1));
-        for (at = std::max(stop, at + 1); at < end && *at == ' ';) ++at;
-    }
-    return lines;
-}
 
 // The sizes of type for labels, the largest first: what a lecture hall reads is larger.
 std::vector<ImFont*> label_fonts(const LabState& lab) {
@@ -38,9 +26,10 @@ struct PlacedLabel {
 
 // Where a label stands in the picture, in the present type.
 PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark& l, const Eigen::Vector3f& p, float scale) {
-    const ImVec2 size = ImGui::CalcTextSize(l.text.c_str());
+    const std::string text = with_index_letters(l.text);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     // One that is wider than the picture stands above its place, in lines.
-    const float more_lines = size.x > view.size.x - 8 ? std::floor(size.x / (view.size.x - 8)) * size.y : 0;
+    const float more_lines = size.x > view.label_width - 8 ? std::floor(size.x / (view.label_width - 8)) * size.y : 0;
     Eigen::Vector2f beyond(0, 0);
     if (l.away_from) {
         const Eigen::Vector2f d = (p - view.projection.pixel(*l.away_from)).head<2>().normalized();
@@ -48,10 +37,10 @@ PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark&
     }
     const float offset = lab.px(scale);
     const float x =
-        std::clamp(p.x() + beyond.x() + offset * l.offset_x - size.x / 2, 4.f, std::max(4.f, view.size.x - size.x - 4));
+        std::clamp(p.x() + beyond.x() + offset * l.offset_x - size.x / 2, 4.f, std::max(4.f, view.label_width - size.x - 4));
     const float y = std::clamp(p.y() + beyond.y() + offset * l.offset_y - size.y / 2 - more_lines, 2.f,
                                std::max(2.f, view.size.y - size.y - 2));
-    return {lines_of(l.text, view.size.x - 8), {x, y}, {size.x, size.y + more_lines}};
+    return {broken_lines(text, view.label_width - 8), {x, y}, {size.x, size.y + more_lines}};
 }
 
 // Those that are in front of the eye; empty ones stand for the others.
@@ -93,6 +82,18 @@ ImFont* chosen_font(LabState& lab, const View& view) {
     return fonts[best];
 }
 
+// What lies behind words is dimmed, so that they can be read over any colour.
+void draw_plates(LabState& lab, const View& view, const std::vector<PlacedLabel>& labels) {
+    const unsigned plate = packed(palette(lab.theme).background, 0.68f);
+    const float pad = lab.px(3);
+    for (const PlacedLabel& l : labels) {
+        if (l.lines.empty()) continue;
+        const ImVec2 from{view.origin.x + l.at.x, view.origin.y + l.at.y};
+        ImGui::GetWindowDrawList()->AddRectFilled({from.x - pad, from.y}, {from.x + l.size.x + pad, from.y + l.size.y}, plate,
+                                                  pad);
+    }
+}
+
 }  // namespace
 
 float mark_scale(const LabState& lab) {
@@ -103,30 +104,17 @@ void draw_labels(LabState& lab, const View& view) {
     if (!view.picture->scene.show_labels || view.picture->scene.labels.empty()) return;
     ImFont* const font = chosen_font(lab, view);
     const std::vector<PlacedLabel> placed = placed_labels(lab, view, font);
+    draw_plates(lab, view, placed);
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const LabelMark& label = view.picture->scene.labels[i];
         ImGui::PushFont(font_of(lab, label, font));
         float y = view.origin.y + placed[i].at.y;
         for (const std::string& line : placed[i].lines) {
-            haloed_text(lab, {view.origin.x + placed[i].at.x, y}, lab.ink(label.ink), line);
+            ImGui::GetWindowDrawList()->AddText({view.origin.x + placed[i].at.x, y}, lab.ink(label.ink), line.c_str());
             y += ImGui::GetTextLineHeight();
         }
         ImGui::PopFont();
     }
-}
-
-void draw_notes(LabState& lab, const View& view) {
-    float y = view.origin.y + lab.px(8);
-    const auto write = [&](ImFont* font, Ink ink, const std::string& text) {
-        ImGui::PushFont(font);
-        for (const std::string& line : lines_of(text, view.size.x - lab.px(20))) {
-            haloed_text(lab, {view.origin.x + lab.px(10), y}, lab.ink(ink), line);
-            y += ImGui::GetTextLineHeightWithSpacing();
-        }
-        ImGui::PopFont();
-    };
-    if (!view.heading.empty()) write(lab.fonts.medium, Ink::accent, view.heading);
-    for (const std::string& note : view.picture->scene.notes) write(lab.fonts.normal, Ink::text, note);
 }
 
 }  // namespace pliant::viewer

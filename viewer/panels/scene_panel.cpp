@@ -41,7 +41,7 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
         draw_matrices(lab, view.picture->scene.matrices,
                       {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y - low});
     }
-    if (!lab.session.message() && !lab.session.autopsy() && lab.layout != Layout::deck) draw_notes(lab, view);
+    if (!lab.session.message() && !lab.session.autopsy() && view.above > 0) draw_notes(lab, view);
 }
 
 // The viewpoint of this frame; the ghost of a pinned run, in the ink of guides, is not followed.
@@ -62,11 +62,19 @@ struct Side {
     bool first;
 };
 
+Rectangle below(const Rectangle& room, float strip) { return {room.x, room.y + strip, room.width, room.height - strip}; }
+
+// Where words of the picture may stand: in the deck beside a colour bar that lies below it.
+float label_width(const LabState& lab, float width, float right) { return lab.layout == Layout::deck ? width : width - right; }
+
 // Two pictures side by side under one camera; the colour bar of both stands beside them. Gives the place of the second.
-Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, const Rectangle& place, float right) {
+Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, const Rectangle& room, float right) {
     Session& s = lab.session;
-    const float gap = lab.px(2), width = std::floor((place.width - right - gap) / 2);
+    const float gap = lab.px(2), width = std::floor((room.width - right - gap) / 2);
     if (width < 8) return {};
+    const float above =
+        notes_height(lab, {{a.heading, &a.picture->scene.notes}, {b.heading, &b.picture->scene.notes}}, width, room.height);
+    const Rectangle place = below(room, above);
     std::vector<Position> moving = moving_parts(a.picture->scene);
     std::ranges::copy(moving_parts(b.picture->scene), std::back_inserter(moving));
     const int dimension = s.lesson().dimension();
@@ -75,8 +83,16 @@ Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, cons
     const Projection projection(s.seen_by(), dimension, width, place.height);
     const ImVec2 size{width, place.height};
     const auto view = [&](Side& side, float x) {
-        return View{std::move(side.picture), projection, {x, place.y}, size, side.lesson, side.heading, side.first,
-                    s.lesson().dimension()};
+        return View{std::move(side.picture),
+                    projection,
+                    {x, place.y},
+                    size,
+                    side.lesson,
+                    side.heading,
+                    side.first,
+                    dimension,
+                    above,
+                    width};
     };
     if (!lab.renderer_beside) lab.renderer_beside = std::make_unique<SceneRenderer>();
     const float second = place.x + width + gap;
@@ -108,14 +124,17 @@ void draw_before_and_after(LabState& lab, SceneRenderer& renderer, KeptPicture b
     draw_pair(lab, renderer, std::move(left), std::move(now), place, right);
 }
 
-void draw_alone(LabState& lab, SceneRenderer& renderer, KeptPicture picture, const Rectangle& place, float right) {
+// Gives the place of the picture, below its notes.
+Rectangle draw_alone(LabState& lab, SceneRenderer& renderer, KeptPicture picture, const Rectangle& room, float right) {
     Session& s = lab.session;
     const int dimension = s.lesson().dimension();
-    look_at(lab, frame_of(picture->scene, dimension), moving_parts(picture->scene), (place.width - right) / place.height);
     const std::string of_a = differing_text(s, false);
     const std::string heading = !s.shows_difference() ? ""
                                 : of_a.empty()        ? "A − B, of the same parameters"
                                                       : fmt::format("A − B:  {}  −  {}", of_a, differing_text(s, true));
+    const float above = notes_height(lab, {{heading, &picture->scene.notes}}, room.width, room.height);
+    const Rectangle place = below(room, above);
+    look_at(lab, frame_of(picture->scene, dimension), moving_parts(picture->scene), (place.width - right) / place.height);
     const View view{std::move(picture),
                     Projection(s.seen_by(), dimension, place.width, place.height, right),
                     {place.x, place.y},
@@ -123,16 +142,19 @@ void draw_alone(LabState& lab, SceneRenderer& renderer, KeptPicture picture, con
                     &s.lesson(),
                     heading,
                     true,
-                    dimension};
+                    dimension,
+                    above,
+                    label_width(lab, place.width, right)};
     draw_picture(lab, renderer, view, right, "scene");
+    return place;
 }
 
 // What a stage found, drawn over what it left up to a line that can be moved.
-void draw_swipe(LabState& lab, SceneRenderer& renderer, const Picture& before, KeptPicture after, const Rectangle& place,
+void draw_swipe(LabState& lab, SceneRenderer& renderer, const Picture& before, KeptPicture after, const Rectangle& room,
                 float right) {
     Session& s = lab.session;
     float& swipe = s.inspector.swipe;
-    draw_alone(lab, renderer, std::move(after), place, right);
+    const Rectangle place = draw_alone(lab, renderer, std::move(after), room, right);
     if (!lab.renderer_beside) lab.renderer_beside = std::make_unique<SceneRenderer>();
     const Size pixels{static_cast<int>(place.width), static_cast<int>(place.height)};
     const GLuint texture = lab.renderer_beside->render(before, s.lesson().dimension(), s.seen_by(), palette(lab.theme),
@@ -163,6 +185,8 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     const ColourBarPlace bar = colour_bar_place(lab, room.x);
     const Rectangle place{origin.x, origin.y, room.x, room.y - bar.below};
     if (place.width < 8 || place.height < 8) return;
+    ImGui::GetWindowDrawList()->AddRectFilled(origin, {origin.x + room.x, origin.y + room.y},
+                                              packed(palette(lab.theme).background));
     KeptPicture picture = s.picture();
     lab.scene_has_grid = !picture->scene.grids.empty();
     const bool two = s.companion() && !s.shows_difference();

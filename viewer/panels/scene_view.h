@@ -2,6 +2,9 @@
 #pragma once
 #include "panels/lab_state.h"
 
+#include <initializer_list>
+#include <string_view>
+
 namespace pliant::viewer {
 
 struct View {
@@ -12,14 +15,29 @@ struct View {
     std::string heading;   // the name of the run or moment, where there are two
     bool first = true;     // the picture of A or of now, or the only one
     int dimension = 3;
+    float above = 0;        // px of the strip over it that its notes stand in
+    float label_width = 0;  // px from its left edge that words may take: the colour bar has the rest
 };
 
 // The size of marks and words in the picture against those of the lab.
 float mark_scale(const LabState& lab);
 
-// Words over the picture: at their marks, and in its corner.
+// Words over the picture, at their marks.
 void draw_labels(LabState& lab, const View& view);
+
+// What is said above a picture: the name of the run or moment, where there are two, and the notes of the lesson.
+struct Notes {
+    std::string_view heading;
+    const std::vector<std::string>* lines;
+};
+// The height of the strip that they take above pictures of this width, px. It grows with them but does not shrink within a run,
+// lest the picture jump, and leaves the picture two thirds of the room.
+float notes_height(LabState& lab, std::initializer_list<Notes> notes, float width, float room);
+// Into the strip above the picture.
 void draw_notes(LabState& lab, const View& view);
+
+// Broken between words where it is wider than `width` px in the present type.
+std::vector<std::string> broken_lines(const std::string& text, float width);
 
 // A ring around the thing that is inspected, or where the run broke down.
 void mark_thing(LabState& lab, const View& view);
