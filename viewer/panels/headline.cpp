@@ -3,6 +3,7 @@
 #include <pliant/lesson/summary.h>
 
 #include "panels/companion_panel.h"
+#include "platform/index_letters.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +23,7 @@ bool draw_label(LabState& lab, const Probe& probe, const std::string& number, co
     const float room = ImGui::GetContentRegionAvail().x, gap = lab.px(12);
     const bool beside = number_width + gap + ImGui::CalcTextSize(exact.c_str()).x <= room;
     ImGui::PushFont(lab.layout == Layout::deck ? lab.fonts.normal : lab.fonts.small);
-    const std::string name = words(probe.name), symbol = probe.symbol == name ? "" : fmt::format("  {}", probe.symbol);
-    ImGui::TextDisabled("%s%s", name.c_str(), symbol.c_str());
+    ImGui::TextDisabled("%s", with_index_letters(name_with_symbol(probe.name, probe.symbol, "  ")).c_str());
     ImGui::PopFont();
     const float label_width = ImGui::GetItemRectSize().x;
     ImGui::PushFont(lab.fonts.small);

@@ -2,6 +2,7 @@
 #include <pliant/lesson/format.h>
 
 #include "panels/companion_panel.h"
+#include "platform/index_letters.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
@@ -117,8 +118,8 @@ void parameter_tip(LabState& lab, const Parameter& p) {
 }
 
 std::string label_of(const LabState& lab, const Parameter& p) {
-    std::string label = fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "", words(p.info.key));
-    if (!p.info.symbol.empty()) label += "  " + std::string(p.info.symbol);
+    std::string label = fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "",
+                                    with_index_letters(name_with_symbol(p.info.key, p.info.symbol, "  ")));
     if (p.info.effect == Effect::rebuild) label += "  ↻";
     return label;
 }

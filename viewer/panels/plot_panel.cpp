@@ -46,9 +46,7 @@ void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
     const Probe& probe = s.lesson().probes[i];
     const TimeSeries& series = s.recorder().series(i);
     const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"},
-                    .y = {words(probe.name) +
-                              (probe.symbol.empty() || probe.symbol == words(probe.name) ? "" : " " + std::string(probe.symbol)),
-                          std::string(probe.unit)}};
+                    .y = {name_with_symbol(probe.name, probe.symbol, " "), std::string(probe.unit)}};
     if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
     const auto line = [&](const std::string& name, const TimeSeries& of, Dash dash) {
         plot.line(name, of.at(), of.values(), {.dash = dash});
@@ -75,8 +73,9 @@ const Line* line_of_b(const Session& s, const Line& line) {
 void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     const Curve curve = curve_of(line.sample), reference = curve_of(line.reference);
     const AxisScale scale = line.log_log ? AxisScale::log : AxisScale::linear;
-    const Axes axes{.x = {words(line.position_name), std::string(line.position_unit), scale},
-                    .y = {words(line.value_name.empty() ? line.name : line.value_name), std::string(line.unit), scale},
+    const Axes axes{.x = {capitalised(std::string(line.position_name)), std::string(line.position_unit), scale},
+                    .y = {line.value_name.empty() ? words(line.name) : capitalised(std::string(line.value_name)),
+                          std::string(line.unit), scale},
                     .empty_hint = line.log_log ? "nothing above 0 to show" : Axes{}.empty_hint};
     if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
     plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);

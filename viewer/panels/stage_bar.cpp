@@ -2,6 +2,8 @@
 #include <pliant/lesson/format.h>
 
 #include "panels/companion_panel.h"
+#include "panels/scene_view.h"
+#include "platform/index_letters.h"
 
 #include <fmt/format.h>
 
@@ -87,8 +89,21 @@ bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, floa
     return pressed;
 }
 
-// The name with its milliseconds, where there is room for both, then as many whole lines of the formula as fit; the tooltip has
-// it whole.
+// As many whole lines of the formula as fit, the last with an ellipsis where there are more.
+void draw_formula(std::string_view formula, ImVec2 at, ImVec2 room) {
+    const float line = ImGui::GetTextLineHeight();
+    std::vector<std::string> lines = broken_lines(with_index_letters(formula), room.x);
+    const auto most = static_cast<std::size_t>(std::max(room.y / line, 0.f));
+    if (lines.size() > most) {
+        lines.resize(most);
+        if (most > 0) lines.back() = with_ellipsis(lines.back(), room.x);
+    }
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        ImGui::GetWindowDrawList()->AddText({at.x, at.y + static_cast<float>(i) * line}, ImGui::GetColorU32(ImGuiCol_Text),
+                                            lines[i].c_str());
+}
+
+// The name with its milliseconds, where there is room for both, then the formula; the tooltip has it whole.
 void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
     const Runner& runner = lab.session.runner();
     const bool done_last = runner.last_stage() == i;
@@ -113,11 +128,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
     ImGui::TextDisabled("%s", ms.c_str());
     const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
-    const float line_height = ImGui::GetTextLineHeight(), lines = std::floor((at.y + height - formula.y) / line_height);
-    draw->PushClipRect(formula, {at.x + width, formula.y + lines * line_height}, true);
-    draw->AddText(lab.fonts.small, lab.fonts.small->FontSize, formula, ImGui::GetColorU32(ImGuiCol_Text), stage.formula.data(),
-                  stage.formula.data() + stage.formula.size(), width - 2 * pad);
-    draw->PopClipRect();
+    draw_formula(stage.formula, formula, {width - 2 * pad, at.y + height - formula.y});
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({at.x + 2 * pad + dot, at.y + pad * 0.4f});
     const float room = width - ms_width - 4 * pad - dot;
