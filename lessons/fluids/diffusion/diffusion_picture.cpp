@@ -58,8 +58,8 @@ void DiffusionLesson::draw_row(Scene& scene) const {
                        position(static_cast<Real>(i) * dx(), strip_high * L), Ink::edge, 1);
     draw_exchanges(scene);
     draw_curve(scene);
-    draw_stencil(scene, {{0.5 * L, -0.5 * L}, {0.4 * L, 0}, {0.115 * L, 0.068 * L}});
-    scene.frame(position(-0.1 * L, -0.62 * L), position(1.06 * L, 0.3 * L));
+    draw_stencil(scene, {{0.5 * L, -0.52 * L}, {0.43 * L, 0}, {0.125 * L, 0.09 * L}});
+    scene.frame(position(-0.1 * L, -0.65 * L), position(1.06 * L, 0.3 * L));
 }
 
 // What passes between the cells of the row, as arrows over the faces between them: a whole cell long from a difference
@@ -118,8 +118,8 @@ void DiffusionLesson::draw_square(Scene& scene) const {
     draw_cells(scene, position(0, 0), position(L, L));
     const bool wall = boundary != Boundary::periodic;
     scene.box(position(0, 0), position(L, L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 2.0f, !wall);
-    draw_stencil(scene, {{1.8 * L, 0.5 * L}, {0.5 * L, 0.39 * L}, {0.2 * L, 0.14 * L}});
-    scene.frame(position(-0.06 * L, -0.07 * L), position(2.53 * L, 1.2 * L));
+    draw_stencil(scene, {{1.95 * L, 0.5 * L}, {0.58 * L, 0.56 * L}, {0.24 * L, 0.22 * L}});
+    scene.frame(position(-0.06 * L, -0.31 * L), position(2.83 * L, 1.31 * L));
 }
 
 // --------------------------------------------------------------------------------------------------------------- words

@@ -75,12 +75,13 @@ void DiffusionLesson::draw_neighbour(Scene& scene, const Magnifier& large, const
     if (!scene.show_arrows || literal()) return;
 
     if (std::abs(gain) > 1e-12 * scale()) exchange(scene, large.middle + apart - half, large.middle + half, gain);
-    // What is gained stands clear of the boxes; around a cell of the square as the blades of a windmill.
+    // What is gained stands clear of the boxes: above a row; around a cell of the square as the blades of a windmill.
     const auto turn = static_cast<float>(n.step);
+    const float up = dims() == 2 ? turn : 1;
     Vec<2> words = large.middle + 0.5 * apart;
-    if (dims() == 2 && n.axis == 0) words[1] += n.step * large.half[1];
+    if (n.axis == 0) words[1] += static_cast<Real>(up) * large.half[1];
     scene.label(position<2>(words), fmt::format("{}{}", gain > 0 ? "+" : "", shown(gain)), Ink::velocity,
-                n.axis == 1 ? -44 * turn : 0, n.axis == 1 ? 0 : -14 * (dims() == 2 ? turn : 1));
+                n.axis == 1 ? -44 * turn : 0, n.axis == 1 ? 0 : -12 * up);
 }
 
 }  // namespace pliant::diffusion
