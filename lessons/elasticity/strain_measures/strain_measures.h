@@ -80,6 +80,7 @@ private:
     void draw_direction(Scene& scene) const;
     void draw_ellipses(Scene& scene) const;
     void write_numbers(Scene& scene) const;
+    void write_hookes_law(Scene& scene) const;
     Real reach() const;  // half the height of the framed picture
 
     DeformationMap map_;

@@ -140,21 +140,28 @@ void StrainMeasuresLesson::draw_ellipses(Scene& scene) const {
 }
 
 void StrainMeasuresLesson::write_numbers(Scene& scene) const {
-    scene.matrix("C", plain(of(C_), 1));
-    scene.matrix("E", plain(of(green_), 1), "", Ink::velocity);
-    scene.matrix("ε", plain(of(cauchy_), 1), "", Ink::force);
+    if (scene.colour_by.field.starts_with("stress")) {
+        if (done_[0] != 0) write_hookes_law(scene);
+    } else {
+        scene.matrix("C", plain(of(C_), 1));
+        scene.matrix("E", plain(of(green_), 1), "", Ink::velocity);
+        scene.matrix("ε", plain(of(cauchy_), 1), "", Ink::force);
+    }
     if (done_[0] == 0) return;
+    scene.notes.push_back(row_by_row("F", of(deformation_)));
+    const auto text = [](Real x) { return format_quantity(std::abs(x) < 5e-13 ? 0 : x, "", 5); };
+    scene.notes.push_back(fmt::format("|v′|² = {}² = {},  vᵀC v = {}", text(deformed_v_.norm()), text(deformed_v_.squaredNorm()),
+                                      text(v_.dot(of(C_) * v_))));
+    scene.notes.push_back(fmt::format("Cauchy foretells |v′| = 1 + vᵀε v = {}", text(1 + v_.dot(of(cauchy_) * v_))));
+}
+
+void StrainMeasuresLesson::write_hookes_law(Scene& scene) const {
     scene.matrix("D", elasticity_matrix(material()), "Pa");
     // As columns, in the order of D: xx, yy, zz, yz, xz, xy.
     const auto column = [](const Mat<3>& s) -> Vec<6> { return {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)}; };
     Eigen::Matrix<Real, 6, 2> stresses;
     stresses << column(of(stress_green_)), column(of(stress_cauchy_));
     scene.matrix("σ of E, ε", plain(stresses, youngs_modulus), "Pa");
-    scene.notes.push_back(row_by_row("F", of(deformation_)));
-    const auto text = [](Real x) { return format_quantity(x, "", 6); };
-    scene.notes.push_back(fmt::format("|v′|² = {}² = {},  vᵀC v = {}", text(deformed_v_.norm()), text(deformed_v_.squaredNorm()),
-                                      text(v_.dot(of(C_) * v_))));
-    scene.notes.push_back(fmt::format("Cauchy foretells |v′| = 1 + vᵀε v = {}", text(1 + v_.dot(of(cauchy_) * v_))));
 }
 
 }  // namespace pliant::strain_measures
