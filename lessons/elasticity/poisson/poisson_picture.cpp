@@ -72,14 +72,14 @@ void PoissonLesson::draw_measures(Scene& scene) const {
     // Half of the narrowing above, half below.
     scene.line(at({0, L, front}), at({0, L - 0.5 * narrower, front}), Ink::accent, 4);
     scene.line(at({0, 0, front}), at({0, 0.5 * narrower, front}), Ink::accent, 4);
-    scene.label(at({0, L - 0.25 * narrower, front}), fmt::format("½ ΔL′ = {}", format_quantity(0.5 * narrower, "m")), Ink::accent,
-                -70, 0);
+    scene.label(at({0, std::max(L, L - 0.5 * narrower), front}),
+                fmt::format("½ ΔL′ = {}", format_quantity(0.5 * narrower, "m", 3)), Ink::accent, -20, -14);
 }
 
 void PoissonLesson::write_notes(Scene& scene) const {
     if (done() == 0) return;
     const Real s = reached(), nu = poisson_ratio;
-    const auto number = [](Real x) { return format_quantity(x, "", 6); };
+    const auto number = [](Real x) { return format_quantity(x, ""); };
     scene.notes.push_back(fmt::format("exact: ΔL′/L = 1 − (1 + {})^(−{}) = {}", format_quantity(s, ""), as_factor(nu),
                                       number(exact_contraction(nu, s))));
     scene.notes.push_back(

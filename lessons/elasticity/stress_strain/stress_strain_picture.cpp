@@ -141,8 +141,9 @@ void StressStrainLesson::draw_rod(Scene& picture) const {
 
     picture.dimension_line(at({0, -0.15 * w, w}), at({L, -0.15 * w, w}), fmt::format("L = {}", number(L, "m")), 0, 16);
     if (at_rest() && change != 0) {
-        picture.line(at({L, 1.08 * w, w}), at({end, 1.08 * w, w}), Ink::accent, 4);
-        picture.label(at({(L + end) / 2, 1.08 * w, w}), fmt::format("ΔL = {}", number(change, "m")), Ink::accent, 0, -16);
+        // Along the far edge, so that its words stand clear of the rod.
+        picture.line(at({L, 1.08 * w, 0}), at({end, 1.08 * w, 0}), Ink::accent, 4);
+        picture.label(at({(L + end) / 2, 1.08 * w, 0}), fmt::format("ΔL = {}", number(change, "m")), Ink::accent, 0, -16);
     }
     if (at_rest()) {
         picture.notes.push_back(fmt::format("σ = F/A = {} / {} = {}", number(force, "N"), number(w * w, "m²"),

@@ -8,6 +8,11 @@
 #include <cmath>
 
 namespace pliant::mass_spring {
+namespace {
+
+std::string mass_text(Real mass) { return mass < 1 ? format_quantity(1000 * mass, "g", 3) : format_quantity(mass, "kg", 3); }
+
+}  // namespace
 
 void MassSpringLesson::draw(Scene& picture) const {
     set_frame(picture);
@@ -117,7 +122,8 @@ void MassSpringLesson::draw_ground(Scene& picture) const {
 void MassSpringLesson::draw_arrows(Scene& picture) const {
     const Vec<3> edges = block_->lengths();
     if (picture.show_arrows && weight_acceleration() > 0) {
-        const Real x = -frame_side() - 0.3 * edges.norm(), top = 0.8 * (edges[1] + drop_height), length = 0.4 * edges[1];
+        const Real x = -std::max(frame_side() + 0.3 * edges.norm(), 0.76 * edges.norm()), top = 0.8 * (edges[1] + drop_height),
+                   length = 0.4 * edges[1];
         picture.arrow(position(x, top, 0), position(x, top - length, 0), Ink::force,
                       "g = " + format_quantity(gravity, "m/s²", 3));
     }
@@ -129,8 +135,7 @@ void MassSpringLesson::draw_arrows(Scene& picture) const {
 void MassSpringLesson::write_notes(Scene& picture) const {
     const auto& cells = block_->lattice().nodes().cells();
     picture.notes.push_back(fmt::format("{} × {} × {} cells: {} nodes of {}, {} springs", cells[0], cells[1], cells[2],
-                                        position_.cols(), format_quantity(1000 * block_->mass()[0], "g", 3),
-                                        block_->springs().size()));
+                                        position_.cols(), mass_text(block_->mass()[0]), block_->springs().size()));
     if (implicit()) {
         picture.notes.push_back(fmt::format("Δt = {}, ω Δt = {}: implicit, no limit", format_quantity(dt, "s", 3),
                                             format_quantity(rates().omega * dt, "", 3)));

@@ -52,11 +52,12 @@ void RodLesson::draw_hanging(Scene& picture) const {
 void RodLesson::draw_descent(Scene& picture, Real x, Real tip) const {
     if (unsolved()) return;
     const Real H = deepest(), beside = x + 0.07 * H;
-    if (std::abs(tip) < 1e-3 * H) return picture.label(position(beside, -length), format_quantity(tip, "m"), Ink::text, 24, 14);
+    if (std::abs(tip) < 1e-3 * H)
+        return picture.label(position(beside, -length), format_quantity(tip, "m", 3), Ink::text, 24, 14);
     // Clear of the dashed lines.
     const Real middle = -length - 0.5 * tip, rest = -length - continuum().hanging_tip(weight_acceleration());
     const float below = std::abs(middle - rest) < 0.04 * H || std::abs(tip) < 0.08 * H ? 16.0f : 0.0f;
-    picture.dimension_line(position(beside, -length), position(beside, -length - tip), format_quantity(tip, "m"), 38, below);
+    picture.dimension_line(position(beside, -length), position(beside, -length - tip), format_quantity(tip, "m", 3), 38, below);
 }
 
 void RodLesson::draw_continuum(Scene& picture, Real x) const {
