@@ -21,7 +21,11 @@ constexpr Real longest = 0.12;          // of an arrow there
 Vec<2> middle_of(int i, int j) { return lower_corner + edge * Vec<2>(i + 1.5, j + 1.5); }
 
 std::string three_digits(Real value) { return fmt::format("{:.3g}", value); }
-std::string short_number(Real value) { return fmt::format("{:.2g}", value); }
+// What is nothing beside the largest numbers is not written out.
+std::string short_number(Real value, Real beside) {
+    if (value != 0 && std::abs(value) < 1e-4 * beside) return "≈ 0";
+    return fmt::format("{:.2g}", value);
+}
 
 }  // namespace
 
@@ -94,7 +98,8 @@ void Projection::zoom_cells(Scene& scene) const {
             if (!scene.show_labels || (i != 0 && j != 0)) continue;
             // Where no arrow is.
             const float down = i == 0 && j == 0 ? 10.f : i != 0 ? 14.f : !staggered() ? 20.f : j == 1 ? -13.f : 14.f;
-            scene.label(position<2>(middle), short_number(pressure_[cell]), Ink::text, 0, down);
+            scene.label(position<2>(middle), short_number(pressure_[cell], pressure_.lpNorm<Eigen::Infinity>()), Ink::text, 0,
+                        down);
         }
     }
     scene.triangles.push_back(std::move(solid));
@@ -105,7 +110,9 @@ void Projection::zoom_cells(Scene& scene) const {
 // On the faces of the cell, or in the cells beside it: then its own velocity takes no part.
 void Projection::zoom_velocity(Scene& scene) const {
     const Beside b = beside_selected();
-    const Real fastest = std::abs(*std::ranges::max_element(b.u, {}, [](Real x) { return std::abs(x); }));
+    const Real given_speed = std::sqrt(2 * tally_[energy_given]);
+    const Real fastest =
+        std::max(std::abs(*std::ranges::max_element(b.u, {}, [](Real x) { return std::abs(x); })), 1e-4 * given_speed);
     for (int k = 0; k < 4; ++k) {
         const int axis = k / 2;
         const Real out = k % 2 == 0 ? -1 : 1, value = b.u[static_cast<std::size_t>(k)];
@@ -120,8 +127,8 @@ void Projection::zoom_velocity(Scene& scene) const {
         // Outside the cell, beside the arrow; in the cells beside it above the arrow.
         const Vec<2> at = !staggered() ? Vec<2>(0, axis == 0 ? -16 : -22)
                           : axis == 0  ? Vec<2>(26 * out, -16)
-                                       : Vec<2>(24, -12 * out);
-        scene.label(position<2>(middle), short_number(value), Ink::velocity, static_cast<float>(at[0]),
+                                       : Vec<2>(34, -12 * out);
+        scene.label(position<2>(middle), short_number(value, given_speed), Ink::velocity, static_cast<float>(at[0]),
                     static_cast<float>(at[1]));
     }
 }
