@@ -74,7 +74,7 @@ void FreeSurface::draw_tank(Scene& picture) const {
     const Real U = paddle_speed(time()), fastest = pi * paddle_stroke / paddle_period;
     if (fastest > 0 && std::abs(U) > 0.05 * fastest) {
         const Real middle = 0.5 * (left + right);
-        picture.arrow(position(middle, 1.03 * H), position(middle + 0.08 * W * U / fastest, 1.03 * H), Ink::accent, "paddle");
+        picture.arrow(position(middle, 1.08 * H), position(middle + 0.08 * W * U / fastest, 1.08 * H), Ink::accent, "paddle");
     }
 }
 

@@ -127,7 +127,10 @@ void NavierStokes::draw_drives(Scene& picture) const {
         const SmokeSource source = smoke_source();
         circle(picture, size * source.centre, size * source.radius, Ink::accent, 2.5f);
         if (picture.show_labels)
-            picture.label(position<2>(size * (source.centre + Vec<2>(0, -source.radius))), "source", Ink::accent, 0, 10);
+            picture.labels.push_back({.at = position<2>(size * (source.centre + Vec<2>(source.radius, 0))),
+                                      .text = "source",
+                                      .ink = Ink::accent,
+                                      .away_from = position<2>(size * source.centre)});
     }
     if (pull_) picture.arrow(position(pull_->from[0], pull_->from[1]), position(pull_->to[0], pull_->to[1]), Ink::force, "jet");
 }

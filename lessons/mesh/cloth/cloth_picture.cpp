@@ -150,7 +150,7 @@ void ClothLesson::write_notes(Scene& picture) const {
                                             format_quantity(stable_time_step(), "s", 3)));
     } else if (solver() && !solver()->converged()) {
         picture.notes.push_back(
-            fmt::format("{}, unbalanced ≤ {}", step, format_quantity(imbalance_.cwiseAbs().maxCoeff(), "N", 2)));
+            fmt::format("{}, unbalanced ≤ {}", step, format_quantity(imbalance_.cwiseAbs().maxCoeff(), "N", 3)));
     } else {
         picture.notes.push_back(step + (solver() ? ", solved" : ", implicit"));
     }

@@ -85,8 +85,8 @@ void ClothLesson::declare_stages() {
          .active = [this] { return in_air(); },
          .explain = [this](const Question& q) { return why_wind_stage(q); }},
         {.name = "integrate",
-         .formula = "explicit: x' = x + Δt v, v' = v + Δt f/m;  semi-implicit: v' = v + Δt f/m, x' = x + Δt v';  "
-                    "implicit: m (v' − v) = Δt f(x', v'), x' = x + Δt v', by Newton's method",
+         .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
+                    "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method",
          .source = "lecture: time integration; [Baraff1998], [Nocedal2006 §7.1]",
          .run = [this] { integrate(); },
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force", "wind_drag", "wind_force",

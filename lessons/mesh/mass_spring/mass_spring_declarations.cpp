@@ -69,8 +69,8 @@ void MassSpringLesson::declare_stages() {
          .active = [this] { return loaded() && !tested(); },
          .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
         {.name = "integrate",
-         .formula = "explicit: x' = x + Δt v, v' = v + Δt f/m;  semi-implicit: v' = v + Δt f/m, x' = x + Δt v';  "
-                    "implicit: m (v' − v) = Δt f(x', v'), x' = x + Δt v', by Newton's method;  others: their table or form",
+         .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
+                    "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method;  others: their table or form",
          .source = "lecture: time integration; [Baraff1998], [Nocedal2006], [Hairer2006]",
          .run = [this] { integrate(); },
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},

@@ -74,7 +74,7 @@ void MassSpringLesson::declare_lines() {
          .used = [this] { return tested() && lattice() != LatticeKind::chain; }},
         {.name = "coupling",
          .unit = "",
-         .position_name = "family: 1 structural, 2 diagonal, 3 bending",
+         .position_name = "1 structural, 2 shear, 3 bending",
          .help = "∂ ln K/∂ ln k: what one per cent more of a family's stiffness changes, in per cent, of each test",
          .sample = [coupling](Curve& c) { coupling(c, BlockTest::stretch); },
          .reference = [coupling](Curve& c) { coupling(c, BlockTest::shear); },
