@@ -1,9 +1,12 @@
 // Notes, in a strip above the picture that they are about.
+#include "panels/flowing_text.h"
 #include "panels/scene_view.h"
 #include "platform/index_letters.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <sstream>
 
 namespace pliant::viewer {
 namespace {
@@ -20,10 +23,11 @@ struct NoteLine {
 std::vector<NoteLine> note_lines(LabState& lab, const Notes& notes, bool small, float width) {
     std::vector<NoteLine> lines;
     const auto add = [&](ImFont* font, Ink ink, const std::string& text) {
-        ImGui::PushFont(font);
-        for (std::string& line : broken_lines(with_index_letters(text), width - lab.px(20)))
-            lines.push_back({font, ink, std::move(line)});
-        ImGui::PopFont();
+        const std::string words = with_index_letters(text);
+        const float room = width - lab.px(20);
+        const bool fits = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.c_str()).x <= room;
+        std::istringstream parts(fits ? words : flowing_text(words, font, room));
+        for (std::string line; std::getline(parts, line);) lines.push_back({font, ink, line});
     };
     if (!notes.heading.empty()) add(small ? lab.fonts.normal : lab.fonts.medium, Ink::accent, std::string(notes.heading));
     for (const std::string& note : *notes.lines) add(small ? lab.fonts.small : lab.fonts.normal, Ink::text, note);
