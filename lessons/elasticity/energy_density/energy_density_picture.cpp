@@ -130,7 +130,7 @@ void EnergyDensityLesson::draw_measures(Scene& scene) const {
                          16);
     if (is(Path::uniaxial) && std::abs(F_(1, 1)) > 0.02)
         scene.dimension_line(at({beside, 0, F_(2, 2)}), at({beside, F_(1, 1), F_(2, 2)}),
-                             fmt::format("a = {}", format_quantity(F_(1, 1), "", 3)), s < 0 ? 40 : -40, 0);
+                             fmt::format("a = {}", format_quantity(F_(1, 1), "", 3)), s < 0 ? 46 : -46, 0);
 }
 
 // The three directions at right angles that stay at right angles, as long as they have become.

@@ -102,8 +102,9 @@ void ModuliLesson::draw_tension(Scene& scene) const {
                 pull.to.push_back(at(load > 0 ? off_face : on_face));
             }
         scene.arrows.push_back(std::move(pull));
-        scene.label(at({high[0] + reach, 0.5 * w, 0.5 * w}),
-                    fmt::format("F = {}", format_quantity(specimen_->support_force(reaction_), "N")), Ink::force, 52, 22);
+        // Above the arrows, so that it is clear of them also where the picture ends there.
+        scene.label(at({high[0] + reach, high[1], 0.2 * w}),
+                    fmt::format("F = {}", format_quantity(specimen_->support_force(reaction_), "N")), Ink::force, 20, -14);
     }
 
     // Length below the front edge, lengthening beyond it; width across the middle.

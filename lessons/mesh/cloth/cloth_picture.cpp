@@ -128,7 +128,7 @@ void ClothLesson::draw_arrows(Scene& picture) const {
                                                        : Vec<3>(0, (height - 0.5) * size, -0.75 * size);
             picture.arrow(position<3>(at), position<3>(at + along), Ink::velocity);
             if (height == -0.35)
-                picture.label(position<3>(at), "w = " + format_quantity(w.norm(), "m/s", 3), Ink::velocity, 0, 16);
+                picture.label(position<3>(at), "w = " + format_quantity(w.norm(), "m/s", 3), Ink::velocity, -24, 16);
         }
     }
     if (!pulled()) return;

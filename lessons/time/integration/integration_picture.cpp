@@ -64,7 +64,7 @@ void IntegrationLesson::draw(Scene& scene) const {
     draw_region(scene);
     draw_legend(scene);
     write_notes(scene);
-    scene.frame(position(-1.3, compare == Compare::all ? -2.05 : -1.7), position(region_x + 1.15, turns() ? 2.5 : 2));
+    scene.frame(position(-1.3, companions().empty() ? -1.7 : -2.05), position(region_x + 1.15, turns() ? 2.5 : 2));
 }
 
 // So that the motion fills a good half of it, in round numbers; wider when a run grows. A pendulum that comes near the top, or
@@ -167,7 +167,7 @@ void IntegrationLesson::draw_legend(Scene& scene) const {
     const std::vector<Scheme> beside = companions();
     shown.insert(shown.end(), beside.begin(), beside.end());
     std::ranges::sort(shown);
-    const std::size_t per_column = (shown.size() + 1) / 2;
+    const std::size_t per_column = shown.size() > 4 ? (shown.size() + 1) / 2 : shown.size();
     for (std::size_t k = 0; k < shown.size(); ++k) {
         const Real x = k < per_column ? -1 : region_x - 1, y = -1.35 - 0.18 * static_cast<Real>(k % per_column);
         const auto [ink, dashed] = ink_of(shown[k]);
