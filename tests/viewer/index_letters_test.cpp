@@ -38,6 +38,6 @@ TEST_CASE("the key of a parameter and a lone line stay as they are") {
 }
 
 TEST_CASE("an exponent in brackets is raised without them") {
-    CHECK(spelled_out("(1 + s)^(1 − 2n)") == "(1 + s)^1^ ^^-^ ^2^n");
+    CHECK(spelled_out("(1 + s)^(1 − 2n)") == "(1 + s)^1^ ^-^ ^2^n");
     CHECK(with_index_letters("2^10 and x^(") == "2^10 and x^(");
 }
