@@ -118,8 +118,8 @@ void DiffusionLesson::draw_square(Scene& scene) const {
     draw_cells(scene, position(0, 0), position(L, L));
     const bool wall = boundary != Boundary::periodic;
     scene.box(position(0, 0), position(L, L), wall ? Ink::ground : Ink::rest, wall ? 4.0f : 2.0f, !wall);
-    draw_stencil(scene, {{1.95 * L, 0.5 * L}, {0.58 * L, 0.56 * L}, {0.24 * L, 0.22 * L}});
-    scene.frame(position(-0.06 * L, -0.31 * L), position(2.83 * L, 1.31 * L));
+    draw_stencil(scene, {{1.95 * L, 0.5 * L}, {0.58 * L, 0.61 * L}, {0.24 * L, 0.22 * L}});
+    scene.frame(position(-0.06 * L, -0.36 * L), position(2.83 * L, 1.36 * L));
 }
 
 // --------------------------------------------------------------------------------------------------------------- words
