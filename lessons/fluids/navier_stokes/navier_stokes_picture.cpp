@@ -38,8 +38,10 @@ void NavierStokes::draw(Scene& picture) const {
     draw_walls(picture);
     draw_drives(picture);
     write_notes(picture);
+    // The arrow of a lid stands above it.
+    const Real above = scene().drives.lid ? 0.18 : 0.06;
     picture.frame(position(-0.06 * size, -0.06 * size),
-                  position(width() + 0.06 * size, height() + 0.18 * std::max(Real(size), height())));
+                  position(width() + 0.06 * size, height() + above * std::max(Real(size), height())));
 }
 
 // The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
