@@ -1,4 +1,5 @@
 #include <pliant/lesson/asking.h>
+#include <pliant/lesson/evaluation.h>
 
 #include <fmt/format.h>
 
@@ -166,41 +167,16 @@ Answer Asking::input(const Input& in, const Request& r) {
     return a;
 }
 
-namespace {
-// How much cancels: each input moved by a part in a million of its size, and a part of what cancels in it. Of the very many
-// inputs of a long sum a sample stands for all.
-Real conditioning_of(const Explanation& e, const Answer& a, std::vector<Real>& values) {
-    constexpr Real nudge = 1e-6;
-    constexpr std::size_t most = 512;
-    const std::size_t stride = values.size() / most + 1;
-    Real sum = 0;
-    for (std::size_t k = 0; k < values.size(); k += stride) {
-        const Real kept = values[k], size = std::max(std::abs(kept), a.inputs[k].conditioning);
-        values[k] = kept + nudge * size;
-        sum += static_cast<Real>(stride) * std::abs(e.evaluate(values) - a.evaluated) / nudge;
-        values[k] = kept;
-    }
-    return sum;
-}
-
-}  // namespace
-
 // The numbers of a formula that was declared.
 void Asking::fill(Answer& a, const Explanation& e, const Request& r) {
-    std::vector<Real> values;
     a.inputs.reserve(e.inputs.size());
     for (const Input& in : e.inputs) {
         Answer& child = a.inputs.emplace_back(input(in, r));
-        if (in.why) {
-            fill(child, *in.why, r);
-            child.value = child.evaluated;
-        }
-        values.push_back(child.value);
+        if (!in.why) continue;
+        fill(child, *in.why, r);
+        child.value = child.evaluated;
     }
-    a.formula = e.formula;
-    a.substituted = substituted(e, values);
-    a.evaluated = e.evaluate(values);
-    a.conditioning = conditioning_of(e, a, values);
+    evaluate(a, e);
 }
 
 }  // namespace pliant

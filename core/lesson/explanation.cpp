@@ -1,3 +1,4 @@
+#include <pliant/formula/unicode.h>
 #include <pliant/lesson/explanation.h>
 #include <pliant/lesson/format.h>
 
@@ -99,57 +100,30 @@ Explanation fixed_value(std::string formula, Real value) {
 }
 
 Explanation sum_of(std::string formula, std::vector<Input> terms) {
-    return {.formula = std::move(formula),
-            .inputs = std::move(terms),
-            .evaluate =
-                [](std::span<const Real> x) {
-                    Real total = 0;
-                    for (const Real term : x) total += term;
-                    return total;
-                },
-            .substitute = [](std::span<const Real> x) { return sum_text(x); }};
+    return {.formula = std::move(formula), .inputs = std::move(terms), .making = Making::sum};
+}
+
+Real sum_of_terms(Making making, std::span<const Real> values) {
+    const std::size_t factors = making == Making::products ? 2 : 1;
+    Real total = 0;
+    for (std::size_t k = 0; k + factors <= values.size(); k += factors)
+        total += factors == 2 ? values[k] * values[k + 1] : values[k];
+    return total;
 }
 
 Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms) {
-    Explanation sum{.formula = std::move(formula), .inputs = {}, .evaluate = {}};
+    Explanation sum{.formula = std::move(formula), .making = Making::products};
     for (const auto& [weight, quantity] : terms) {
         if (weight.from == Input::From::constant && weight.value == 0) continue;
         sum.inputs.push_back(weight);
         sum.inputs.push_back(quantity);
     }
-    sum.evaluate = [](std::span<const Real> x) {
-        Real total = 0;
-        for (std::size_t k = 0; k + 1 < x.size(); k += 2) total += x[k] * x[k + 1];
-        return total;
-    };
-    sum.substitute = [](std::span<const Real> x) { return products_text(x); };
     return sum;
 }
 
 // ------------------------------------------------------------------------------------------------------- substitution
 namespace {
 
-// The code point that begins at `at`, and its length in bytes.
-std::pair<char32_t, std::size_t> code_point(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byte(at);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-    if (at + length > text.size()) return {first, 1};
-    char32_t c = length == 1 ? first : first & (0x7f >> length);
-    for (std::size_t k = 1; k < length; ++k) c = c << 6 | (byte(at + k) & 0x3f);
-    return {c, length};
-}
-
-bool is_letter(char32_t c) {
-    const bool latin = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'), greek = c >= 0x370 && c <= 0x3ff;
-    return latin || greek || (c >= 0xc0 && c <= 0x24f);
-}
-bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
-// What may continue a symbol: letters below and above the line, primes, tildes.
-bool continues(char32_t c) {
-    const bool small = (c >= 0x2080 && c <= 0x209c) || (c >= 0x1d2c && c <= 0x1d6a) || c == 0x2c7c;
-    return is_letter(c) || is_digit(c) || c == '_' || c == '\'' || c == 0x2032 || (c >= 0x300 && c <= 0x36f) || small;
-}
 // Does a number beside this multiply it?
 bool multiplies(char32_t c) {
     return is_letter(c) || is_digit(c) || c == 0xbd || c == 0xbc || c == 0x221a || c == 0xb2 || c == 0xb3;
@@ -166,7 +140,7 @@ char32_t last_visible(std::string_view text) {
 }
 char32_t first_visible(std::string_view text) {
     const std::size_t at = text.find_first_not_of(' ');
-    return at == std::string_view::npos ? U'\0' : code_point(text, at).first;
+    return at == std::string_view::npos ? U'\0' : code_point(text, at).letter;
 }
 
 // The longest symbol that stands at this place; -1 for none.
@@ -177,7 +151,7 @@ int symbol_at(std::string_view text, std::size_t at, const std::vector<Input>& i
         const std::string& symbol = inputs[k].symbol;
         if (symbol.size() <= longest || text.substr(at, symbol.size()) != symbol) continue;
         const std::size_t end = at + symbol.size();
-        if (end < text.size() && continues(code_point(text, end).first)) continue;
+        if (end < text.size() && continues_symbol(code_point(text, end).letter)) continue;
         found = static_cast<int>(k), longest = symbol.size();
     }
     return found;
@@ -189,7 +163,7 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
     bool after_number = false;
     for (std::size_t at = 0; at < right.size();) {
         const auto [c, length] = code_point(right, at);
-        const int k = continues(before) && !is_digit(before) ? -1 : symbol_at(right, at, inputs);
+        const int k = continues_symbol(before) && !is_digit(before) ? -1 : symbol_at(right, at, inputs);
         if (k < 0) {
             if (after_number && c != ' ') {
                 if (c == '(' || multiplies(first_visible(right.substr(at)))) {
@@ -209,7 +183,7 @@ std::string with_numbers(std::string_view right, const std::vector<Input>& input
         if (product) text += text.ends_with(' ') ? "· " : " · ";
         const Real value = values[static_cast<std::size_t>(k)];
         const std::size_t end = at + inputs[static_cast<std::size_t>(k)].symbol.size();
-        const char32_t next = end < right.size() ? code_point(right, end).first : U'\0';
+        const char32_t next = end < right.size() ? code_point(right, end).letter : U'\0';
         const bool alone = last == 0 || last == '(';
         const bool raised = next == 0xb2 || next == 0xb3;
         text += alone && !raised ? format_quantity(value, "", 6) : as_factor(value, raised);
@@ -230,8 +204,10 @@ std::string substituted(const Explanation& explanation, std::span<const Real> va
     right.remove_prefix(std::min(right.find_first_not_of(' '), right.size()));
     // A remark behind the formula holds no numbers.
     right = right.substr(0, right.find("   ("));
-    const std::string numbers =
-        explanation.substitute ? explanation.substitute(values) : with_numbers(right, explanation.inputs, values);
+    const std::string numbers = explanation.substitute                   ? explanation.substitute(values)
+                                : explanation.making == Making::sum      ? sum_text(values)
+                                : explanation.making == Making::products ? products_text(values)
+                                                                         : with_numbers(right, explanation.inputs, values);
     return left.empty() ? numbers : fmt::format("{} {}", left, numbers);
 }
 

@@ -51,14 +51,26 @@ struct Input {
     static Input part(std::string symbol, std::string unit, Explanation why);
 };
 
-// `formula` is "left = right"; every input's symbol stands in the right side, and is replaced by its number in the substituted
-// formula. A sum of many terms writes its numbers itself: `substitute` gets the values in the order of the inputs.
-// `evaluate` gives the value back from the values of the inputs, in their order.
+// How the inputs make the value.
+enum class Making {
+    formula,  // as its right side says
+    sum,      // all inputs are added
+    products  // pairs of inputs are multiplied and added
+};
+
+// `formula` is "left = right"; every input's symbol stands in the right side, which is read as data and evaluated (see Formula),
+// and is replaced by its number in the substituted formula. The inputs of a sum, or of a sum of products, are its terms, and its
+// right side describes them.
+//
+// What no formula says: `evaluate` gives the value back from the values of the inputs, in their order, and `substitute` writes
+// these.
 struct Explanation {
     std::string formula;
-    std::vector<Input> inputs;
-    std::function<Real(std::span<const Real>)> evaluate;
+    std::vector<Input> inputs{};
+    std::function<Real(std::span<const Real>)> evaluate{};
     std::function<std::string(std::span<const Real>)> substitute{};
+    Making making = Making::formula;
+    bool wrong_unit = false;  // on purpose: the slide's formula, which a lesson shows to be so
 };
 
 // Σ w q: pairs of a weight and a quantity, after `head` inputs that `evaluate` of the caller may need. formula: "u = Σ w u_k".
@@ -67,6 +79,9 @@ Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input,
 
 // Σ q, "a + b − c + …" where numbers are put in: of quantities that are added as they are. No term gives 0.
 Explanation sum_of(std::string formula, std::vector<Input> terms);
+
+// Of the values of the inputs, where they make a sum, or a sum of products.
+Real sum_of_terms(Making making, std::span<const Real> values);
 
 // A value that follows from nothing but the words of its formula: "u = 0: held by the support".
 Explanation fixed_value(std::string formula, Real value);

@@ -44,9 +44,14 @@ Json json_of(const Answer& a, int depth) {
     j["stage"] = a.stage;
     j["formula"] = a.formula;
     j["substituted"] = a.substituted;
+    if (!a.latex.empty()) j["latex"] = a.latex;
+    if (!a.unit_check.empty()) j["unit_check"] = a.unit_check;
     j["inputs"] = Json::array();
-    if (depth > 0)
-        for (const Answer& input : a.inputs) j["inputs"].push_back(json_of(input, depth - 1));
+    if (depth == 0) return j;
+    for (const Answer& input : a.inputs) {
+        j["inputs"].push_back(json_of(input, depth - 1));
+        j["inputs"].back()["sensitivity"] = input.sensitivity;
+    }
     return j;
 }
 

@@ -27,8 +27,7 @@ class BeadChain final : public Lesson {
                 [](auto x) { return x[0] * (x[1] - 2 * x[2] + x[3]); }};
     }
     Explanation why_velocity(Index i) const {
-        return {"v′ = v + Δt f / m", {Input::before("v", "v", i), Input::of(dt), Input::now("f", "force", i), Input::of(mass)},
-                [](auto x) { return x[0] + x[1] * x[2] / x[3]; }};
+        return {"v′ = v + Δt f / m", {Input::before("v", "v", i), Input::of(dt), Input::now("f", "force", i), Input::of(mass)}};
     }
     Explanation why_place(Index i) const {
         return {"u′ = u + Δt v", {Input::before("u", "u", i), Input::of(dt), Input::now("v", "v", i)}, [](auto x) { return x[0] + x[1] * x[2]; }};

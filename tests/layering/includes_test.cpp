@@ -29,10 +29,11 @@ const std::map<std::string, Names> allowed_folders{
     {"core/solids", {"math", "continuum", "mesh", "time"}},
     {"core/particles", {"math", "continuum", "mesh", "time"}},
     {"core/fluids", {"math", "continuum", "mesh", "time"}},
-    {"core/lesson", {"math"}},
-    {"core/study", {"math", "lesson"}},
-    {"lessons", {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "lesson", "study"}},
-    {"viewer", {"math", "lesson", "study"}},
+    {"core/formula", {"math"}},
+    {"core/lesson", {"math", "formula"}},
+    {"core/study", {"math", "formula", "lesson"}},
+    {"lessons", {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "formula", "lesson", "study"}},
+    {"viewer", {"math", "formula", "lesson", "study"}},
 };
 
 // The libraries of others, by the first part of what is included. Standard headers have neither folder nor ending.

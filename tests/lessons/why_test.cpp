@@ -40,6 +40,11 @@ TEST_CASE("explanations hold in every scene, method and preset", "[slow][every_l
             check_briefly(runner, std::string(entry.info.id) + " preset " + name);
         }
     }
+    // Matrices, sums over families within a formula, and what is found by other means than a formula.
+    constexpr std::size_t few = 40;
+    WARN(formula_tally().wrong() << " of " << formula_tally().all() << " formulas cannot be checked:\n"
+                                 << formula_tally().text());
+    CHECK(formula_tally().wrong() <= few);
 }
 
 TEST_CASE("asking changes nothing: the run goes on with the same bits", "[every_lesson]") {

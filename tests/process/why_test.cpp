@@ -37,6 +37,12 @@ TEST_CASE("why tells the stage, the formula and the inputs of a number", "[proce
                                        4;
     CHECK(std::abs(p - a["value"].get<double>()) <= 1e-9 * std::abs(p));
     CHECK(input_of(a, "Δt")["kind"] == "parameter");
+    // How much each input matters: what a relative change of it changes.
+    const double right_side = dx * dx * (value("d̃") - value("d")) / value("Δt") / 4;
+    CHECK(a["unit_check"] == "ok");
+    CHECK(contains(a["latex"].get<std::string>(), "\\frac"));
+    CHECK(std::abs(input_of(a, "Δt")["sensitivity"].get<double>() - std::abs(right_side)) <= 1e-9 * std::abs(right_side));
+    CHECK(std::abs(input_of(a, "p_left")["sensitivity"].get<double>() - std::abs(value("p_left")) / 4) <= 1e-12 * std::abs(p));
     CHECK(input_of(a, "d̃")["formula"].get<std::string>().find("u_right − u_left") != std::string::npos);
 }
 

@@ -4,6 +4,7 @@
 
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"
+#include "panels/why_panel.h"
 
 #include <fmt/format.h>
 
@@ -174,98 +175,6 @@ void exports(LabState& lab) {
     tooltip("Every pinned quantity over time as a CSV file", lab.scale);
 }
 
-// ----------------------------------------------------------------------------------------------------------------- why
-
-std::string origin_of(const Answer& a) {
-    switch (a.kind) {
-        case Answer::Kind::parameter:
-            return "a parameter";
-        case Answer::Kind::constant:
-            return a.field;
-        case Answer::Kind::state:
-            return a.when.step == 0 ? "the initial state" : fmt::format("left by step {}", a.when.step);
-        default:
-            return "";
-    }
-}
-
-void wrapped(const std::string& text) {
-    ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
-}
-
-void formula_block(LabState& lab, const Answer& a) {
-    if (a.formula.empty()) return;
-    wrapped(a.formula);
-    ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
-    wrapped(a.substituted);
-    ImGui::PopStyleColor();
-}
-
-// The inputs of an answer; a click asks the same of one of them. Intermediate results unfold.
-void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& next) {
-    for (std::size_t k = 0; k < a.inputs.size(); ++k) {
-        const Answer& in = a.inputs[k];
-        ImGui::PushID(static_cast<int>(k));
-        const std::string text = fmt::format("{} = {}", in.symbol, format_quantity(in.value, in.unit, digits + 1));
-        if (in.kind == Answer::Kind::part) {
-            const bool open = ImGui::TreeNodeEx("part", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", text.c_str());
-            lab.note_control(fmt::format("part {}", in.symbol));
-            if (open) {
-                formula_block(lab, in);
-                inputs_of(lab, in, next);
-                ImGui::TreePop();
-            }
-        } else if (in.can_ask || in.kind == Answer::Kind::state) {
-            ImGui::Bullet();
-            ImGui::SameLine();
-            if (ImGui::Selectable(fmt::format("{}##ask", text).c_str()))
-                next = {.field = in.field, .index = in.index, .component = in.component, .when = in.when};
-            lab.note_control(fmt::format("ask {}", in.symbol));
-            const std::string origin = origin_of(in);
-            tooltip(fmt::format("{}{}. Click: why this number?", title_of(in, lab.session.lesson()),
-                                origin.empty() ? "" : ", " + origin),
-                    lab.scale);
-        } else {
-            ImGui::Bullet();
-            ImGui::SameLine();
-            ImGui::PushTextWrapPos(0);
-            ImGui::TextDisabled("%s   %s", text.c_str(), origin_of(in).c_str());
-            ImGui::PopTextWrapPos();
-        }
-        ImGui::PopID();
-    }
-}
-
-void why_part(LabState& lab) {
-    Session& s = lab.session;
-    Inspector& in = s.inspector;
-    if (!in.answer) {
-        wrapped("Click a number to see why it is what it is.");
-        return;
-    }
-    if (in.asked.size() > 1) {
-        if (ImGui::SmallButton("◂ back")) s.ask_back();
-        lab.note_control("why back");
-        tooltip("To the number that this one went into", lab.scale);
-        ImGui::SameLine();
-        ImGui::TextDisabled("%zu questions deep", in.asked.size());
-    }
-    if (!in.answer) return;
-    const Answer a = *in.answer;
-    wrapped(fmt::format("Why is {} = {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits + 1)));
-    const bool end_of_step = a.kind == Answer::Kind::state;
-    if (!a.stage.empty()) {
-        ImGui::TextDisabled("step %lld, stage %s", static_cast<long long>(a.when.step + 1), words(a.stage).c_str());
-        if (!a.source.empty()) tooltip(a.source, lab.scale);
-    } else if (end_of_step) {
-        ImGui::TextDisabled("%s", origin_of(a).c_str());
-    }
-    formula_block(lab, a);
-    std::optional<Inspector::Asked> next;
-    inputs_of(lab, a, next);
-    if (next) s.ask(*next);
-}
-
 }  // namespace
 
 void draw_inspector(LabState& lab) {
@@ -281,7 +190,7 @@ void draw_inspector(LabState& lab) {
         if (f.in_use() && f.on == in.thing->on && in.thing->index < f.size()) quantity(lab, f, in.thing->index);
     ImGui::EndChild();
     ImGui::BeginChild("why", {0, 0}, ImGuiChildFlags_Border, ImGuiWindowFlags_NavFlattened);
-    why_part(lab);
+    draw_why(lab);
     ImGui::EndChild();
 }
 

@@ -35,8 +35,7 @@ private:
     bool is(MapKind kind) const { return kind_ == kind; }
     Input turning_angle(const std::array<Input, 3>& X) const;
     Explanation why_free(int i, const std::array<Input, 3>& X) const;
-    Explanation why_moved(int i, std::string rest, std::vector<Input> inputs,
-                          std::function<Real(std::span<const Real>)> value) const;
+    Explanation why_moved(int i, std::string rest, std::vector<Input> inputs) const;
     Explanation why_turned(int i, const std::array<Input, 3>& X) const;
     Explanation why_bent(int i, const std::array<Input, 3>& X) const;
     Explanation why_turned_gradient(int i, int j, int axis, const std::array<Input, 3>& X) const;

@@ -16,9 +16,7 @@ std::string slope(int i, int j) {
 }
 
 Explanation zero(const std::string& left, const char* because) {
-    return {.formula = fmt::format("{} = 0   ({})", left, because), .inputs = {}, .evaluate = [](std::span<const Real>) {
-                return Real{0};
-            }};
+    return {.formula = fmt::format("{} = 0   ({})", left, because), .inputs = {}};
 }
 
 }  // namespace
@@ -26,33 +24,21 @@ Explanation zero(const std::string& left, const char* because) {
 // α: the angle by which the cross-section of X turns.
 Input MapControls::turning_angle(const std::array<Input, 3>& X) const {
     if (is(MapKind::rotation)) return why::in_radians("α", angle_);
-    if (is(MapKind::bend))
-        return Input::part(
-            "α", "rad", {.formula = "α = κ X", .inputs = {Input::of(bending_[0]), X[0]}, .evaluate = [](std::span<const Real> x) {
-                             return x[0] * x[1];
-                         }});
-    return Input::part("α", "rad",
-                       {.formula = "α = T X",
-                        .inputs = {why::in_radians("T", bending_[1]), X[0]},
-                        .evaluate = [](std::span<const Real> x) { return x[0] * x[1]; }});
+    if (is(MapKind::bend)) return Input::part("α", "rad", {.formula = "α = κ X", .inputs = {Input::of(bending_[0]), X[0]}});
+    return Input::part("α", "rad", {.formula = "α = T X", .inputs = {why::in_radians("T", bending_[1]), X[0]}});
 }
 
 // The translation is added where there is one.
-Explanation MapControls::why_moved(int i, std::string rest, std::vector<Input> inputs,
-                                   std::function<Real(std::span<const Real>)> value) const {
+Explanation MapControls::why_moved(int i, std::string rest, std::vector<Input> inputs) const {
     const std::string left = place[static_cast<std::size_t>(i)];
-    if (shift_.empty())
-        return {.formula = fmt::format("{} = {}", left, rest), .inputs = std::move(inputs), .evaluate = std::move(value)};
+    if (shift_.empty()) return {.formula = fmt::format("{} = {}", left, rest), .inputs = std::move(inputs)};
     const Number& t = shift_[static_cast<std::size_t>(i)];
     inputs.push_back(Input::of(t));
-    return {.formula = fmt::format("{} = {} + {}", left, rest, t.info.symbol),
-            .inputs = std::move(inputs),
-            .evaluate = [value](std::span<const Real> x) { return value(x.first(x.size() - 1)) + x.back(); }};
+    return {.formula = fmt::format("{} = {} + {}", left, rest, t.info.symbol), .inputs = std::move(inputs)};
 }
 
 Explanation MapControls::why_position(int i, const std::array<Input, 3>& X) const {
     const auto k = static_cast<std::size_t>(i);
-    const auto same = [](std::span<const Real> x) { return x[0]; };
     switch (MapKind(kind_)) {
         case MapKind::translation:
             break;
@@ -62,17 +48,14 @@ Explanation MapControls::why_position(int i, const std::array<Input, 3>& X) cons
         case MapKind::bend:
             return why_bent(i, X);
         case MapKind::stretch:
-            return why_moved(i, fmt::format("{} {}", stretches_[k].info.symbol, material[k]), {Input::of(stretches_[k]), X[k]},
-                             [](std::span<const Real> x) { return x[0] * x[1]; });
+            return why_moved(i, fmt::format("{} {}", stretches_[k].info.symbol, material[k]), {Input::of(stretches_[k]), X[k]});
         case MapKind::shear:
-            if (i == 0)
-                return why_moved(i, "X + γ Y", {X[0], Input::of(shear_), X[1]},
-                                 [](std::span<const Real> x) { return x[0] + x[1] * x[2]; });
+            if (i == 0) return why_moved(i, "X + γ Y", {X[0], Input::of(shear_), X[1]});
             break;
         case MapKind::free:
             return why_free(i, X);
     }
-    return why_moved(i, material[k], {X[k]}, same);
+    return why_moved(i, material[k], {X[k]});
 }
 
 Explanation MapControls::why_free(int i, const std::array<Input, 3>& X) const {
@@ -84,7 +67,7 @@ Explanation MapControls::why_free(int i, const std::array<Input, 3>& X) const {
         inputs.push_back(X[k]);
         rest += fmt::format("{}{} {}", j ? " + " : "", entry(i, j).info.symbol, material[k]);
     }
-    return why_moved(i, rest, std::move(inputs), [](std::span<const Real> x) { return x[0] * x[1] + x[2] * x[3] + x[4] * x[5]; });
+    return why_moved(i, rest, std::move(inputs));
 }
 
 // About an axis of coordinates by α.
@@ -92,30 +75,22 @@ Explanation MapControls::why_turned(int i, const std::array<Input, 3>& X) const 
     const int axis = is(MapKind::twist) ? 0 : turning_axis();
     const auto k = static_cast<std::size_t>(i), first = static_cast<std::size_t>((axis + 1) % 3),
                second = static_cast<std::size_t>((axis + 2) % 3);
-    if (i == axis) return why_moved(i, material[k], {X[k]}, [](std::span<const Real> x) { return x[0]; });
+    if (i == axis) return why_moved(i, material[k], {X[k]});
     if (k == first)
         return why_moved(i, fmt::format("{} cos(α) − {} sin(α)", material[first], material[second]),
-                         {X[first], X[second], turning_angle(X)},
-                         [](std::span<const Real> x) { return x[0] * std::cos(x[2]) - x[1] * std::sin(x[2]); });
+                         {X[first], X[second], turning_angle(X)});
     return why_moved(i, fmt::format("{} sin(α) + {} cos(α)", material[first], material[second]),
-                     {X[first], X[second], turning_angle(X)},
-                     [](std::span<const Real> x) { return x[0] * std::sin(x[2]) + x[1] * std::cos(x[2]); });
+                     {X[first], X[second], turning_angle(X)});
 }
 
 Explanation MapControls::why_bent(int i, const std::array<Input, 3>& X) const {
-    if (i == 2) return why_moved(i, "Z", {X[2]}, [](std::span<const Real> x) { return x[0]; });
+    if (i == 2) return why_moved(i, "Z", {X[2]});
     const Input a = turning_angle(X);
     // The same as (1/κ − Y) sin(α) and 1/κ − (1/κ − Y) cos(α), without the difference of large numbers.
     if (bending_[0] * X[0].value == 0)
-        return i == 0 ? why_moved(i, "X − Y sin(α)", {X[0], X[1], a},
-                                  [](std::span<const Real> x) { return x[0] - x[1] * std::sin(x[2]); })
-                      : why_moved(i, "Y cos(α)", {X[1], a}, [](std::span<const Real> x) { return x[0] * std::cos(x[1]); });
-    if (i == 0)
-        return why_moved(i, "X sin(α) / α − Y sin(α)", {X[0], X[1], a},
-                         [](std::span<const Real> x) { return x[0] * std::sin(x[2]) / x[2] - x[1] * std::sin(x[2]); });
-    return why_moved(i, "X (1 − cos(α)) / α + Y cos(α)", {X[0], X[1], a}, [](std::span<const Real> x) {
-        return 2 * x[0] * std::pow(std::sin(x[2] / 2), 2) / x[2] + x[1] * std::cos(x[2]);
-    });
+        return i == 0 ? why_moved(i, "X − Y sin(α)", {X[0], X[1], a}) : why_moved(i, "Y cos(α)", {X[1], a});
+    if (i == 0) return why_moved(i, "X sin(α) / α − Y sin(α)", {X[0], X[1], a});
+    return why_moved(i, "2 X sin²(α / 2) / α + Y cos(α)", {X[0], X[1], a});
 }
 
 // ------------------------------------------------------------------------------------------------------------ gradients
@@ -130,19 +105,14 @@ Explanation MapControls::why_gradient(int i, int j, const std::array<Input, 3>& 
         case MapKind::stretch:
             if (i != j) break;
             return {.formula = fmt::format("{} = {} − 1", slope(i, j), stretches_[k].info.symbol),
-                    .inputs = {Input::of(stretches_[k])},
-                    .evaluate = [](std::span<const Real> x) { return x[0] - 1; }};
+                    .inputs = {Input::of(stretches_[k])}};
         case MapKind::shear:
             if (i != 0 || j != 1) break;
-            return {.formula = fmt::format("{} = γ", slope(i, j)),
-                    .inputs = {Input::of(shear_)},
-                    .evaluate = [](std::span<const Real> x) { return x[0]; }};
+            return {.formula = fmt::format("{} = γ", slope(i, j)), .inputs = {Input::of(shear_)}};
         case MapKind::free: {
             const Number& F = entry(i, j);
-            const Real one = i == j ? 1 : 0;
             return {.formula = fmt::format("{} = {}{}", slope(i, j), F.info.symbol, i == j ? " − 1" : ""),
-                    .inputs = {Input::of(F)},
-                    .evaluate = [one](std::span<const Real> x) { return x[0] - one; }};
+                    .inputs = {Input::of(F)}};
         }
         case MapKind::bend:
             return why_bent_gradient(i, j, X);
@@ -154,40 +124,23 @@ Explanation MapControls::why_gradient(int i, int j, const std::array<Input, 3>& 
 
 Explanation MapControls::why_turned_gradient(int i, int j, int axis, const std::array<Input, 3>& X) const {
     if (i == axis || j == axis) return zero(slope(i, j), "along the axis nothing changes");
-    if (i == j)
-        return {.formula = fmt::format("{} = cos(α) − 1", slope(i, j)),
-                .inputs = {turning_angle(X)},
-                .evaluate = [](std::span<const Real> x) { return -2 * std::pow(std::sin(x[0] / 2), 2); }};
+    if (i == j) return {.formula = fmt::format("{} = −2 sin²(α / 2)", slope(i, j)), .inputs = {turning_angle(X)}};
     const bool minus = i == (axis + 1) % 3;
-    return {.formula = fmt::format("{} = {}sin(α)", slope(i, j), minus ? "−" : ""),
-            .inputs = {turning_angle(X)},
-            .evaluate = [minus](std::span<const Real> x) { return minus ? -std::sin(x[0]) : std::sin(x[0]); }};
+    return {.formula = fmt::format("{} = {}sin(α)", slope(i, j), minus ? "−" : ""), .inputs = {turning_angle(X)}};
 }
 
 Explanation MapControls::why_bent_gradient(int i, int j, const std::array<Input, 3>& X) const {
     if (i == 2 || j == 2 || j == 1) return why_turned_gradient(i, j, 2, X);
     const std::vector<Input> inputs{Input::of(bending_[0]), X[1], turning_angle(X)};
-    if (i == 0)
-        return {.formula = fmt::format("{} = (1 − κ Y) cos(α) − 1", slope(i, j)),
-                .inputs = inputs,
-                .evaluate = [](std::span<const Real> x) {
-                    return -2 * std::pow(std::sin(x[2] / 2), 2) - x[0] * x[1] * std::cos(x[2]);
-                }};
-    return {.formula = fmt::format("{} = (1 − κ Y) sin(α)", slope(i, j)),
-            .inputs = inputs,
-            .evaluate = [](std::span<const Real> x) { return (1 - x[0] * x[1]) * std::sin(x[2]); }};
+    if (i == 0) return {.formula = fmt::format("{} = −2 sin²(α / 2) − κ Y cos(α)", slope(i, j)), .inputs = inputs};
+    return {.formula = fmt::format("{} = (1 − κ Y) sin(α)", slope(i, j)), .inputs = inputs};
 }
 
 Explanation MapControls::why_twisted_gradient(int i, int j, const std::array<Input, 3>& X) const {
     if (i == 0 || j > 0) return why_turned_gradient(i, j, 0, X);
     const std::vector<Input> inputs{why::in_radians("T", bending_[1]), X[1], X[2], turning_angle(X)};
-    if (i == 1)
-        return {.formula = fmt::format("{} = −T (Y sin(α) + Z cos(α))", slope(i, j)),
-                .inputs = inputs,
-                .evaluate = [](std::span<const Real> x) { return -x[0] * (x[1] * std::sin(x[3]) + x[2] * std::cos(x[3])); }};
-    return {.formula = fmt::format("{} = T (Y cos(α) − Z sin(α))", slope(i, j)),
-            .inputs = inputs,
-            .evaluate = [](std::span<const Real> x) { return x[0] * (x[1] * std::cos(x[3]) - x[2] * std::sin(x[3])); }};
+    if (i == 1) return {.formula = fmt::format("{} = −T (Y sin(α) + Z cos(α))", slope(i, j)), .inputs = inputs};
+    return {.formula = fmt::format("{} = T (Y cos(α) − Z sin(α))", slope(i, j)), .inputs = inputs};
 }
 
 }  // namespace pliant

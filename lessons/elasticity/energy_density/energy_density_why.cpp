@@ -65,11 +65,14 @@ std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) 
         return fixed_value("0: the block is at rest before the first iteration", 0);
     // A corner moves by the edges that lead to it.
     const Vec<3> X = cube_corner(q.index);
-    std::vector<Input> terms;
+    std::vector<std::pair<Input, Input>> terms;
     for (int j = 0; j < 3; ++j)
-        if (X[j] != 0) terms.push_back(why::entry_now("F", "deformation_gradient", 0, q.component, j));
-    terms.push_back(Input::constant("X", -X[q.component], "m", "less the place at rest"));
-    return sum_of("u = Σ F_ij X_j − X_i", std::move(terms));
+        if (X[j] != 0)
+            terms.emplace_back(why::entry_now("F", "deformation_gradient", 0, q.component, j),
+                               Input::constant("X_j", X[j], "m", "place at rest"));
+    terms.emplace_back(Input::constant("−1", -1, "", "less the place at rest"),
+                       Input::constant("X_i", X[q.component], "m", "place at rest"));
+    return weighted_sum("u = Σ F_ij X_j − X_i", terms);
 }
 
 // -------------------------------------------------------------------------------------------------------------- strain
@@ -77,10 +80,7 @@ std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) 
 Explanation EnergyDensityLesson::why_strain(const Question& q) const {
     const int i = q.component / 3, j = q.component % 3;
     const std::string_view F = "deformation_gradient";
-    if (q.field == "log_volume")
-        return {.formula = "ln J = ln(J)",
-                .inputs = {Input::now("J", "volume_ratio", 0)},
-                .evaluate = [](std::span<const Real> x) { return std::log(x[0]); }};
+    if (q.field == "log_volume") return {.formula = "ln J = ln(J)", .inputs = {Input::now("J", "volume_ratio", 0)}};
     if (q.field == "first_invariant")
         return {.formula = "I₁ = Σ F_ij²",
                 .inputs = why::all_entries("F", F, 0),
@@ -110,7 +110,7 @@ Explanation EnergyDensityLesson::why_strain(const Question& q) const {
     const std::string formula = green ? fmt::format("{} = ½ (Σ F_k{} F_k{} − {})", why::entry("E", i, j), i + 1, j + 1, delta)
                                       : fmt::format("(S − I)_{}{} = Σ R_k{} F_k{} − {}", i + 1, j + 1, i + 1, j + 1, delta);
     Explanation e = weighted_sum(formula, terms);
-    e.evaluate = [delta, half, sum = e.evaluate](std::span<const Real> x) { return half * (sum(x) - delta); };
+    e.evaluate = [delta, half, making = e.making](std::span<const Real> x) { return half * (sum_of_terms(making, x) - delta); };
     e.substitute = [delta, green](std::span<const Real> x) {
         return green ? fmt::format("½ ({} − {})", products_text(x), delta) : fmt::format("{} − {}", products_text(x), delta);
     };
@@ -123,8 +123,7 @@ Explanation EnergyDensityLesson::why_psi() const {
     if (is(Energy::neo_hookean))
         return {.formula = "ψ = ½ μ (I₁ − 3) − μ lnJ + ½ λ lnJ²",
                 .inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio),
-                           Input::now("I₁", "first_invariant", 0), Input::now("lnJ", "log_volume", 0)},
-                .evaluate = [](std::span<const Real> x) { return x[0] * (0.5 * (x[2] - 3) - x[3]) + 0.5 * x[1] * x[3] * x[3]; }};
+                           Input::now("I₁", "first_invariant", 0), Input::now("lnJ", "log_volume", 0)}};
     const std::string strain = is(Energy::linear) ? "ε" : is(Energy::stvk) ? "E" : "e";
     Explanation e{.formula = fmt::format("ψ = μ {0}:{0} + ½ λ tr({0})²{1}", strain, is(Energy::corotated) ? ",  e = S − I" : ""),
                   .inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio)},

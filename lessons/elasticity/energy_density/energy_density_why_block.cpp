@@ -65,8 +65,7 @@ std::optional<Explanation> EnergyDensityLesson::why_block(const Question& q) con
     return Explanation{.formula = "u′ = u + α d",
                        .inputs = {Input::earlier("u", "displacement", q.index, q.component),
                                   Input::constant("α", block_->step_length(), "", "share of the step that the line search takes"),
-                                  Input::now("d", "newton_step", q.index, q.component)},
-                       .evaluate = [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
+                                  Input::now("d", "newton_step", q.index, q.component)}};
 }
 
 Explanation EnergyDensityLesson::why_direction(Index node, int component) const {
@@ -74,8 +73,7 @@ Explanation EnergyDensityLesson::why_direction(Index node, int component) const 
     if (block_->supports().prescribed(node, component))
         return {.formula = "d = w − u",
                 .inputs = {Input::constant("w", block_->supports().values()(component, node), "m", "where the support shall be"),
-                           Input::earlier("u", "displacement", corners + node, component)},
-                .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+                           Input::earlier("u", "displacement", corners + node, component)}};
     SparseMatrix K = block_->body().pattern();
     block_->body().stiffness(block_->before(), !block_->newton().tangent_was_definite(), K);
     return linear_body::why_unknown<3>({.matrix = &K,
@@ -123,8 +121,7 @@ Explanation EnergyDensityLesson::why_block_width() const {
         return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
     };
     return {.formula = "w/w₀ = 1 + (ū_max − ū_min) / w₀",
-            .inputs = {mean(true), mean(false), Input::constant("w₀", StretchedBlock::width_at_rest, "m", "width at rest")},
-            .evaluate = [](std::span<const Real> x) { return 1 + (x[0] - x[1]) / x[2]; }};
+            .inputs = {mean(true), mean(false), Input::constant("w₀", StretchedBlock::width_at_rest, "m", "width at rest")}};
 }
 
 }  // namespace pliant::energies

@@ -25,17 +25,13 @@ ParameterInfo poisson_ratio_info(std::string_view help, Interval useful) {
 }
 
 Input lame_lambda(const Parameter& youngs_modulus, const Parameter& poisson_ratio) {
-    return Input::part("λ", "Pa",
-                       {.formula = "λ = Y ν / ((1 + ν) (1 − 2 ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / ((1 + x[1]) * (1 - 2 * x[1])); }});
+    return Input::part(
+        "λ", "Pa", {.formula = "λ = Y ν / ((1 + ν) (1 − 2 ν))", .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)}});
 }
 
 Input lame_mu(const Parameter& youngs_modulus, const Parameter& poisson_ratio) {
     return Input::part("μ", "Pa",
-                       {.formula = "μ = Y / (2 (1 + ν))",
-                        .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)},
-                        .evaluate = [](std::span<const Real> x) { return x[0] / (2 * (1 + x[1])); }});
+                       {.formula = "μ = Y / (2 (1 + ν))", .inputs = {Input::of(youngs_modulus), Input::of(poisson_ratio)}});
 }
 
 }  // namespace pliant

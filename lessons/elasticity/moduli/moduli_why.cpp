@@ -11,8 +11,7 @@ Input ModuliLesson::applied_stress() const {
     return Input::part(
         "t", "Pa",
         {.formula = "t = σ k / m",
-         .inputs = {Input::of(load), Input::constant("k", level_[0], "", "number of this load"), Input::of(load_levels)},
-         .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / x[2]; }});
+         .inputs = {Input::of(load), Input::constant("k", level_[0], "", "number of this load"), Input::of(load_levels)}});
 }
 
 Explanation ModuliLesson::why_load(Index node, int component) const {
@@ -20,8 +19,7 @@ Explanation ModuliLesson::why_load(Index node, int component) const {
     if (share == 0) return fixed_value("f = 0: no load pulls here", 0);
     return {
         .formula = "f = t A",
-        .inputs = {applied_stress(), Input::constant("A", share, "m²", "the node's share of the loaded faces, and their side")},
-        .evaluate = [](std::span<const Real> x) { return x[0] * x[1]; }};
+        .inputs = {applied_stress(), Input::constant("A", share, "m²", "the node's share of the loaded faces, and their side")}};
 }
 
 // -------------------------------------------------------------------------------------------------------------- solve

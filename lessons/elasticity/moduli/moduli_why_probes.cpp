@@ -22,9 +22,7 @@ void ModuliLesson::explain_probes() {
     give("force", [this] { return why_force(); });
     give("area", [this] { return why_area(); });
     give("stress", [] {
-        return Explanation{.formula = "F/A = F / A",
-                           .inputs = {Input::now("F", "force", 0), Input::now("A", "area", 0)},
-                           .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+        return Explanation{.formula = "F/A = F / A", .inputs = {Input::now("F", "force", 0), Input::now("A", "area", 0)}};
     });
     give("strain", [this] { return why_specimen_strain(); });
     give("measured_modulus", [this] { return why_modulus(); });
@@ -40,7 +38,7 @@ Explanation ModuliLesson::why_force() const {
     const bool pushed = test == Test::pressure;
     Explanation e = sum_of(pushed ? "F = Σ r_x" : "F = − Σ r_x", std::move(reactions));
     if (pushed) return e;
-    e.evaluate = [sum = e.evaluate](std::span<const Real> x) { return -sum(x); };
+    e.evaluate = [making = e.making](std::span<const Real> x) { return -sum_of_terms(making, x); };
     e.substitute = [](std::span<const Real> x) { return fmt::format("−({})", sum_text(x)); };
     return e;
 }

@@ -106,8 +106,7 @@ void PoissonLesson::declare_bending_probes() {
                       .explain =
                           [this] {
                               return Explanation{.formula = "u_y = u",
-                                                 .inputs = {Input::now("u", "displacement", membrane_->tip(), 1)},
-                                                 .evaluate = [](std::span<const Real> x) { return x[0]; }};
+                                                 .inputs = {Input::now("u", "displacement", membrane_->tip(), 1)}};
                           }});
     probes.push_back({.name = "times_too_stiff",
                       .symbol = "u_ref/u",

@@ -24,20 +24,16 @@ std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
     if (q.field == "displacement")
         return Explanation{.formula = "u′ = u + Δu",
                            .inputs = {Input::before("u", "displacement", q.index, q.component),
-                                      Input::now("Δu", "increment", q.index, q.component)},
-                           .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
+                                      Input::now("Δu", "increment", q.index, q.component)}};
     if (!cube_->pulled(q.index, q.component)) return fixed_value("Δx = 0: only the far face is pulled", 0);
     return Explanation{.formula = "Δx = s L / N",
                        .inputs = {Input::of(axial_strain, "s"), Input::of(length),
-                                  Input::constant("N", static_cast<Real>(steps()), "", "number of steps")},
-                       .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / x[2]; }};
+                                  Input::constant("N", static_cast<Real>(steps()), "", "number of steps")}};
 }
 
 Explanation PoissonLesson::why_increment(Index node, int component) const {
     if (cube_->pulled(node, component))
-        return {.formula = "Δu = Δx",
-                .inputs = {Input::now("Δx", "prescribed", node, component)},
-                .evaluate = [](std::span<const Real> x) { return x[0]; }};
+        return {.formula = "Δu = Δx", .inputs = {Input::now("Δx", "prescribed", node, component)}};
     if (cube_->held(node, component)) return fixed_value("Δu = 0: the face slides on rollers", 0);
     return linear_body::why_unknown<3>({&cube_->body().stiffness(), 3 * node + component, "u", "increment"},
                                        {Input::constant("f_a", 0, "N", "no load on the node")});
@@ -85,8 +81,7 @@ void PoissonLesson::explain_probes() {
         return Input::part("s", "",
                            {.formula = "s = S k / N",
                             .inputs = {Input::of(axial_strain, "S"), Input::constant("k", done_[0], "", "steps that are done"),
-                                       Input::constant("N", static_cast<Real>(steps()), "", "number of steps")},
-                            .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / x[2]; }});
+                                       Input::constant("N", static_cast<Real>(steps()), "", "number of steps")}});
     };
     const auto means = [this](std::string_view symbol, const char* from, const char* to, int component) {
         const auto mean = [&](const char* face) {
@@ -113,14 +108,11 @@ void PoissonLesson::explain_probes() {
                 [](std::span<const Real> x) { return fmt::format("1 − (1 + {})^(−{})", as_factor(x[0]), as_factor(x[1])); }};
     });
     give("transverse_linear", [=, this] {
-        return Explanation{.formula = "ΔL′/L = ν s",
-                           .inputs = {Input::of(poisson_ratio), reached_part()},
-                           .evaluate = [](std::span<const Real> x) { return x[0] * x[1]; }};
+        return Explanation{.formula = "ΔL′/L = ν s", .inputs = {Input::of(poisson_ratio), reached_part()}};
     });
     give("transverse_error", [] {
         return Explanation{.formula = "error = |c − e|",
-                           .inputs = {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)},
-                           .evaluate = [](std::span<const Real> x) { return std::abs(x[0] - x[1]); }};
+                           .inputs = {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)}};
     });
     give("volume_ratio", [this] {
         const SimplexMesh<3>& mesh = cube_->rest();
@@ -135,8 +127,7 @@ void PoissonLesson::explain_probes() {
         const Real right = converged_deflection(ratios()[static_cast<std::size_t>(done() - 1)]).value_or(0);
         return Explanation{
             .formula = "ratio = u_ref / u",
-            .inputs = {Input::constant("u_ref", right, "m", "converged deflection"), Input::now("u", "deflection", 0)},
-            .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+            .inputs = {Input::constant("u_ref", right, "m", "converged deflection"), Input::now("u", "deflection", 0)}};
     });
 }
 

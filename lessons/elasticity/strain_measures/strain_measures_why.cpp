@@ -102,9 +102,7 @@ Explanation StrainMeasuresLesson::why_stretch(const Question& q) const {
     const int i = q.component;
     if (q.field == "direction") {
         const Input azimuth = why::in_radians("ψ", v_angle), up = why::in_radians("η", v_elevation);
-        if (i == 2)
-            return {
-                .formula = "v_z = sin(η)", .inputs = {up}, .evaluate = [](std::span<const Real> x) { return std::sin(x[0]); }};
+        if (i == 2) return {.formula = "v_z = sin(η)", .inputs = {up}};
         return {.formula = i == 0 ? "v_x = cos(η) cos(ψ)" : "v_y = cos(η) sin(ψ)",
                 .inputs = {up, azimuth},
                 .evaluate = [i](std::span<const Real> x) { return std::cos(x[0]) * (i == 0 ? std::cos(x[1]) : std::sin(x[1])); }};
@@ -121,10 +119,7 @@ Explanation StrainMeasuresLesson::why_stretch(const Question& q) const {
         for (int r = 0; r < 3; ++r)
             for (int c = 0; c < 2; ++c) inputs.push_back(why::entry_now("F", "deformation_gradient", 0, r, c));
         return {.formula = "|F n| = √((F_11 n_x + F_12 n_y)² + (F_21 n_x + F_22 n_y)² + (F_31 n_x + F_32 n_y)²)",
-                .inputs = std::move(inputs),
-                .evaluate = [](std::span<const Real> x) {
-                    return Vec<3>(x[2] * x[0] + x[3] * x[1], x[4] * x[0] + x[5] * x[1], x[6] * x[0] + x[7] * x[1]).norm();
-                }};
+                .inputs = std::move(inputs)};
     }
     for (const auto& [r, c] : {std::pair{0, 0}, {0, 1}, {1, 1}}) inputs.push_back(why::entry_now("ε", "cauchy_strain", 0, r, c));
     return {
@@ -176,22 +171,15 @@ void StrainMeasuresLesson::explain_probes() {
     };
     give("stretch_of_v", [squares] {
         return Explanation{.formula = "|v′| = √(|v'|² / |v|²)",
-                           .inputs = {squares("v'", "deformed_direction"), squares("v", "direction")},
-                           .evaluate = [](std::span<const Real> x) { return std::sqrt(x[0] / x[1]); }};
+                           .inputs = {squares("v'", "deformed_direction"), squares("v", "direction")}};
     });
-    give("stretch_from_C", [of_C] {
-        return Explanation{.formula = "√(vᵀC v) = √(vᵀCv)", .inputs = {of_C()}, .evaluate = [](std::span<const Real> x) {
-                               return std::sqrt(std::max(Real{0}, x[0]));
-                           }};
-    });
+    give("stretch_from_C", [of_C] { return Explanation{.formula = "√(vᵀC v) = √(vᵀCv)", .inputs = {of_C()}}; });
     give("stretch_from_cauchy", [] {
         return quadratic(
             "1 + vᵀε v", 1, "ε", "cauchy_strain", [](Real x) { return x; }, "1 + ");
     });
     give("stretch_mismatch", [squares, of_C] {
-        return Explanation{.formula = "|v′|² − vᵀC v = |v'|² − vᵀCv",
-                           .inputs = {squares("v'", "deformed_direction"), of_C()},
-                           .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+        return Explanation{.formula = "|v′|² − vᵀC v = |v'|² − vᵀCv", .inputs = {squares("v'", "deformed_direction"), of_C()}};
     });
     give("volume_ratio", [] { return why::determinant("deformation_gradient", 0); });
     give("strain_difference", [] {

@@ -25,14 +25,9 @@ linear_body::Hooke StressStrainLesson::hooke() const {
 Input StressStrainLesson::applied_stress_input(int row, int column) const {
     if (loading == Load::cut) return Input::of(row != column ? sigma_xy : row == 0 ? sigma_xx : sigma_yy);
     if (loading == Load::rod)
-        return Input::part("σ_xx", "Pa",
-                           {.formula = "σ_xx = F / (w w)",
-                            .inputs = {Input::of(force), Input::of(width)},
-                            .evaluate = [](std::span<const Real> x) { return x[0] / (x[1] * x[1]); }});
+        return Input::part("σ_xx", "Pa", {.formula = "σ_xx = F / (w w)", .inputs = {Input::of(force), Input::of(width)}});
     return Input::part("σ_yy", "Pa",
-                       {.formula = "σ_yy = − m g / (π r²)",
-                        .inputs = {Input::of(mass), Input::of(gravity), Input::of(radius)},
-                        .evaluate = [](std::span<const Real> x) { return -x[0] * x[1] / (std::numbers::pi * x[2] * x[2]); }});
+                       {.formula = "σ_yy = − m g / (π r²)", .inputs = {Input::of(mass), Input::of(gravity), Input::of(radius)}});
 }
 
 // The stress on the faces of the body times the node's share of them.
@@ -98,7 +93,7 @@ void StressStrainLesson::explain_probes() {
         const bool upward = loading == Load::disc;
         Explanation e = sum_of(upward ? "F = Σ r_y" : "F = − Σ r_x", std::move(reactions));
         if (upward) return e;
-        e.evaluate = [sum = e.evaluate](std::span<const Real> x) { return -sum(x); };
+        e.evaluate = [making = e.making](std::span<const Real> x) { return -sum_of_terms(making, x); };
         e.substitute = [](std::span<const Real> x) { return fmt::format("−({})", sum_text(x)); };
         return e;
     });
@@ -110,14 +105,10 @@ void StressStrainLesson::explain_probes() {
         return sum_of("A = Σ A_facet", std::move(areas));
     });
     give("stress", [] {
-        return Explanation{.formula = "σ = F / A",
-                           .inputs = {Input::now("F", "support_force", 0), Input::now("A", "area", 0)},
-                           .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+        return Explanation{.formula = "σ = F / A", .inputs = {Input::now("F", "support_force", 0), Input::now("A", "area", 0)}};
     });
     give("strain", [this] {
-        return Explanation{.formula = "ε = ΔL / L",
-                           .inputs = {Input::now("ΔL", "lengthening", 0), Input::of(length)},
-                           .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+        return Explanation{.formula = "ε = ΔL / L", .inputs = {Input::now("ΔL", "lengthening", 0), Input::of(length)}};
     });
     give("traction", [] {
         return Explanation{.formula = "|t| = √(σ_n² + τ²)",

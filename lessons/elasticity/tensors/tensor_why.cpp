@@ -40,8 +40,7 @@ Mat<3> matrix(std::span<const Real> x) { return Eigen::Map<const Eigen::Matrix<R
 
 Explanation determinant(std::string_view field, Index row) {
     return {.formula = "det F = F_11 (F_22 F_33 − F_23 F_32) − F_12 (F_21 F_33 − F_23 F_31) + F_13 (F_21 F_32 − F_22 F_31)",
-            .inputs = all_entries("F", field, row),
-            .evaluate = [](std::span<const Real> x) { return matrix(x).determinant(); }};
+            .inputs = all_entries("F", field, row)};
 }
 
 Explanation green(std::string_view field, Index row, int i, int j) {
@@ -82,10 +81,8 @@ Explanation of_matrix(std::string_view left, std::string_view words, std::string
 
 Input in_radians(std::string symbol, const Parameter& degrees) {
     const std::string given = fmt::format("{}°", degrees.info.symbol);
-    Explanation why{.formula = fmt::format("{} = {} π / 180", symbol, given),
-                    .inputs = {Input::of(degrees, given), Input::constant("π", std::numbers::pi, "", "half a turn")},
-                    .evaluate = [](std::span<const Real> x) { return x[0] * x[1] / 180; }};
-    return Input::part(std::move(symbol), "rad", std::move(why));
+    Explanation why{.formula = fmt::format("{} = {} π / 180°", symbol, given), .inputs = {Input::of(degrees, given)}};
+    return Input::part(std::move(symbol), degrees.info.unit == "°/m" ? "rad/m" : "rad", std::move(why));
 }
 
 }  // namespace pliant::why

@@ -84,9 +84,7 @@ void DiffusionLesson::declare_probes() {
          .value = [this] { return u_[selected_cell()]; },
          .exact = [this](Real t) { return exact(selected_cell(), tau(t)); },
          .explain = [this]() -> Explanation {
-             return {fmt::format("u_i = u   (cell {})", selected_cell()),
-                     {Input::now("u", "u", selected_cell())},
-                     [](std::span<const Real> x) { return x[0]; }};
+             return {fmt::format("u_i = u   (cell {})", selected_cell()), {Input::now("u", "u", selected_cell())}};
          }},
         {.name = "error",
          .symbol = "max|u − u_exact|",

@@ -32,15 +32,12 @@ Input DiffusionLesson::why_rate() const {
 }
 
 Input DiffusionLesson::why_dx() const {
-    return Input::part("Δx", "m",
-                       {"Δx = L / n", {Input::of(length), Input::of(resolution)}, [](Values x) { return x[0] / x[1]; }});
+    return Input::part("Δx", "m", {"Δx = L / n", {Input::of(length), Input::of(resolution)}});
 }
 
 Explanation DiffusionLesson::why_time_step() const {
     if (viscosity == 0) return fixed_value("Δt = 1   (any: without viscosity nothing diffuses)", 1);
-    return {"Δt = r Δx² / ν", {Input::of(diffusion_number), why_dx(), Input::of(viscosity)}, [](Values x) {
-                return x[0] * x[1] * x[1] / x[2];
-            }};
+    return {"Δt = r Δx² / ν", {Input::of(diffusion_number), why_dx(), Input::of(viscosity)}};
 }
 
 // What the stencil takes from around a cell; beyond a wall what continues u there.
@@ -55,11 +52,8 @@ std::vector<Input> DiffusionLesson::why_neighbours(Index cell, Input::From from,
 }
 
 std::optional<Explanation> DiffusionLesson::why_neighbourhood(const Question& q) const {
-    if (q.field == "u_before")
-        return Explanation{"u_b = u   (kept to compare)", {Input::before("u", "u", q.index)}, [](Values x) { return x[0]; }};
-    if (q.field == "laplacian")
-        return Explanation{
-            "∇²u = s / Δx²", {Input::now("s", "stencil", q.index), why_dx()}, [](Values x) { return x[0] / (x[1] * x[1]); }};
+    if (q.field == "u_before") return Explanation{"u_b = u   (kept to compare)", {Input::before("u", "u", q.index)}};
+    if (q.field == "laplacian") return Explanation{"∇²u = s / Δx²", {Input::now("s", "stencil", q.index), why_dx()}};
     std::vector<Input> inputs = why_neighbours(q.index, From::before, "");
     std::string formula = fmt::format("s = {} − {} u", joined(inputs), inputs.size());
     inputs.push_back(Input::before("u", "u", q.index));
@@ -71,9 +65,8 @@ Explanation DiffusionLesson::why_updated(Index cell) const {
     const Input s = Input::now("s", "stencil", cell);
     if (literal())
         return {"u′ = ν Δt s   (as on the slide: the number of ν Δt in m²)",
-                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), s},
-                [](Values x) { return x[0] * x[1] * x[2]; }};
-    return {"u′ = u + r s", {Input::before("u", "u", cell), why_rate(), s}, [](Values x) { return x[0] + x[1] * x[2]; }};
+                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), s}};
+    return {"u′ = u + r s", {Input::before("u", "u", cell), why_rate(), s}};
 }
 
 // The equation of this cell solved for its own u, with what the iterations have left of it.
@@ -87,11 +80,8 @@ std::optional<Explanation> DiffusionLesson::why_solved(const Question& q) const 
     inputs.insert(inputs.end(), beside.begin(), beside.end());
     inputs.push_back(residual ? Input::now("u′", "u", q.index) : Input::now("ρ", "residual", q.index));
     const auto own = static_cast<Real>(n);
-    if (residual)
-        return Explanation{fmt::format("ρ = u − u′ + r ({} − {} u′)", sum, n), std::move(inputs),
-                           [own](Values x) { return x[0] - x.back() + x[1] * (sum_between(x, 2, 1) - own * x.back()); }};
-    return Explanation{fmt::format("u′ = (u + r ({}) − ρ) / (1 + {} r)", sum, n), std::move(inputs),
-                       [own](Values x) { return (x[0] + x[1] * sum_between(x, 2, 1) - x.back()) / (1 + own * x[1]); }};
+    if (residual) return Explanation{fmt::format("ρ = u − u′ + r ({} − {} u′)", sum, n), std::move(inputs)};
+    return Explanation{fmt::format("u′ = (u + r ({}) − ρ) / (1 + {} r)", sum, n), std::move(inputs)};
 }
 
 // -------------------------------------------------------------------------------------------------------------- probes
@@ -115,23 +105,20 @@ Explanation DiffusionLesson::why_amplitude(std::string_view field) const {
 }
 
 Explanation DiffusionLesson::why_factor() const {
-    return {"G = A / A_b",
-            {Input::part("A", "m/s", why_amplitude("u")), Input::part("A_b", "m/s", why_amplitude("u_before"))},
-            [](Values x) { return x[0] / x[1]; }};
+    return {"G = A / A_b", {Input::part("A", "m/s", why_amplitude("u")), Input::part("A_b", "m/s", why_amplitude("u_before"))}};
 }
 
 Explanation DiffusionLesson::why_theory() const {
     Input Lambda = Input::part(
         "Λ", "",
         {fmt::format("Λ = {} sin(κ / 2)²", 4 * dims()),
-         {Input::constant("κ", modes_.phase(mode), "rad", "phase from one cell to the next: 2πm/n, or πm/n between walls")},
-         [d = dims()](Values x) { return 4 * d * std::sin(x[0] / 2) * std::sin(x[0] / 2); }});
+         {Input::constant("κ", modes_.phase(mode), "rad", "phase from one cell to the next: 2πm/n, or πm/n between walls")}});
     if (literal())
-        return {"G_r = −ν Δt Λ",
-                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), std::move(Lambda)},
-                [](Values x) { return -x[0] * x[1] * x[2]; }};
-    if (is_explicit()) return {"G_r = 1 − r Λ", {why_rate(), std::move(Lambda)}, [](Values x) { return 1 - x[0] * x[1]; }};
-    return {"G_r = 1 / (1 + r Λ)", {why_rate(), std::move(Lambda)}, [](Values x) { return 1 / (1 + x[0] * x[1]); }};
+        return {.formula = "G_r = −ν Δt Λ",
+                .inputs = {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), std::move(Lambda)},
+                .wrong_unit = true};
+    if (is_explicit()) return {"G_r = 1 − r Λ", {why_rate(), std::move(Lambda)}};
+    return {"G_r = 1 / (1 + r Λ)", {why_rate(), std::move(Lambda)}};
 }
 
 Explanation DiffusionLesson::why_exact_factor() const {
@@ -143,9 +130,7 @@ Explanation DiffusionLesson::why_exact_factor() const {
 Explanation DiffusionLesson::why_extreme(bool largest) const {
     Index at = 0;
     largest ? u_.maxCoeff(&at) : u_.minCoeff(&at);
-    return {fmt::format("{} u = u   (of all cells: cell {})", largest ? "max" : "min", at),
-            {Input::now("u", "u", at)},
-            [](Values x) { return x[0]; }};
+    return {fmt::format("{} u = u   (of all cells: cell {})", largest ? "max" : "min", at), {Input::now("u", "u", at)}};
 }
 
 Explanation DiffusionLesson::why_error() const {
@@ -154,8 +139,7 @@ Explanation DiffusionLesson::why_error() const {
     for (Index c = 0; c < u_.size(); ++c)
         if (const Real off = std::abs(u_[c] - *exact(c, elapsed_[1])); off > largest) largest = off, at = c;
     return {fmt::format("max|u − u_exact| = |u − u_x|   (largest in cell {})", at),
-            {Input::now("u", "u", at), Input::constant("u_x", *exact(at, elapsed_[1]), "m/s", "solution of ∂u/∂t = ν∇²u")},
-            [](Values x) { return std::abs(x[0] - x[1]); }};
+            {Input::now("u", "u", at), Input::constant("u_x", *exact(at, elapsed_[1]), "m/s", "solution of ∂u/∂t = ν∇²u")}};
 }
 
 }  // namespace pliant::diffusion

@@ -150,8 +150,7 @@ Explanation AdvectionWhy::corrected(const Carried& what, Index index) const {
         fmt::format("{0}′ = min(max({1} + ½ ({0} − {2}), low), high)", what.symbol, hat, tilde),
         {Input::part(hat, unit, interpolated(what, index)), sample(what.symbol, From::before, what.field, index),
          carried_back(what, index), Input::constant("low", low, unit, "smallest of the samples and walls around its departure"),
-         Input::constant("high", high, unit, "largest of them")},
-        [](Values x) { return std::min(std::max(x[0] + 0.5 * (x[1] - x[2]), x[3]), x[4]); }};
+         Input::constant("high", high, unit, "largest of them")}};
 }
 
 }  // namespace pliant::flow

@@ -51,9 +51,7 @@ Explanation GridWhy::divergence(Index cell, Input::From from) const {
 // θ: where the surface crosses the way from a cell of fluid to one of air.
 Explanation GridWhy::part_of_way(Index fluid, Index air) const {
     if (!surface_.exact) return fixed_value("θ = 1   (p = 0 in the middle of the cell of air)", 1);
-    return {"θ = max(φ_f / (φ_f − φ_a), 0.01)",
-            {Input::now("φ_f", "distance", fluid), Input::now("φ_a", "distance", air)},
-            [](Values x) { return surface_crossing(x[0], x[1]); }};
+    return {"θ = max(φ_f / (φ_f − φ_a), 0.01)", {Input::now("φ_f", "distance", fluid), Input::now("φ_a", "distance", air)}};
 }
 
 GridWhy::Row GridWhy::row_of(Index cell) const {
@@ -121,13 +119,10 @@ Explanation GridWhy::projected(int axis, Index face) const {
     const bool at_surface = !grid_.is_fluid(high) || !grid_.is_fluid(low);
     std::vector<Input> inputs{sample("ũ", Input::From::before, face_field(axis), face), dt_,
                               Input::now("p_high", "pressure", high), Input::now("p_low", "pressure", low), dx()};
-    if (!at_surface)
-        return {"u′ = ũ − Δt (p_high − p_low) / Δx", std::move(inputs),
-                [](Values x) { return x[0] - x[1] * (x[2] - x[3]) / x[4]; }};
+    if (!at_surface) return {"u′ = ũ − Δt (p_high − p_low) / Δx", std::move(inputs)};
     const bool wet_above = grid_.is_fluid(high);
     inputs.push_back(Input::part("θ", "", part_of_way(wet_above ? high : low, wet_above ? low : high)));
-    return {"u′ = ũ − Δt (p_high − p_low) / (θ Δx)", std::move(inputs),
-            [](Values x) { return x[0] - x[1] * (x[2] - x[3]) / (x[5] * x[4]); }};
+    return {"u′ = ũ − Δt (p_high − p_low) / (θ Δx)", std::move(inputs)};
 }
 
 Explanation GridWhy::cell_velocity(Index cell, int component) const {
@@ -143,9 +138,7 @@ Explanation GridWhy::cell_velocity(Index cell, int component) const {
 }
 
 Explanation GridWhy::speed(Index cell) const {
-    return {"|u| = √(u_x² + u_y²)",
-            {Input::now("u_x", "velocity", cell, 0), Input::now("u_y", "velocity", cell, 1)},
-            [](Values x) { return std::hypot(x[0], x[1]); }};
+    return {"|u| = √(u_x² + u_y²)", {Input::now("u_x", "velocity", cell, 0), Input::now("u_y", "velocity", cell, 1)}};
 }
 
 Explanation GridWhy::vorticity(Index cell) const {
@@ -171,17 +164,13 @@ Explanation GridWhy::courant(const FaceField<2>& velocity) const {
     Real largest = -1;
     for (int a = 0; a < 2; ++a)
         if (const Real here = velocity[a].cwiseAbs().maxCoeff(&at); here > largest) largest = here, axis = a, face = at;
-    return {"CFL = |u| Δt / Δx   (the fastest face)", {Input::now("u", face_field(axis), face), dt_, dx()}, [](Values x) {
-                return std::abs(x[0]) * x[1] / x[2];
-            }};
+    return {"CFL = |u| Δt / Δx   (the fastest face)", {Input::now("u", face_field(axis), face), dt_, dx()}};
 }
 
 Explanation largest(std::string_view name, const VecX& values, std::string_view field) {
     Index at = 0;
     values.cwiseAbs().maxCoeff(&at);
-    return {fmt::format("{} = |d|   (largest of all cells: in cell {})", name, at), {Input::now("d", field, at)}, [](Values x) {
-                return std::abs(x[0]);
-            }};
+    return {fmt::format("{} = |d|   (largest of all cells: in cell {})", name, at), {Input::now("d", field, at)}};
 }
 
 }  // namespace pliant::flow

@@ -20,8 +20,7 @@ Input sample(std::string symbol, Input::From from, std::string_view field, const
     if (s.factor == 1 && s.offset == 0) return sample(std::move(symbol), from, field, s.index);
     Explanation mirrored{fmt::format("{} = 2 U_wall − q", symbol),
                          {Input::constant("U_wall", s.offset / 2, "m/s", "velocity of the wall that lies half a cell away"),
-                          sample("q", from, field, s.index)},
-                         [](Values x) { return 2 * x[0] - x[1]; }};
+                          sample("q", from, field, s.index)}};
     if (s.factor == 1)
         mirrored = {fmt::format("{} = 2 U_walls + q", symbol),
                     {Input::constant("U_walls", s.offset / 2, "m/s", "difference of the velocities of two walls that meet"),
@@ -32,9 +31,7 @@ Input sample(std::string symbol, Input::From from, std::string_view field, const
 
 Explanation kept_by_wall(int axis, Index face) {
     return {"u′ = u   (the face lies on a wall and keeps the wall's velocity)",
-            {sample("u", From::before, face_field(axis), face)},
-            [](Values x) { return x[0]; },
-            [](Values x) { return fmt::format("{:.6g}", x[0]); }};
+            {sample("u", From::before, face_field(axis), face)}};
 }
 
 Surrounding surrounding(const Lattice<2>& lattice, const GridPlace<2>& place) {
@@ -70,8 +67,7 @@ bool GridWhy::closed(int axis, Index face) const {
 Input GridWhy::dx() const { return Input::constant("Δx", grid_.dx(), "m", "edge of a cell"); }
 
 Input GridWhy::diffusion_number(Input viscosity) const {
-    return Input::part(
-        "r", "", {"r = ν Δt / Δx²", {std::move(viscosity), dt_, dx()}, [](Values x) { return x[0] * x[1] / (x[2] * x[2]); }});
+    return Input::part("r", "", {"r = ν Δt / Δx²", {std::move(viscosity), dt_, dx()}});
 }
 
 Explanation GridWhy::diffused(Input viscosity, const VecX* residual, int axis, Index face) const {

@@ -69,8 +69,7 @@ void FreeSurface::declare_stages() {
                    [this](const Question& q) {
                        return Explanation{"φ′ = φ − s",
                                           {Input::before("φ", "distance", q.index),
-                                           Input::constant("s", shift_, "m", "way by which all of the surface was shifted")},
-                                          [](std::span<const Real> x) { return x[0] - x[1]; }};
+                                           Input::constant("s", shift_, "m", "way by which all of the surface was shifted")}};
                    }}};
 }
 

@@ -29,12 +29,7 @@ Explanation mean_of_neighbours(std::string_view symbol, std::string_view field, 
         known.push_back(Input::now(name, field, n));
     }
     const auto count = static_cast<Real>(known.size());
-    return {fmt::format("{} = ({}) / {}   (the neighbours nearer to the liquid)", symbol, sum, known.size()), std::move(known),
-            [count](Values x) {
-                Real total = 0;
-                for (const Real value : x) total += value;
-                return total / count;
-            }};
+    return {fmt::format("{} = ({}) / {}   (the neighbours nearer to the liquid)", symbol, sum, known.size()), std::move(known)};
 }
 
 }  // namespace
@@ -46,10 +41,7 @@ flow::GridWhy FreeSurface::why_on_grid() const {
 
 Explanation FreeSurface::kept(int axis, Index face) const {
     if (liquid_->grid().prescribed(axis, face)) return flow::kept_by_wall(axis, face);
-    return {"u′ = u   (no liquid beside the face)",
-            {Input::before("u", face_field(axis), face)},
-            [](Values x) { return x[0]; },
-            [](Values x) { return fmt::format("{:.6g}", x[0]); }};
+    return {"u′ = u   (no liquid beside the face)", {Input::before("u", face_field(axis), face)}};
 }
 
 Explanation FreeSurface::why_solid(int axis, Index face) const {
@@ -69,8 +61,8 @@ Explanation FreeSurface::why_solid(int axis, Index face) const {
 Explanation FreeSurface::why_force(int axis, Index face) const {
     if (liquid_->grid().prescribed(axis, face)) return flow::kept_by_wall(axis, face);
     const Input before = Input::before("u", face_field(axis), face);
-    if (axis == 0) return {"u′ = u   (gravity does not act sideways)", {before}, [](Values x) { return x[0]; }};
-    return {"u′ = u − Δt g", {before, Input::of(dt), Input::of(gravity)}, [](Values x) { return x[0] - x[1] * x[2]; }};
+    if (axis == 0) return {"u′ = u   (gravity does not act sideways)", {before}};
+    return {"u′ = u − Δt g", {before, Input::of(dt), Input::of(gravity)}};
 }
 
 Explanation FreeSurface::why_advected(int axis, Index face) const {
@@ -99,10 +91,7 @@ Explanation FreeSurface::why_continued(int axis, Index face) const {
     const std::vector<int>& layers = liquid_->extrapolation().layers(axis);
     if (layers[face] > 0) return mean_of_neighbours(axis == 0 ? "u" : "v", face_field(axis), grid.faces(axis), layers, face);
     if (layers[face] < 0 && !grid.prescribed(axis, face)) return fixed_value("u = 0   (there is no liquid to continue)", 0);
-    return {"u′ = u   (beside the liquid, or held by a wall)",
-            {Input::before("u", face_field(axis), face)},
-            [](Values x) { return x[0]; },
-            [](Values x) { return fmt::format("{:.6g}", x[0]); }};
+    return {"u′ = u   (beside the liquid, or held by a wall)", {Input::before("u", face_field(axis), face)}};
 }
 
 // The largest of the three differences over the cell, per length.
@@ -111,10 +100,7 @@ Explanation FreeSurface::why_slope(Index cell, int axis, std::string symbol) con
     return {fmt::format("{} = max(|φ_high − φ_low| / 2, |φ_high − φ|, |φ − φ_low|) / Δx", symbol),
             {Input::before("φ_high", "distance", liquid_->surface().beside(at, axis, 1)),
              Input::before("φ_low", "distance", liquid_->surface().beside(at, axis, -1)), Input::before("φ", "distance", cell),
-             why_on_grid().dx()},
-            [](Values x) {
-                return std::max({std::abs(x[0] - x[1]) / 2, std::abs(x[0] - x[2]), std::abs(x[2] - x[1])}) / x[3];
-            }};
+             why_on_grid().dx()}};
 }
 
 Explanation FreeSurface::why_redistanced(Index cell) const {
@@ -162,16 +148,14 @@ namespace {
 Explanation at_a_crossing(std::string symbol, std::string_view meaning, Real centre, Index fluid, Index air, Real dx) {
     return {fmt::format("{} = x_c + Δx φ_f / (φ_f − φ_a)", symbol),
             {Input::constant("x_c", centre, "m", std::string(meaning)), Input::constant("Δx", dx, "m", "edge of a cell"),
-             Input::now("φ_f", "distance", fluid), Input::now("φ_a", "distance", air)},
-            [](Values x) { return x[0] + x[1] * x[2] / (x[2] - x[3]); }};
+             Input::now("φ_f", "distance", fluid), Input::now("φ_a", "distance", air)}};
 }
 }  // namespace
 
 Explanation FreeSurface::why_front() const {
     const Crossing at = front();
     if (at.fluid < 0) return fixed_value("x_f = 0   (there is no liquid)", 0);
-    if (at.air < 0)
-        return {"x_f = W   (the liquid reaches the right wall)", {Input::of(tank_width)}, [](Values x) { return x[0]; }};
+    if (at.air < 0) return {"x_f = W   (the liquid reaches the right wall)", {Input::of(tank_width)}};
     const Real centre = (static_cast<Real>(at.fluid % resolution) + 0.5) * dx();
     return at_a_crossing("x_f", "centre of the last cell of liquid", centre, at.fluid, at.air, dx());
 }
@@ -179,8 +163,7 @@ Explanation FreeSurface::why_front() const {
 Explanation FreeSurface::why_offset() const {
     return {
         "Δp = p − g max(h_w − ½ Δx, 0)",
-        {Input::now("p", "pressure", 0), Input::of(gravity), Input::part("h_w", "m", why_height_at_wall()), why_on_grid().dx()},
-        [](Values x) { return x[0] - x[1] * std::max(Real(0), x[2] - 0.5 * x[3]); }};
+        {Input::now("p", "pressure", 0), Input::of(gravity), Input::part("h_w", "m", why_height_at_wall()), why_on_grid().dx()}};
 }
 
 Explanation FreeSurface::why_height_at_wall() const {

@@ -226,12 +226,11 @@ Real NavierStokes::nu() const {
 Input NavierStokes::nu_input() const {
     const Real length = scene().reynolds_length;
     if (length == 0) return Input::of(viscosity);
-    return Input::part(
-        "ν", "m²/s",
-        {"ν = |U| l L / Re",
-         {Input::of(scene().drives.lid ? static_cast<const Parameter&>(lid_speed) : inflow),
-          Input::constant("l", length, "", "length of the Reynolds number in units of L"), Input::of(size), Input::of(reynolds)},
-         [](std::span<const Real> x) { return std::abs(x[0]) * x[1] * x[2] / x[3]; }});
+    return Input::part("ν", "m²/s",
+                       {"ν = |U| l L / Re",
+                        {Input::of(scene().drives.lid ? static_cast<const Parameter&>(lid_speed) : inflow),
+                         Input::constant("l", length, "", "length of the Reynolds number in units of L"), Input::of(size),
+                         Input::of(reynolds)}});
 }
 
 // ------------------------------------------------------------------------------------------------------ the initial state

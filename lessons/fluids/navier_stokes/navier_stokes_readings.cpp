@@ -193,8 +193,7 @@ void NavierStokes::declare_wake_probes() {
                     .explain =
                         [this] {
                             return Explanation{"v = v_face   (the face nearest to the mark)",
-                                               {Input::now("v_face", "v_on_faces", wake_face_)},
-                                               [](std::span<const Real> x) { return x[0]; }};
+                                               {Input::now("v_face", "v_on_faces", wake_face_)}};
                         }},
                    {.name = "strouhal",
                     .symbol = "St",

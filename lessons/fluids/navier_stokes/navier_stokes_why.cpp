@@ -43,8 +43,7 @@ Input NavierStokes::why_buoyancy(Index face) const {
     return Input::part("f_smoke", "m/s²",
                        {"f_smoke = β ½ (s_below + s_above)",
                         {Input::of(buoyancy), flow::sample("s_below", From::before, "smoke", grid_->cell_beside(1, face, 0)),
-                         flow::sample("s_above", From::before, "smoke", grid_->cell_beside(1, face, 1))},
-                        [](Values x) { return x[0] * (0.5 * (x[1] + x[2])); }});
+                         flow::sample("s_above", From::before, "smoke", grid_->cell_beside(1, face, 1))}});
 }
 
 Explanation NavierStokes::why_force(int axis, Index face) const {

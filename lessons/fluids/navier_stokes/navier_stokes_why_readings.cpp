@@ -35,8 +35,7 @@ Explanation NavierStokes::why_effective_viscosity() const {
     return {
         "ν_eff = −ln(e / e₀) L² / (16 π² t)",
         {Input::now("e", "kinetic_energy", 0), Input::constant("e₀", initial_energy_, "J/kg", "at the start"), Input::of(size),
-         Input::constant("π", pi, "", "3.14159…"), Input::constant("t", time(), "s", "time since the start")},
-        [](Values x) { return -std::log(x[0] / x[1]) * x[2] * x[2] / (16 * x[3] * x[3] * x[4]); }};
+         Input::constant("π", pi, "", "3.14159…"), Input::constant("t", time(), "s", "time since the start")}};
 }
 
 Explanation NavierStokes::why_max_speed() const {
@@ -44,20 +43,16 @@ Explanation NavierStokes::why_max_speed() const {
     Index face = 0;
     velocity_[axis].cwiseAbs().maxCoeff(&face);
     return {fmt::format("max|u| = |u_face|   (largest of all faces: number {} across {})", face, axis == 0 ? "x" : "y"),
-            {flow::sample("u_face", From::now, flow::face_field(axis), face)},
-            [](Values x) { return std::abs(x[0]); }};
+            {flow::sample("u_face", From::now, flow::face_field(axis), face)}};
 }
 
 Explanation NavierStokes::why_reynolds() const {
     const Real length = scene().reynolds_length;
     if (length == 0)
-        return {"Re = U L / ν   (U: the fastest fluid)",
-                {Input::now("U", "max_speed", 0), Input::of(size), nu_input()},
-                [](Values x) { return x[0] * x[1] / x[2]; }};
+        return {"Re = U L / ν   (U: the fastest fluid)", {Input::now("U", "max_speed", 0), Input::of(size), nu_input()}};
     return {"Re = |U| l L / ν",
             {Input::of(scene().drives.lid ? static_cast<const Parameter&>(lid_speed) : inflow),
-             Input::constant("l", length, "", "length of the Reynolds number in units of L"), Input::of(size), nu_input()},
-            [](Values x) { return std::abs(x[0]) * x[1] * x[2] / x[3]; }};
+             Input::constant("l", length, "", "length of the Reynolds number in units of L"), Input::of(size), nu_input()}};
 }
 
 // The velocity on a line through the middle, from the samples around the place.

@@ -132,8 +132,7 @@ void Projection::declare_probes() {
          .explain =
              [] {
                  return Explanation{"e/ẽ = e / ẽ",
-                                    {Input::now("e", "kinetic_energy", 0), Input::now("ẽ", "kinetic_energy_before", 0)},
-                                    [](std::span<const Real> x) { return x[0] / x[1]; }};
+                                    {Input::now("e", "kinetic_energy", 0), Input::now("ẽ", "kinetic_energy_before", 0)}};
              }},
         {.name = "orthogonality",
          .symbol = "⟨Δt∇p, u⟩/⟨ũ, ũ⟩",
@@ -168,8 +167,7 @@ void Projection::declare_probes() {
          .explain =
              [this] {
                  return Explanation{"p_cell = p   (of the cell that is drawn large)",
-                                    {Input::now("p", "pressure", selected_cell())},
-                                    [](std::span<const Real> x) { return x[0]; }};
+                                    {Input::now("p", "pressure", selected_cell())}};
              }}};
 }
 

@@ -57,8 +57,7 @@ Explanation Projection::why_disturbed(Index cell) const {
     if (!grid_->is_fluid(cell)) return fixed_value("p′ = 0   (a solid cell)", 0);
     return {"p′ = p + A q",
             {flow::sample("p", From::before, "pressure", cell), Input::of(disturbance),
-             Input::constant("q", parity(cell), "", "+1 and −1 in turn, along x and along y")},
-            [](Values x) { return x[0] + x[1] * x[2]; }};
+             Input::constant("q", parity(cell), "", "+1 and −1 in turn, along x and along y")}};
 }
 
 Explanation Projection::why_projected(const Question& q) const {
@@ -85,13 +84,11 @@ Explanation Projection::why_part(const Question& q) const {
     if (q.field == "solenoidal_part")
         return {"s = u − m",
                 {Input::now("u", "velocity", q.index, axis),
-                 Input::constant("m", drift_[axis], "m/s", "mean of the velocity along a periodic axis; 0 between walls")},
-                [](Values x) { return x[0] - x[1]; }};
+                 Input::constant("m", drift_[axis], "m/s", "mean of the velocity along a periodic axis; 0 between walls")}};
     if (!staggered()) return why_central_gradient(axis, q.index);
     return {"g = ½ (g_low + g_high)",
             {Input::part("g_low", "m/s", why_face_gradient("g_low", axis, q.index, 0)),
-             Input::part("g_high", "m/s", why_face_gradient("g_high", axis, q.index, 1))},
-            [](Values x) { return 0.5 * (x[0] + x[1]); }};
+             Input::part("g_high", "m/s", why_face_gradient("g_high", axis, q.index, 1))}};
 }
 
 Explanation Projection::why_velocity(const Question& q) const {

@@ -74,12 +74,7 @@ Explanation Projection::why_central_pressure(Index cell) const {
         inputs.push_back(Input::now(symbol, "pressure", other));
         weights.push_back(weight);
     }
-    return {fmt::format("p = ({} − 4 Δx² (d̃ − d) / Δt) / {:g}", sum.empty() ? "0" : sum, -own), std::move(inputs),
-            [weights, own](Values x) {
-                Real beside_sum = 0;
-                for (std::size_t k = 0; k < weights.size(); ++k) beside_sum += weights[k] * x[4 + k];
-                return (beside_sum - 4 * x[2] * x[2] * (x[0] - x[1]) / x[3]) / -own;
-            }};
+    return {fmt::format("p = ({} − 4 Δx² (d̃ − d) / Δt) / {:g}", sum.empty() ? "0" : sum, -own), std::move(inputs)};
 }
 
 Explanation Projection::why_central_remaining(Index cell) const {
@@ -102,8 +97,7 @@ Explanation Projection::why_central_remaining(Index cell) const {
 Explanation Projection::why_central_gradient(int axis, Index cell) const {
     return {"g = Δt (p_next − p_before) / (2 Δx)",
             {Input::of(dt), Input::now("p_next", "pressure", beside(grid_->cells(), cell, axis, 1).cell),
-             Input::now("p_before", "pressure", beside(grid_->cells(), cell, axis, 0).cell), grid_why().dx()},
-            [](Values x) { return x[0] * (x[1] - x[2]) / (2 * x[3]); }};
+             Input::now("p_before", "pressure", beside(grid_->cells(), cell, axis, 0).cell), grid_why().dx()}};
 }
 
 Explanation Projection::why_central_projected(int axis, Index cell) const {

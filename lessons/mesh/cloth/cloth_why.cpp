@@ -36,8 +36,7 @@ Input ClothLesson::node_mass() const {
     return Input::part(
         "m", "kg",
         {.formula = "m = M / N",
-         .inputs = {Input::of(total_mass), Input::constant("N", Real(position_.cols()), "", "nodes that share the mass")},
-         .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }});
+         .inputs = {Input::of(total_mass), Input::constant("N", Real(position_.cols()), "", "nodes that share the mass")}});
 }
 
 Explanation ClothLesson::why_spring_stage(const Question& q) const {
@@ -107,11 +106,7 @@ Explanation ClothLesson::why_damper_on_node(Index s, Index node, int component, 
 
     Explanation rate{
         .formula = "w = ((vx_j − vx_i) (x_j − x_i) + (vy_j − vy_i) (y_j − y_i) + (vz_j − vz_i) (z_j − z_i)) / |x_ij|²",
-        .inputs = {},
-        .evaluate = [](std::span<const Real> x) {
-            const Vec<3> v_ij = difference(x.first(6)), x_ij = difference(x.subspan(6, 6));
-            return x[12] > 0 ? v_ij.dot(x_ij) / (x[12] * x[12]) : 0;
-        }};
+        .inputs = {}};
     append_ends(rate.inputs, Input::now, "velocity", "v", other, node);
     append_ends(rate.inputs, direction_at, "position", "", other, node);
     rate.inputs.push_back(length_between(direction_at, other, node));

@@ -27,10 +27,9 @@ Input ClothLesson::wind_component(int component) const {
                                 return Real{0};
                             }});
     return Input::part(symbol, "m/s",
-                       {.formula = symbol + " = W γ sin(2π t)",
-                        .inputs = {Input::of(wind), Input::of(gust),
-                                   Input::constant("t", gust_at_, "s", "since the wind began, at the start of the step")},
-                        .evaluate = [](std::span<const Real> x) { return x[0] * x[1] * std::sin(2 * std::numbers::pi * x[2]); }});
+                       {.formula = symbol + " = W γ sin(2π f t)",
+                        .inputs = {Input::of(wind), Input::of(gust), Input::constant("f", 1, "1/s", "how often the gust comes"),
+                                   Input::constant("t", gust_at_, "s", "since the wind began, at the start of the step")}});
 }
 
 // One triangle at a time: its area vector, and how fast the air meets it.

@@ -78,8 +78,7 @@ Explanation ClothLesson::why_limited(const Question& q) const {
     if (q.field == "velocity")
         return {.formula = "v′ = v + (x′ − x) / Δt",
                 .inputs = {reading("v", "velocity", q.index, q.component), Input::now("x′", "position", q.index, q.component),
-                           reading("x", "position", q.index, q.component), Input::of(dt)},
-                .evaluate = [](std::span<const Real> x) { return x[0] + (x[1] - x[2]) / x[3]; }};
+                           reading("x", "position", q.index, q.component), Input::of(dt)}};
     Explanation e{.formula = "x′ = x",
                   .inputs = {reading("x", "position", q.index, q.component)},
                   .evaluate = [](std::span<const Real> x) { return x[0]; }};

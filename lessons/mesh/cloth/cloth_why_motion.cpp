@@ -37,9 +37,7 @@ Explanation ClothLesson::why_integrated(const Question& q) const {
     const bool of_velocity = q.field == "velocity";
     if (sheet_->inertia().fixed(3 * q.index)) {
         if (!of_velocity) return drifted(dt, q.index, q.component, false);
-        return {.formula = "v′ = v: the node is held",
-                .inputs = {Input::before("v", "velocity", q.index, q.component)},
-                .evaluate = [](std::span<const Real> x) { return x[0]; }};
+        return {.formula = "v′ = v: the node is held", .inputs = {Input::before("v", "velocity", q.index, q.component)}};
     }
     if (!implicit())
         return of_velocity ? why_explicit_velocity(q.index, q.component)
@@ -49,8 +47,7 @@ Explanation ClothLesson::why_integrated(const Question& q) const {
     if (!of_velocity) return why_newton_position(q.index, q.component);
     return {.formula = "v′ = (x′ − x) / Δt",
             .inputs = {Input::now("x′", "position", q.index, q.component), Input::before("x", "position", q.index, q.component),
-                       Input::of(dt)},
-            .evaluate = [](std::span<const Real> x) { return (x[0] - x[1]) / x[2]; }};
+                       Input::of(dt)}};
 }
 
 // With the forces of the start of the step.
@@ -90,10 +87,9 @@ Explanation ClothLesson::why_newton_position(Index node, int component) const {
                        Input::constant("d", solver()->search_direction()[dof], "m", "Newton's direction from there")},
             .evaluate = [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
     return {.formula = "x′ = x_k + d",
-            .inputs = {solver()->iterations() == 1 ? newton_start(node, component)
-                                                   : Input::earlier("x_k", "position", node, component),
-                       newton_direction(dof)},
-            .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
+            .inputs = {
+                solver()->iterations() == 1 ? newton_start(node, component) : Input::earlier("x_k", "position", node, component),
+                newton_direction(dof)}};
 }
 
 // Where Newton's method started in this step.

@@ -38,8 +38,7 @@ void ClothLesson::explain_probes() {
     });
     give("bending_share", [] {
         return Explanation{.formula = "U_b/U = U_b / U",
-                           .inputs = {Input::now("U_b", "bending_energy", 0), Input::now("U", "elastic_energy", 0)},
-                           .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+                           .inputs = {Input::now("U_b", "bending_energy", 0), Input::now("U", "elastic_energy", 0)}};
     });
     give("gravitational_energy", [this] { return why_gravitational_energy(); });
     give("largest_stretch", [this] { return why_largest_stretch(); });

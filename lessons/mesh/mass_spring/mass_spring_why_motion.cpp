@@ -26,8 +26,7 @@ Explanation MassSpringLesson::why_integrated(const Question& q) const {
     if (block_->inertia().fixed(3 * q.index)) {
         if (!of_velocity) return drifted(dt, q.index, q.component, false);
         return {.formula = "v′ = v: the support holds the node",
-                .inputs = {Input::before("v", "velocity", q.index, q.component)},
-                .evaluate = [](std::span<const Real> x) { return x[0]; }};
+                .inputs = {Input::before("v", "velocity", q.index, q.component)}};
     }
     if (semi_implicit() || integrator == Scheme::explicit_euler)
         return of_velocity ? why_explicit_velocity(q.index, q.component) : drifted(dt, q.index, q.component, semi_implicit());
@@ -136,14 +135,12 @@ Explanation MassSpringLesson::why_iterate_velocity(Index node, int component) co
     if (implicit_euler())
         return {.formula = "v′ = (x′ − x) / Δt",
                 .inputs = {Input::now("x′", "position", node, component), Input::before("x", "position", node, component),
-                           Input::of(dt)},
-                .evaluate = [](std::span<const Real> x) { return (x[0] - x[1]) / x[2]; }};
+                           Input::of(dt)}};
     return {.formula = "v′ = r (x′ − x_o)",
             .inputs = {Input::constant("r", form.velocity_rate, "1/s", "of the scheme"),
                        Input::now("x′", "position", node, component),
                        Input::constant("x_o", form.velocity_origin[3 * node + component], "m",
-                                       "the place at which the scheme's velocity is 0")},
-            .evaluate = [](std::span<const Real> x) { return x[0] * (x[1] - x[2]); }};
+                                       "the place at which the scheme's velocity is 0")}};
 }
 
 // With the forces of the start of the step.

@@ -119,11 +119,8 @@ Explanation MassSpringLesson::why_elastic_energy() const {
 }
 
 Explanation MassSpringLesson::why_gravitational_energy() const {
-    if (weight_acceleration() == 0)
-        return {.formula = "V = 0: there is no weight", .inputs = {}, .evaluate = [](std::span<const Real>) { return Real{0}; }};
-    return {.formula = "V = M g h",
-            .inputs = {Input::of(total_mass), Input::of(gravity), Input::now("h", "height", 0)},
-            .evaluate = [](std::span<const Real> x) { return x[0] * x[1] * x[2]; }};
+    if (weight_acceleration() == 0) return {.formula = "V = 0: there is no weight", .inputs = {}};
+    return {.formula = "V = M g h", .inputs = {Input::of(total_mass), Input::of(gravity), Input::now("h", "height", 0)}};
 }
 
 Explanation MassSpringLesson::why_momentum() const {
@@ -166,7 +163,7 @@ Explanation MassSpringLesson::why_height() const {
     std::vector<Input> heights;
     for (Index n = 0; n < position_.cols(); ++n) heights.push_back(Input::now(fmt::format("y_{}", n), "position", n, 1));
     Explanation e = sum_of("h = Σ y / N", std::move(heights));
-    e.evaluate = [sum = e.evaluate](std::span<const Real> x) { return sum(x) / Real(x.size()); };
+    e.evaluate = [making = e.making](std::span<const Real> x) { return sum_of_terms(making, x) / Real(x.size()); };
     e.substitute = [](std::span<const Real> x) { return fmt::format("({}) / {}", sum_text(x), x.size()); };
     return e;
 }

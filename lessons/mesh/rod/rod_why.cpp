@@ -25,32 +25,25 @@ std::vector<Input> ends_of(std::string_view field, std::string_view mark, Index 
 Vec<2> difference(Values ends) { return {ends[0] - ends[1], ends[2] - ends[3]}; }
 
 Input length_between(Index j, Index i) {
-    return Input::part("|x_ij|", "m", {"|x_ij| = √((x_j − x_i)² + (y_j − y_i)²)", ends_of("position", "", j, i), [](Values x) {
-                                           return difference(x).norm();
-                                       }});
+    return Input::part("|x_ij|", "m", {"|x_ij| = √((x_j − x_i)² + (y_j − y_i)²)", ends_of("position", "", j, i)});
 }
 
 }  // namespace
 
-Input RodLesson::why_segment() const {
-    return Input::part("Δs", "m", {"Δs = L / N", {Input::of(length), Input::of(segments)}, [](Values x) { return x[0] / x[1]; }});
-}
+Input RodLesson::why_segment() const { return Input::part("Δs", "m", {"Δs = L / N", {Input::of(length), Input::of(segments)}}); }
 
 Input RodLesson::why_node_mass() const {
-    return Input::part("m", "kg",
-                       {"m = M / N", {Input::of(total_mass), Input::of(segments)}, [](Values x) { return x[0] / x[1]; }});
+    return Input::part("m", "kg", {"m = M / N", {Input::of(total_mass), Input::of(segments)}});
 }
 
 Input RodLesson::why_stiffness() const {
     if (by_hand()) return Input::of(picked_stiffness, "k");
-    return Input::part("k", "N/m",
-                       {"k = EA / Δs", {Input::of(axial_stiffness), why_segment()}, [](Values x) { return x[0] / x[1]; }});
+    return Input::part("k", "N/m", {"k = EA / Δs", {Input::of(axial_stiffness), why_segment()}});
 }
 
 Input RodLesson::why_axial_stiffness() const {
     if (!by_hand()) return Input::of(axial_stiffness);
-    return Input::part("EA", "N",
-                       {"EA = k₀ Δs", {Input::of(picked_stiffness), why_segment()}, [](Values x) { return x[0] * x[1]; }});
+    return Input::part("EA", "N", {"EA = k₀ Δs", {Input::of(picked_stiffness), why_segment()}});
 }
 
 // ---------------------------------------------------------------------------------------------- from positions to energy
@@ -58,33 +51,27 @@ Input RodLesson::why_axial_stiffness() const {
 Explanation RodLesson::why_slope(Index s, int component) const {
     return {fmt::format("∂{0}/∂s = ({0}_j − {0}_i) / Δs", letter(component)),
             {Input::now(fmt::format("{}_j", letter(component)), "position", s + 1, component),
-             Input::now(fmt::format("{}_i", letter(component)), "position", s, component), why_segment()},
-            [](Values x) { return (x[0] - x[1]) / x[2]; }};
+             Input::now(fmt::format("{}_i", letter(component)), "position", s, component), why_segment()}};
 }
 
 Explanation RodLesson::why_strain(Index s) const {
-    return {"ε = √(x_s² + y_s²) − 1", {Input::now("x_s", "slope", s, 0), Input::now("y_s", "slope", s, 1)}, [](Values x) {
-                return Vec<2>(x[0], x[1]).norm() - 1;
-            }};
+    return {"ε = √(x_s² + y_s²) − 1", {Input::now("x_s", "slope", s, 0), Input::now("y_s", "slope", s, 1)}};
 }
 
 Explanation RodLesson::why_energy_density(Index s) const {
-    return {
-        "w = ½ EA ε²", {why_axial_stiffness(), Input::now("ε", "strain", s)}, [](Values x) { return 0.5 * x[0] * x[1] * x[1]; }};
+    return {"w = ½ EA ε²", {why_axial_stiffness(), Input::now("ε", "strain", s)}};
 }
 
 Explanation RodLesson::why_segment_energy(Index s) const {
-    return {"U = w Δs", {Input::now("w", "energy_density", s), why_segment()}, [](Values x) { return x[0] * x[1]; }};
+    return {"U = w Δs", {Input::now("w", "energy_density", s), why_segment()}};
 }
 
 Explanation RodLesson::why_spring(const Question& q) const {
     if (q.field == "spring_stiffness") {
-        if (by_hand()) return {"k = k₀", {Input::of(picked_stiffness)}, [](Values x) { return x[0]; }};
-        return {"k = EA / Δs", {Input::of(axial_stiffness), why_segment()}, [](Values x) { return x[0] / x[1]; }};
+        if (by_hand()) return {"k = k₀", {Input::of(picked_stiffness)}};
+        return {"k = EA / Δs", {Input::of(axial_stiffness), why_segment()}};
     }
-    return {"T = k (|x_ij| − Δs)", {why_stiffness(), length_between(q.index + 1, q.index), why_segment()}, [](Values x) {
-                return x[0] * (x[1] - x[2]);
-            }};
+    return {"T = k (|x_ij| − Δs)", {why_stiffness(), length_between(q.index + 1, q.index), why_segment()}};
 }
 
 // --------------------------------------------------------------------------------------------------------------- forces
@@ -107,18 +94,13 @@ Explanation RodLesson::why_force(const Question& q) const {
             return {
                 fmt::format("f_{} = {}EA ε {}_s / √(x_n² + y_n²)", other, sign > 0 ? "" : "− ", c),
                 {why_axial_stiffness(), Input::now("ε", "strain", s), Input::now(fmt::format("{}_s", c), "slope", s, q.component),
-                 Input::now("x_n", "slope", s, 0), Input::now("y_n", "slope", s, 1)},
-                [sign](Values x) {
-                    const Real size = Vec<2>(x[3], x[4]).norm();
-                    return size > 0 ? sign * x[0] * x[1] * x[2] / size : Real{0};
-                }};
+                 Input::now("x_n", "slope", s, 0), Input::now("y_n", "slope", s, 1)}};
         });
     return sum_over_neighbours(q.index, "f = Σ of the springs beside", "f", [&, c](Index other) -> Explanation {
         return {fmt::format("f_{0} = k (|x_ij| − Δs) ({1}_j − {1}_i) / |x_ij|", other, c),
                 {why_stiffness(), length_between(other, q.index), why_segment(),
                  Input::now(fmt::format("{}_j", c), "position", other, q.component),
-                 Input::now(fmt::format("{}_i", c), "position", q.index, q.component)},
-                [](Values x) { return x[1] > 0 ? x[0] * (x[1] - x[2]) * (x[3] - x[4]) / x[1] : Real{0}; }};
+                 Input::now(fmt::format("{}_i", c), "position", q.index, q.component)}};
     });
 }
 
@@ -128,22 +110,17 @@ Explanation RodLesson::why_damping_force(Index node, int component) const {
         std::vector<Input> inputs = ends_of("velocity", "v", other, node);
         for (Input& end : ends_of("position", "", other, node)) inputs.push_back(std::move(end));
         inputs.push_back(length_between(other, node));
-        Explanation rate{"w = ((vx_j − vx_i) (x_j − x_i) + (vy_j − vy_i) (y_j − y_i)) / |x_ij|²", std::move(inputs),
-                         [](Values x) {
-                             const Real size = x[8];
-                             return size > 0 ? difference(x).dot(difference(x.subspan(4))) / (size * size) : Real{0};
-                         }};
+        Explanation rate{"w = ((vx_j − vx_i) (x_j − x_i) + (vy_j − vy_i) (y_j − y_i)) / |x_ij|²", std::move(inputs)};
         return {fmt::format("fᵈ_{0} = τ k w ({1}_j − {1}_i)", other, c),
                 {Input::of(damping), why_stiffness(), Input::part("w", "1/s", std::move(rate)),
                  Input::now(fmt::format("{}_j", c), "position", other, component),
-                 Input::now(fmt::format("{}_i", c), "position", node, component)},
-                [](Values x) { return x[0] * x[1] * x[2] * (x[3] - x[4]); }};
+                 Input::now(fmt::format("{}_i", c), "position", node, component)}};
     });
 }
 
 Explanation RodLesson::why_external_force(Index, int component) const {
     if (component == 0) return fixed_value("fᵉ = 0: the weight acts along y", 0);
-    return {"fᵉ = − m g", {why_node_mass(), Input::of(gravity)}, [](Values x) { return -x[0] * x[1]; }};
+    return {"fᵉ = − m g", {why_node_mass(), Input::of(gravity)}};
 }
 
 // ---------------------------------------------------------------------------------------------------------- equilibrium

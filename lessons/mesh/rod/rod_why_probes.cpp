@@ -30,18 +30,13 @@ void RodLesson::explain_probes() {
     const auto give = [this](std::string_view name, auto why) { std::ranges::find(probes, name, &Probe::name)->explain = why; };
     give("tip_displacement", [this] { return same("u_L = u of the last node", Input::now("u", "displacement", segments)); });
     give("tip_over_continuum", [this]() -> Explanation {
-        return {
-            "u_L / u_c", {Input::now("u_L", "tip_displacement", 0), why_continuum_tip()}, [](Values x) { return x[0] / x[1]; }};
+        return {"u_L / u_c", {Input::now("u_L", "tip_displacement", 0), why_continuum_tip()}};
     });
     give("tip_of_chain", [this]() -> Explanation {
-        return {"u_N = M g (N + 1) / (2 k)",
-                {Input::of(total_mass), Input::of(gravity), Input::of(segments), why_stiffness()},
-                [](Values x) { return x[0] * x[1] * (x[2] + 1) / (2 * x[3]); }};
+        return {"u_N = M g (N + 1) / (2 k)", {Input::of(total_mass), Input::of(gravity), Input::of(segments), why_stiffness()}};
     });
     give("stiffness", [this] { return why_spring({"spring_stiffness", 0}); });
-    give("chain_axial_stiffness", [this]() -> Explanation {
-        return {"k Δs", {why_stiffness(), why_segment()}, [](Values x) { return x[0] * x[1]; }};
-    });
+    give("chain_axial_stiffness", [this]() -> Explanation { return {"k Δs", {why_stiffness(), why_segment()}}; });
     give("energy", [] {
         return sum_of("E = K + U + V", {Input::now("K", "kinetic_energy", 0), Input::now("U", "elastic_energy", 0),
                                         Input::now("V", "gravitational_energy", 0)});
@@ -60,14 +55,12 @@ void RodLesson::explain_probes() {
     give("frequency_chain", [this]() -> Explanation {
         return {"ω_j = 2 √(k / m) sin(θ / 2)",
                 {why_stiffness(), why_node_mass(),
-                 Input::constant("θ", chain().phase(watched_mode(), end()), "rad", "(2j − 1)π/(2N + 1)")},
-                [](Values x) { return 2 * std::sqrt(x[0] / x[1]) * std::sin(x[2] / 2); }};
+                 Input::constant("θ", chain().phase(watched_mode(), end()), "rad", "(2j − 1)π/(2N + 1)")}};
     });
     give("frequency_continuum", [this]() -> Explanation {
         return {"ω_c = κ √(EA L / M)",
                 {Input::constant("κ", continuum().wave_number(watched_mode(), end()), "1/m", "(2j − 1)π/(2L)"),
-                 Input::of(axial_stiffness), Input::of(length), Input::of(total_mass)},
-                [](Values x) { return x[0] * std::sqrt(x[1] * x[2] / x[3]); }};
+                 Input::of(axial_stiffness), Input::of(length), Input::of(total_mass)}};
     });
     give("pulse_position", [this] { return why_pulse_position(); });
     give("wave_speed", [this]() -> Explanation {
@@ -77,16 +70,14 @@ void RodLesson::explain_probes() {
             {Input::constant("d", static_cast<Real>(even) * length, "m", "whole lengths of the rod that it has run"),
              Input::constant("q", turned % 2 == 0 ? 1 : -1, "", "1 on its way out, −1 on its way back"),
              Input::now("s_p", "pulse_position", 0), Input::constant("s_start", start_position_, "m", "the same at the start"),
-             Input::constant("t", clock_[elapsed], "s", "time since")},
-            [](Values x) { return (x[0] + x[1] * x[2] - x[3]) / x[4]; }};
+             Input::constant("t", clock_[elapsed], "s", "time since")}};
     });
 }
 
 Input RodLesson::why_continuum_tip() const {
-    return Input::part("u_c", "m",
-                       {"u_c = M g L / (2 EA)",
-                        {Input::of(total_mass), Input::of(gravity), Input::of(length), Input::of(axial_stiffness)},
-                        [](Values x) { return x[0] * x[1] * x[2] / (2 * x[3]); }});
+    return Input::part(
+        "u_c", "m",
+        {"u_c = M g L / (2 EA)", {Input::of(total_mass), Input::of(gravity), Input::of(length), Input::of(axial_stiffness)}});
 }
 
 Explanation RodLesson::why_elastic_energy() const {
@@ -139,8 +130,7 @@ Explanation RodLesson::why_force_difference() const {
     (gradient_force_ - spring_force_).cwiseAbs().maxCoeff(&row, &node);
     const int c = static_cast<int>(row);
     return {fmt::format("Δf = |g − f|, the largest: {} of node {}", c ? "y" : "x", node),
-            {Input::now("g", "gradient_force", node, c), Input::now("f", "spring_force", node, c)},
-            [](Values x) { return std::abs(x[0] - x[1]); }};
+            {Input::now("g", "gradient_force", node, c), Input::now("f", "spring_force", node, c)}};
 }
 
 Explanation RodLesson::why_imbalance() const {

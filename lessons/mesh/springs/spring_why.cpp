@@ -15,9 +15,7 @@ void append_ends(std::vector<Input>& inputs, Reading at, std::string_view field,
 }
 
 Input length_between(Reading at, Index j, Index i) {
-    Explanation e{.formula = "|x_ij| = √((x_j − x_i)² + (y_j − y_i)² + (z_j − z_i)²)",
-                  .inputs = {},
-                  .evaluate = [](std::span<const Real> x) { return difference(x).norm(); }};
+    Explanation e{.formula = "|x_ij| = √((x_j − x_i)² + (y_j − y_i)² + (z_j − z_i)²)", .inputs = {}};
     append_ends(e.inputs, at, "position", "", j, i);
     return Input::part("|x_ij|", "m", std::move(e));
 }

@@ -88,13 +88,10 @@ void IntegrationLesson::declare_probes() {
                },
                .explain = [this]() -> Explanation {
                    if (is(System::oscillator))
-                       return {"A = √(2 E) / ω", {Input::now("E", "energy", 0), Input::of(omega)}, [](std::span<const Real> x) {
-                                   return std::sqrt(2 * x[0]) / x[1];
-                               }};
-                   return {"A = 2 l asin(√(E / (2 g l)))",
-                           {Input::now("E", "energy", 0), Input::constant("g", Swinging::gravity, "m/s²", "gravity"),
-                            Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²")},
-                           [](std::span<const Real> x) { return arc_amplitude(x[0], x[1], x[2]); }};
+                       return {"A = √(2 E / m) / ω", {Input::now("E", "energy", 0), unit_mass(), Input::of(omega)}};
+                   return {"A = 2 l asin(√(E / (2 m g l)))",
+                           {Input::now("E", "energy", 0), unit_mass(), Input::constant("g", Swinging::gravity, "m/s²", "gravity"),
+                            Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²")}};
                }},
               {.name = "error",
                .symbol = "e",
@@ -157,8 +154,7 @@ void IntegrationLesson::declare_growth_probes() {
               .value = [this] { return artificial_damping(); },
               .explain = [this]() -> Explanation {
                   return {"ζ_a = − ln(ρ) / (ω Δt) − ζ",
-                          {Input::now("ρ", "growth_theory", 0), Input::of(omega), Input::of(dt), Input::of(zeta)},
-                          [](std::span<const Real> x) { return -std::log(x[0]) / (x[1] * x[2]) - x[3]; }};
+                          {Input::now("ρ", "growth_theory", 0), Input::of(omega), Input::of(dt), Input::of(zeta)}};
               }}};
     probes.insert(probes.end(), growth.begin(), growth.end());
 }

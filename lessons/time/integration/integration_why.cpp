@@ -23,15 +23,13 @@ Explanation IntegrationLesson::why_force(Index dof, std::string_view x_field, st
     const std::string x = fmt::format("x{}", mark), v = fmt::format("v{}", mark);
     if (omega == 0) return fixed_value("f = 0: without ω there is no spring, and no drag", 0);
     if (is(System::oscillator))
-        return {fmt::format("f = − ω² {} − 2 ζ ω {}", x, v),
-                {Input::of(omega), at(x, x_field, 0, 0), Input::of(zeta), at(v, v_field, 0, 0)},
-                [](std::span<const Real> q) { return -q[0] * q[0] * q[1] - 2 * q[2] * q[0] * q[3]; }};
+        return {fmt::format("f = − m (ω² {} + 2 ζ ω {})", x, v),
+                {unit_mass(), Input::of(omega), at(x, x_field, 0, 0), Input::of(zeta), at(v, v_field, 0, 0)}};
     if (is(System::pendulum))
-        return {fmt::format("f = − g sin({} / l) − 2 ζ ω {}", x, v),
-                {Input::constant("g", Swinging::gravity, "m/s²", "gravity"), at(x, x_field, 0, 0),
+        return {fmt::format("f = − m (g sin({} / l) + 2 ζ ω {})", x, v),
+                {unit_mass(), Input::constant("g", Swinging::gravity, "m/s²", "gravity"), at(x, x_field, 0, 0),
                  Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²"), Input::of(zeta), Input::of(omega),
-                 at(v, v_field, 0, 0)},
-                [](std::span<const Real> q) { return -q[0] * std::sin(q[1] / q[2]) - 2 * q[3] * q[4] * q[5]; }};
+                 at(v, v_field, 0, 0)}};
     Explanation e{fmt::format("f_{0} = − (K_{0}1 {1} + K_{0}2 {2}) − (C_{0}1 {3} + C_{0}2 {4})", dof + 1, of_mass("x", 0, mark),
                               of_mass("x", 1, mark), of_mass("v", 0, mark), of_mass("v", 1, mark)),
                   {},
@@ -136,22 +134,20 @@ Explanation IntegrationLesson::why_residual(Index dof) const {
     return {"r = m h_a (X_k − x̂) − f_k",
             {unit_mass(), Input::constant("h_a", form.acceleration_rate, "1/s²", "of the scheme: a = h_a (X − x̂)"),
              Input::earlier("X_k", "trial_position", dof), Input::part("x̂", "m", why_prediction(dof)),
-             Input::part("f_k", "N", why_force(dof, "trial_position", "trial_velocity", Input::earlier, "_k"))},
-            [](std::span<const Real> x) { return x[0] * x[1] * (x[2] - x[3]) - x[4]; }};
+             Input::part("f_k", "N", why_force(dof, "trial_position", "trial_velocity", Input::earlier, "_k"))}};
 }
 
 Explanation IntegrationLesson::why_iterate(Index dof) const {
     const ImplicitSolver& solver = integrator_->solver();
     const Input from = Input::earlier("X_k", "trial_position", dof);
-    if (solver.residual() == 0)
-        return {"X = X_k: nothing is left to balance", {from}, [](std::span<const Real> x) { return x[0]; }};
+    if (solver.residual() == 0) return {"X = X_k: nothing is left to balance", {from}};
     if (solver.searched())
         return {"X = X_s + s d",
                 {Input::constant("X_s", solver.search_origin()[dof], "m", "the iterate where the search along a line started"),
                  Input::constant("s", solver.fraction(), "", "the part of the direction that lowers the potential"),
                  Input::constant("d", solver.search_direction()[dof], "m", "Newton's direction from there")},
                 [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
-    return {"X = X_k + d", {from, newton_direction(dof)}, [](std::span<const Real> x) { return x[0] + x[1]; }};
+    return {"X = X_k + d", {from, newton_direction(dof)}};
 }
 
 // One row of H d = −r.

@@ -10,9 +10,7 @@ namespace pliant::integration {
 // ------------------------------------------------------------------------------------------------------------- energy
 
 Explanation IntegrationLesson::why_energy() const {
-    return {"E = K + U",
-            {Input::now("K", "kinetic_energy", 0), Input::now("U", "potential_energy", 0)},
-            [](std::span<const Real> x) { return x[0] + x[1]; }};
+    return {"E = K + U", {Input::now("K", "kinetic_energy", 0), Input::now("U", "potential_energy", 0)}};
 }
 
 Explanation IntegrationLesson::why_kinetic_energy() const {

@@ -1,0 +1,186 @@
+// Formulas as data: read, evaluated, differentiated, checked for units, and written in LaTeX.
+#include <pliant/formula/formula.h>
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+using namespace pliant;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+struct Given {
+    std::string symbol;
+    Real value = 0;
+    std::string unit = "";
+};
+
+Formula formula(std::string text, const std::vector<Given>& given) {
+    std::vector<std::string> symbols;
+    std::vector<Unit> units;
+    for (const Given& g : given) symbols.push_back(g.symbol), units.emplace_back(g.unit);
+    return Formula(std::move(text), std::move(symbols), std::move(units));
+}
+
+std::vector<Real> values_of(const std::vector<Given>& given) {
+    std::vector<Real> values;
+    for (const Given& g : given) values.push_back(g.value);
+    return values;
+}
+
+Real value(std::string text, const std::vector<Given>& given = {}) {
+    return formula(std::move(text), given).evaluate(values_of(given));
+}
+
+std::string why_not(std::string text, const std::vector<Given>& given = {}) {
+    try {
+        formula(std::move(text), given);
+    } catch (const BadFormula& e) {
+        return e.what();
+    }
+    return "";
+}
+
+std::string unit_of(std::string text, const std::vector<Given>& given) {
+    const auto check = formula(std::move(text), given).check_units();
+    return check.unit ? check.unit->text() : check.mismatch.empty() ? "any" : check.mismatch;
+}
+
+std::string latex(std::string text, const std::vector<Given>& given) { return formula(std::move(text), given).latex(); }
+
+}  // namespace
+
+TEST_CASE("formula: precedence, signs and products without a sign") {
+    CHECK(value("y = 1 + 2 · 3") == 7);
+    CHECK(value("y = (1 + 2) 3") == 9);
+    CHECK(value("y = 8 − 2 − 1") == 5);
+    CHECK(value("y = 8 / 2 / 2") == 2);
+    CHECK(value("y = − 2²") == -4);
+    CHECK(value("y = (−2)²") == 4);
+    CHECK(value("y = 2 · 3 / 4") == 1.5);
+    CHECK(value("y = ½ m v²", {{"m", 3}, {"v", 2}}) == 6);
+    CHECK(value("y = 2ν/Δx²", {{"ν", 3}, {"Δx", 2}}) == 1.5);
+    CHECK(value("f = k (|x_ij| − l)", {{"k", 2}, {"|x_ij|", 5}, {"l", 1}}) == 8);
+    CHECK(value("f = |a − b| c", {{"a", 1}, {"b", 3}, {"c", 5}}) == 10);
+    CHECK(value("f = |a| |b|", {{"a", -2}, {"b", -3}}) == 6);
+    CHECK(value("y = 10⁻³ · 2") == 2e-3);
+    CHECK(value("y = a^−b", {{"a", 2}, {"b", 3}}) == 0.125);
+    CHECK(value("y = 4 sin²(κ/2)", {{"κ", 3}}) == 4 * std::sin(1.5) * std::sin(1.5));
+    CHECK(value("y = cos θ", {{"θ", 0.5}}) == std::cos(0.5));
+    CHECK(value("y = max(a, b, 0)", {{"a", -1}, {"b", 2}}) == 2);
+    CHECK(value("y = √(a² + b²)", {{"a", 3}, {"b", 4}}) == 5);
+    CHECK(value("y = π r²", {{"r", 2}}) == 4 * std::numbers::pi);
+}
+
+TEST_CASE("formula: the longest symbol at a place counts, and names of functions are no symbols") {
+    CHECK(value("E = EA ε", {{"EA", 7}, {"E", 100}, {"A", 100}, {"ε", 2}}) == 14);
+    CHECK(value("y = x′ − x", {{"x", 1}, {"x′", 5}}) == 4);
+    CHECK(value("y = f(x) + f", {{"f(x)", 3}, {"f", 1}}) == 4);
+    CHECK(value("y = max(a, m)", {{"a", 1}, {"m", 2}}) == 2);
+    CHECK(value("y = u_left − 2 u_i", {{"u_left", 5}, {"u_i", 1}, {"u", 9}}) == 3);
+}
+
+TEST_CASE("formula: sides and remarks") {
+    const Formula f = formula("y′ = y + v: as the step goes", {{"y", 1}, {"v", 1}});
+    CHECK(f.left() == "y′");
+    CHECK(f.right() == "y + v");
+    CHECK(f.remark() == ": as the step goes");
+    CHECK(formula("u = 2   (cell 3)", {}).remark() == "   (cell 3)");
+    CHECK(formula("u = 2,  where it is so", {}).right() == "2");
+    CHECK(formula("1 + 1", {}).left().empty());
+}
+
+TEST_CASE("formula: what cannot be read is refused at its place") {
+    CHECK_THAT(why_not("y = a / b c", {{"a"}, {"b"}, {"c"}}), ContainsSubstring("letter 11") && ContainsSubstring("parentheses"));
+    CHECK_THAT(why_not("y = a + b", {{"a"}}), ContainsSubstring("letter 9") && ContainsSubstring("no symbol"));
+    CHECK_THAT(why_not("y = (1 + 2"), ContainsSubstring("not closed"));
+    CHECK_THAT(why_not("y = |1 + 2"), ContainsSubstring("not closed"));
+    CHECK_THAT(why_not("y = 1 +"), ContainsSubstring("ends"));
+    CHECK_THAT(why_not("y ="), ContainsSubstring("right side"));
+    CHECK_THAT(why_not("y = 1 ) 2"), ContainsSubstring("operator"));
+    CHECK_THAT(why_not("ε = Δx", {{"Δt"}}), ContainsSubstring("letter 5"));
+    CHECK(why_not("y = a / (b c)", {{"a"}, {"b"}, {"c"}}).empty());
+    CHECK(why_not("y = a / b · c", {{"a"}, {"b"}, {"c"}}).empty());
+}
+
+TEST_CASE("formula: the gradient is that of finite differences") {
+    const std::vector<std::pair<std::string, std::vector<Given>>> cases{
+        {"y = a b − c / d", {{"a", 1.5}, {"b", -2}, {"c", 3}, {"d", 0.7}}},
+        {"y = √(a² + b²) |c|", {{"a", 3}, {"b", 0.4}, {"c", -2}}},
+        {"y = sin(a) cos²(b) + exp(−c) ln d", {{"a", 0.3}, {"b", 1.1}, {"c", 0.5}, {"d", 2}}},
+        {"y = tan a + asin b + acos b + atan c + sinh a + cosh a + tanh c", {{"a", 0.3}, {"b", 0.2}, {"c", 0.5}}},
+        {"y = max(a, b) min(a, b)", {{"a", 3}, {"b", 2}}},
+        {"y = a^b + atan2(a, b)", {{"a", 3}, {"b", 2.5}}},
+        {"y = log10 a", {{"a", 3}}}};
+    for (const auto& [text, given] : cases) {
+        CAPTURE(text);
+        const Formula f = formula(text, given);
+        const std::vector<Real> x = values_of(given), g = f.gradient(x);
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            constexpr Real h = 1e-6;
+            std::vector<Real> above = x, below = x;
+            above[k] += h, below[k] -= h;
+            CHECK_THAT(g[k], WithinRel((f.evaluate(above) - f.evaluate(below)) / (2 * h), 1e-7));
+        }
+    }
+}
+
+TEST_CASE("formula: units follow from those of the symbols") {
+    CHECK(Unit("N") == Unit("kg m/s²"));
+    CHECK(Unit("J/m³") == Unit("Pa"));
+    CHECK(Unit("1/(m s)") == Unit() / (Unit("m") * Unit("s")));
+    CHECK(Unit("cells").is_number());
+    CHECK(Unit("N m/rad") == Unit("J"));
+    CHECK(Unit("kg m²/s²").text() == "kg m²/s²");
+    CHECK(Unit("1/(m s)").text() == "1/(m s)");
+    CHECK_THROWS_AS(Unit("furlong"), Refused);
+    CHECK_THROWS_AS(Unit("1/(m s"), Refused);
+    CHECK(Unit("m²").power(1, 2) == Unit("m"));
+
+    CHECK(unit_of("U = ½ k (x − l)²", {{"k", 1, "N/m"}, {"x", 1, "m"}, {"l", 1, "m"}}) == Unit("J").text());
+    CHECK(unit_of("ω = √(k/m)", {{"k", 1, "N/m"}, {"m", 1, "kg"}}) == "1/s");
+    CHECK(unit_of("x′ = x + Δt v", {{"x", 1, "m"}, {"Δt", 1, "s"}, {"v", 1, "m/s"}}) == "m");
+    CHECK(unit_of("y = max(x, 0)", {{"x", 1, "m"}}) == "m");
+    CHECK(unit_of("y = 0", {}) == "any");
+    CHECK_THAT(unit_of("x′ = x + v", {{"x", 1, "m"}, {"v", 1, "m/s"}}),
+               ContainsSubstring("m and m/s") && ContainsSubstring("x + v"));
+    CHECK_THAT(unit_of("y = exp(x)", {{"x", 1, "m"}}), ContainsSubstring("exp of m"));
+    CHECK_THAT(unit_of("y = x^x", {{"x", 1, "m"}}), ContainsSubstring("power of m"));
+}
+
+TEST_CASE("formula: sine takes degrees where the angle is given in degrees") {
+    CHECK_THAT(value("y = sin(φ)", {{"φ", 30, "°"}}), WithinRel(0.5, 1e-15));
+    CHECK(value("y = sin(φ)", {{"φ", 30, "rad"}}) == std::sin(30.0));
+    CHECK_THAT(formula("y = sin φ", {{"φ", 60, "°"}}).gradient(std::vector<Real>{60})[0],
+               WithinRel(0.5 * std::numbers::pi / 180, 1e-12));
+    CHECK(value("y = φ π / 180°", {{"φ", 180, "°"}}) == std::numbers::pi);
+    CHECK(unit_of("y = φ π / 180°", {{"φ", 30, "°/m"}}) == "1/m");
+    CHECK_THAT(unit_of("y = φ + 1", {{"φ", 30, "°"}}), ContainsSubstring("° and a number"));
+}
+
+TEST_CASE("formula: in LaTeX") {
+    CHECK(latex("f_i = k (u_left − 2 u_i)", {{"k"}, {"u_left"}, {"u_i"}}) == "f_{i} = k \\left(u_{left} - 2 u_{i}\\right)");
+    CHECK(latex("Δs = L / N", {{"L"}, {"N"}}) == "\\Delta s = \\frac{L}{N}");
+    CHECK(latex("w = ½ EA ε²", {{"EA"}, {"ε"}}) == "w = \\tfrac{1}{2} EA \\varepsilon^{2}");
+    CHECK(latex("v′ = √(a + b)", {{"a"}, {"b"}}) == "v^{\\prime} = \\sqrt{a + b}");
+    CHECK(latex("y = −(a + b)", {{"a"}, {"b"}}) == "y = -\\left(a + b\\right)");
+    CHECK(latex("y = a − (b − c)", {{"a"}, {"b"}, {"c"}}) == "y = a - \\left(b - c\\right)");
+    CHECK(latex("y = sin²(κ/2)", {{"κ"}}) == "y = \\sin^{2}\\left(\\frac{\\kappa}{2}\\right)");
+    CHECK(latex_symbol("x_ij") == "x_{ij}");
+    CHECK(latex_symbol("fᵈ") == "f^{d}");
+    CHECK(latex_symbol("ũ") == "\\tilde{u}");
+    CHECK(latex_symbol("E₁₁") == "E_{11}");
+    CHECK(latex_symbol("Δt") == "\\Delta t");
+    CHECK(latex_symbol("|x_ij|") == "\\left|x_{ij}\\right|");
+    const Formula f = formula("f = k x", {{"k"}, {"x"}});
+    const std::vector<std::string> numbers{"2", "-3"};
+    CHECK(f.latex(numbers) == "f = 2 \\cdot \\left(-3\\right)");
+}

@@ -1,0 +1,131 @@
+// Why a number is what it is: its formula, the numbers put in, and how much each of them matters.
+#include "panels/why_panel.h"
+
+#include <pliant/lesson/format.h>
+#include <pliant/lesson/why.h>
+
+#include "panels/flowing_text.h"
+#include "panels/lab_state.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+namespace pliant::viewer {
+namespace {
+
+constexpr int digits = 6;
+
+std::string origin_of(const Answer& a) {
+    switch (a.kind) {
+        case Answer::Kind::parameter:
+            return "a parameter";
+        case Answer::Kind::constant:
+            return a.field;
+        case Answer::Kind::state:
+            return a.when.step == 0 ? "the initial state" : fmt::format("left by step {}", a.when.step);
+        default:
+            return "";
+    }
+}
+
+void wrapped(const std::string& text) {
+    ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
+}
+
+void formula_block(LabState& lab, const Answer& a) {
+    if (a.formula.empty()) return;
+    wrapped(a.formula);
+    ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
+    wrapped(a.substituted);
+    ImGui::PopStyleColor();
+}
+
+// How much an input matters beside the others.
+void share_bar(LabState& lab, const Answer& a, const Answer& in) {
+    Real whole = 0;
+    for (const Answer& other : a.inputs) whole += other.sensitivity;
+    if (a.inputs.size() < 2 || !(whole > 0)) return;
+    const float width = lab.px(34), line = ImGui::GetTextLineHeight(), height = 0.4f * line;
+    const ImVec2 at = ImGui::GetCursorScreenPos(), from{at.x, at.y + (line - height) / 2};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(from, {from.x + width, from.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    draw->AddRectFilled(from, {from.x + width * static_cast<float>(in.sensitivity / whole), from.y + height},
+                        lab.ink(Ink::accent));
+    ImGui::Dummy({width, line});
+    tooltip(fmt::format("1 % of {} makes {} of this number; the bars compare the inputs", in.symbol,
+                        format_quantity(in.sensitivity / 100, a.unit, 3)),
+            lab.scale);
+    ImGui::SameLine();
+}
+
+// The inputs of an answer; a click asks the same of one of them. Intermediate results unfold.
+void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& next) {
+    for (std::size_t k = 0; k < a.inputs.size(); ++k) {
+        const Answer& in = a.inputs[k];
+        ImGui::PushID(static_cast<int>(k));
+        share_bar(lab, a, in);
+        const std::string text = fmt::format("{} = {}", in.symbol, format_quantity(in.value, in.unit, digits));
+        if (in.kind == Answer::Kind::part) {
+            const bool open = ImGui::TreeNodeEx("part", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", text.c_str());
+            lab.note_control(fmt::format("part {}", in.symbol));
+            if (open) {
+                formula_block(lab, in);
+                inputs_of(lab, in, next);
+                ImGui::TreePop();
+            }
+        } else if (in.can_ask || in.kind == Answer::Kind::state) {
+            ImGui::Bullet();
+            ImGui::SameLine();
+            if (ImGui::Selectable(fmt::format("{}##ask", text).c_str()))
+                next = {.field = in.field, .index = in.index, .component = in.component, .when = in.when};
+            lab.note_control(fmt::format("ask {}", in.symbol));
+            const std::string origin = origin_of(in);
+            tooltip(fmt::format("{}{}. Click: why this number?", title_of(in, lab.session.lesson()),
+                                origin.empty() ? "" : ", " + origin),
+                    lab.scale);
+        } else {
+            ImGui::Bullet();
+            ImGui::SameLine();
+            ImGui::PushTextWrapPos(0);
+            ImGui::TextDisabled("%s   %s", text.c_str(), origin_of(in).c_str());
+            ImGui::PopTextWrapPos();
+        }
+        ImGui::PopID();
+    }
+}
+
+}  // namespace
+
+void draw_why(LabState& lab) {
+    Session& s = lab.session;
+    Inspector& in = s.inspector;
+    if (!in.answer) {
+        wrapped("Click a number to see why it is what it is.");
+        return;
+    }
+    if (in.asked.size() > 1) {
+        if (ImGui::SmallButton("◂ back")) s.ask_back();
+        lab.note_control("why back");
+        tooltip("To the number that this one went into", lab.scale);
+        ImGui::SameLine();
+        ImGui::TextDisabled("%zu questions deep", in.asked.size());
+    }
+    if (!in.answer) return;
+    const Answer a = *in.answer;
+    wrapped(fmt::format("Why is {} = {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits)));
+    const bool end_of_step = a.kind == Answer::Kind::state;
+    if (!a.stage.empty()) {
+        ImGui::TextDisabled("step %lld, stage %s", static_cast<long long>(a.when.step + 1), words(a.stage).c_str());
+        if (!a.source.empty()) tooltip(a.source, lab.scale);
+    } else if (end_of_step) {
+        ImGui::TextDisabled("%s", origin_of(a).c_str());
+    }
+    formula_block(lab, a);
+    std::optional<Inspector::Asked> next;
+    inputs_of(lab, a, next);
+    if (next) s.ask(*next);
+}
+
+}  // namespace pliant::viewer
