@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <Eigen/LU>
 
-#include <numbers>
-
 namespace pliant::why {
 namespace {
 

@@ -79,7 +79,6 @@ std::optional<Explanation> DiffusionLesson::why_solved(const Question& q) const 
     std::vector<Input> inputs{Input::before("u", "u", q.index), why_rate()};
     inputs.insert(inputs.end(), beside.begin(), beside.end());
     inputs.push_back(residual ? Input::now("u′", "u", q.index) : Input::now("ρ", "residual", q.index));
-    const auto own = static_cast<Real>(n);
     if (residual) return Explanation{fmt::format("ρ = u − u′ + r ({} − {} u′)", sum, n), std::move(inputs)};
     return Explanation{fmt::format("u′ = (u + r ({}) − ρ) / (1 + {} r)", sum, n), std::move(inputs)};
 }

@@ -4,7 +4,6 @@
 #include <pliant/fluids/level_set.h>
 
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 

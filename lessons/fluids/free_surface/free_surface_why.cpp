@@ -28,7 +28,6 @@ Explanation mean_of_neighbours(std::string_view symbol, std::string_view field, 
         sum += (sum.empty() ? "" : " + ") + name;
         known.push_back(Input::now(name, field, n));
     }
-    const auto count = static_cast<Real>(known.size());
     return {fmt::format("{} = ({}) / {}   (the neighbours nearer to the liquid)", symbol, sum, known.size()), std::move(known)};
 }
 

@@ -3,8 +3,6 @@
 
 #include <pliant/fluids/diagnostics.h>
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 namespace pliant::projection {

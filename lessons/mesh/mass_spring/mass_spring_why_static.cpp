@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace pliant::mass_spring {
 namespace {}  // namespace
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace pliant::rod {
 namespace {
 
@@ -21,8 +19,6 @@ std::vector<Input> ends_of(std::string_view field, std::string_view mark, Index 
     }
     return inputs;
 }
-
-Vec<2> difference(Values ends) { return {ends[0] - ends[1], ends[2] - ends[3]}; }
 
 Input length_between(Index j, Index i) {
     return Input::part("|x_ij|", "m", {"|x_ij| = √((x_j − x_i)² + (y_j − y_i)²)", ends_of("position", "", j, i)});
