@@ -31,21 +31,36 @@ std::optional<Formula> read(const Answer& a, const Explanation& e) {
 // But for rounding, which may be that of what cancels in it.
 bool same(Real by_formula, Real by_lesson) { return std::abs(by_formula - by_lesson) <= 1e-9 * std::abs(by_lesson) + 1e-300; }
 
-// ∂/∂x of each input by differences, where the formula is not known as data: each is moved by a part in a million of its size. Of
-// the very many inputs of a long sum a sample stands for all.
-std::vector<Real> gradient_by_differences(const Explanation& e, const Answer& a, std::vector<Real>& values) {
+using Evaluate = std::function<Real(std::span<const Real>)>;
+
+// ∂/∂x of one input by a difference: it is moved by a part in a million of its size.
+Real slope_by_difference(const Evaluate& evaluate, const Answer& a, std::vector<Real>& values, std::size_t k) {
     constexpr Real nudge = 1e-6;
+    const Real kept = values[k], size = std::max(std::abs(kept), a.inputs[k].conditioning);
+    if (size == 0) return 0;
+    values[k] = kept + nudge * size;
+    const Real slope = (evaluate(values) - a.evaluated) / (nudge * size);
+    values[k] = kept;
+    return slope;
+}
+
+// Where the formula is not known as data. Of the very many inputs of a long sum a sample stands for all.
+std::vector<Real> gradient_by_differences(const Evaluate& evaluate, const Answer& a, std::vector<Real>& values) {
     constexpr std::size_t most = 512;
     const std::size_t stride = values.size() / most + 1;
     std::vector<Real> gradient(values.size(), 0);
-    for (std::size_t k = 0; k < values.size(); k += stride) {
-        const Real kept = values[k], size = std::max(std::abs(kept), a.inputs[k].conditioning);
-        if (size == 0) continue;
-        values[k] = kept + nudge * size;
-        const Real slope = (e.evaluate(values) - a.evaluated) / (nudge * size);
-        values[k] = kept;
-        for (std::size_t n = k; n < std::min(k + stride, values.size()); ++n) gradient[n] = slope;
-    }
+    for (std::size_t k = 0; k < values.size(); k += stride)
+        std::fill_n(gradient.begin() + static_cast<std::ptrdiff_t>(k), std::min(stride, values.size() - k),
+                    slope_by_difference(evaluate, a, values, k));
+    return gradient;
+}
+
+// A root at 0 has no slope there: what its inputs lose to rounding tells how much they matter.
+std::vector<Real> gradient_of(const Formula& formula, const Answer& a, std::vector<Real>& values) {
+    std::vector<Real> gradient = formula.gradient(values);
+    const auto evaluate = [&](std::span<const Real> x) { return formula.evaluate(x); };
+    for (std::size_t k = 0; k < gradient.size(); ++k)
+        if (!std::isfinite(gradient[k])) gradient[k] = slope_by_difference(evaluate, a, values, k);
     return gradient;
 }
 
@@ -66,6 +81,7 @@ std::string compared(const Unit& left, const std::optional<Unit>& right) {
 }
 
 std::string unit_check(const Formula& formula, const Answer& a) {
+    if (a.inputs.empty()) return "ok";  // a bare number stands in the unit of what it explains
     const Formula::UnitCheck found = formula.check_units();
     return found.mismatch.empty() ? compared(Unit(a.unit), found.unit) : found.mismatch;
 }
@@ -103,7 +119,7 @@ void evaluate_formula(Answer& a, const Explanation& e, std::vector<Real>& values
     const std::optional<Formula> formula = read(a, e);
     a.evaluated = e.evaluate ? e.evaluate(values) : formula->evaluate(values);
     a.as_data = formula && (!e.evaluate || same(formula->evaluate(values), a.evaluated));
-    take_sensitivities(a, a.as_data ? formula->gradient(values) : gradient_by_differences(e, a, values));
+    take_sensitivities(a, a.as_data ? gradient_of(*formula, a, values) : gradient_by_differences(e.evaluate, a, values));
     a.latex = a.as_data ? formula->latex() : latex_text(e.formula);
     if (a.as_data && formula->has_units()) a.unit_check = unit_check(*formula, a);
 }

@@ -151,9 +151,9 @@ public:
 
     // The place at these fractions of a control's width and height.
     Spot on(const std::string& control, double across = 0.5, double down = 0.5) const {
-        const Json controls = state()["controls"];
         INFO("control " << control);
-        REQUIRE(controls.contains(control));
+        REQUIRE(becomes([&](const Json& s) { return s["controls"].contains(control); }));
+        const Json controls = state()["controls"];
         const Json& r = controls[control];
         return {static_cast<int>(r[0].get<double>() + across * r[2].get<double>()),
                 static_cast<int>(r[1].get<double>() + down * r[3].get<double>())};

@@ -6,6 +6,7 @@
 
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"
+#include "platform/index_letters.h"
 
 #include <fmt/format.h>
 
@@ -36,17 +37,20 @@ void wrapped(const std::string& text) {
 
 void formula_block(LabState& lab, const Answer& a) {
     if (a.formula.empty()) return;
-    wrapped(a.formula);
+    wrapped(with_index_letters(a.formula));
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
-    wrapped(a.substituted);
+    wrapped(with_index_letters(a.substituted));
     ImGui::PopStyleColor();
 }
 
-// How much an input matters beside the others.
+// How much an input matters beside the others; a bullet where there is nothing to compare.
 void share_bar(LabState& lab, const Answer& a, const Answer& in) {
     Real whole = 0;
     for (const Answer& other : a.inputs) whole += other.sensitivity;
-    if (a.inputs.size() < 2 || !(whole > 0)) return;
+    if (a.inputs.size() < 2 || !(whole > 0)) {
+        if (in.kind != Answer::Kind::part) ImGui::Bullet(), ImGui::SameLine();
+        return;
+    }
     const float width = lab.px(34), line = ImGui::GetTextLineHeight(), height = 0.4f * line;
     const ImVec2 at = ImGui::GetCursorScreenPos(), from{at.x, at.y + (line - height) / 2};
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -66,7 +70,8 @@ void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& 
         const Answer& in = a.inputs[k];
         ImGui::PushID(static_cast<int>(k));
         share_bar(lab, a, in);
-        const std::string text = fmt::format("{} = {}", in.symbol, format_quantity(in.value, in.unit, digits));
+        const std::string text =
+            fmt::format("{} = {}", with_index_letters(in.symbol), format_quantity(in.value, in.unit, digits));
         if (in.kind == Answer::Kind::part) {
             const bool open = ImGui::TreeNodeEx("part", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", text.c_str());
             lab.note_control(fmt::format("part {}", in.symbol));
@@ -76,8 +81,6 @@ void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& 
                 ImGui::TreePop();
             }
         } else if (in.can_ask || in.kind == Answer::Kind::state) {
-            ImGui::Bullet();
-            ImGui::SameLine();
             if (ImGui::Selectable(fmt::format("{}##ask", text).c_str()))
                 next = {.field = in.field, .index = in.index, .component = in.component, .when = in.when};
             lab.note_control(fmt::format("ask {}", in.symbol));
@@ -86,8 +89,6 @@ void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& 
                                 origin.empty() ? "" : ", " + origin),
                     lab.scale);
         } else {
-            ImGui::Bullet();
-            ImGui::SameLine();
             ImGui::PushTextWrapPos(0);
             ImGui::TextDisabled("%s   %s", text.c_str(), origin_of(in).c_str());
             ImGui::PopTextWrapPos();

@@ -64,8 +64,9 @@ std::optional<Explanation> DiffusionLesson::why_neighbourhood(const Question& q)
 Explanation DiffusionLesson::why_updated(Index cell) const {
     const Input s = Input::now("s", "stencil", cell);
     if (literal())
-        return {"u′ = ν Δt s   (as on the slide: the number of ν Δt in m²)",
-                {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), s}};
+        return {.formula = "u′ = ν Δt s   (as on the slide: the number of ν Δt in m²)",
+                .inputs = {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), s},
+                .wrong_unit = true};
     return {"u′ = u + r s", {Input::before("u", "u", cell), why_rate(), s}};
 }
 
