@@ -23,14 +23,13 @@ class BeadChain final : public Lesson {
     }
     Explanation why_force(Index i) const {
         return {"f_i = k (u_left − 2 u_i + u_right)",
-                {Input::of(stiffness), neighbour("u_left", i - 1), neighbour("u_i", i), neighbour("u_right", i + 1)},
-                [](auto x) { return x[0] * (x[1] - 2 * x[2] + x[3]); }};
+                {Input::of(stiffness), neighbour("u_left", i - 1), neighbour("u_i", i), neighbour("u_right", i + 1)}};
     }
     Explanation why_velocity(Index i) const {
         return {"v′ = v + Δt f / m", {Input::before("v", "v", i), Input::of(dt), Input::now("f", "force", i), Input::of(mass)}};
     }
     Explanation why_place(Index i) const {
-        return {"u′ = u + Δt v", {Input::before("u", "u", i), Input::of(dt), Input::now("v", "v", i)}, [](auto x) { return x[0] + x[1] * x[2]; }};
+        return {"u′ = u + Δt v", {Input::before("u", "u", i), Input::of(dt), Input::now("v", "v", i)}};
     }
     Real energy() const {
         Real e = 0.5 * mass * v.squaredNorm();

@@ -13,6 +13,7 @@ namespace pliant {
 
 class FormulaTally {
 public:
+    void begin() { found_.clear(); }
     void note(const Answer& a) {
         if (a.formula.empty() || a.kind == Answer::Kind::combined) return;
         const std::string wrong = objection(a);

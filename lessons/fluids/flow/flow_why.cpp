@@ -100,7 +100,7 @@ Explanation GridWhy::remaining_divergence(Index cell) const {
     Row row = row_of(cell);
     const std::size_t n = row.pressures.size(), m = row.weights.size();
     const Input before = Input::now("d̃", "divergence_before", cell);
-    if (n + m == 0) return {"∇·u = d̃", {before}, [](Values x) { return x[0]; }};
+    if (n + m == 0) return {"∇·u = d̃", {before}};
     std::string formula = fmt::format("∇·u = d̃ − Δt ({} − {} p) / Δx²", row.sum(), row.diagonal());
     std::vector<Input> inputs = std::move(row.pressures);
     for (Input& in : row.weights) inputs.push_back(std::move(in));

@@ -163,8 +163,7 @@ Explanation ClothLesson::why_pressed(Index node) const {
         const NodePlane<3>& plane = *plane_of(node);
         Explanation e{.formula = "N = k (o − n_x x − n_y y − n_z z)",
                       .inputs = {Input::constant("k", plane.stiffness, "N/m", "of the plane that the node rests on"),
-                                 Input::constant("o", plane.offset, "m", "of the plane from the origin")},
-                      .evaluate = [](std::span<const Real> x) { return x[0] * (x[1] - vec(x, 2).dot(vec(x, 5))); }};
+                                 Input::constant("o", plane.offset, "m", "of the plane from the origin")}};
         append_constants(e.inputs, "n", plane.normal, "", frozen_normal);
         for (int c = 0; c < 3; ++c)
             e.inputs.push_back(Input::constant(axis_name(c), solver()->position()[3 * node + c], "m",

@@ -94,10 +94,7 @@ Explanation ClothLesson::why_newton_position(Index node, int component) const {
 // Where Newton's method started in this step.
 Input ClothLesson::newton_start(Index node, int component) const {
     if (!solver()->began_at_prediction())
-        return Input::part("x_k", "m",
-                           {.formula = "x_k = x",
-                            .inputs = {Input::before("x", "position", node, component)},
-                            .evaluate = [](std::span<const Real> x) { return x[0]; }});
+        return Input::part("x_k", "m", {.formula = "x_k = x", .inputs = {Input::before("x", "position", node, component)}});
     Explanation e = drifted(dt, node, component, false);
     e.formula = "x_k = x + Δt v";
     return Input::part("x_k", "m", std::move(e));

@@ -47,10 +47,7 @@ void ClothLesson::explain_probes() {
 
 Explanation ClothLesson::why_hand_energy() const {
     Explanation hand{.formula = "H = ½ kₕ ((x_hand − x)² + (y_hand − y)² + (z_hand − z)²)",
-                     .inputs = {Input::of(pull_stiffness)},
-                     .evaluate = [](std::span<const Real> x) {
-                         return 0.5 * x[0] * Vec<3>(x[1] - x[2], x[3] - x[4], x[5] - x[6]).squaredNorm();
-                     }};
+                     .inputs = {Input::of(pull_stiffness)}};
     for (int c = 0; c < 3; ++c) {
         const char* letter = axis_name(c);
         hand.inputs.push_back(

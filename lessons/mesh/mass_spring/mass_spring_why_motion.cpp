@@ -218,9 +218,7 @@ Explanation MassSpringLesson::why_newton_position(Index node, int component) con
 // Where Newton's method started in this step.
 Input MassSpringLesson::newton_start(Index node, int component) const {
     const ImplicitForm& form = integrator_->solver().form();
-    Explanation e{.formula = "x_k = x",
-                  .inputs = {Input::before("x", "position", node, component)},
-                  .evaluate = [](std::span<const Real> x) { return x[0]; }};
+    Explanation e{.formula = "x_k = x", .inputs = {Input::before("x", "position", node, component)}};
     if (!implicit_euler()) {
         ImplicitSolver& solver = integrator_->solver();
         const Index dof = 3 * node + component;

@@ -64,10 +64,7 @@ Explanation MassSpringLesson::why_energy() const {
                                              Input::now("V", "gravitational_energy", 0)});
     if (!load_.pull.active()) return e;
     Explanation hand{.formula = "H = ½ kₕ ((x_hand − x)² + (y_hand − y)² + (z_hand − z)²)",
-                     .inputs = {Input::of(pull_stiffness)},
-                     .evaluate = [](std::span<const Real> x) {
-                         return 0.5 * x[0] * Vec<3>(x[1] - x[2], x[3] - x[4], x[5] - x[6]).squaredNorm();
-                     }};
+                     .inputs = {Input::of(pull_stiffness)}};
     for (int c = 0; c < 3; ++c) {
         const char* letter = axis_name(c);
         hand.inputs.push_back(
@@ -171,8 +168,7 @@ Explanation MassSpringLesson::why_height() const {
 // Of the spring where the strain is largest now.
 Explanation MassSpringLesson::why_stretch() const {
     const Springs& springs = block_->springs();
-    if (springs.size() == 0)
-        return {.formula = "ε = 0: no springs", .inputs = {}, .evaluate = [](std::span<const Real>) { return Real{0}; }};
+    if (springs.size() == 0) return {.formula = "ε = 0: no springs", .inputs = {}};
     VecX strain(springs.size());
     spring_strain<3>(springs, position_, strain);
     Index most = 0;

@@ -90,8 +90,7 @@ Explanation RodLesson::why_solution(Index node, int component) const {
             {Input::constant("o", solver.form().acceleration_origin[dof], "m", "where the node would be without forces"),
              Input::constant("F", force[dof], "N", "force of springs, dampers and weight there"),
              Input::constant("r", imbalance[dof], "N", "what the solver has left unbalanced"), why_node_mass(),
-             Input::constant("ρ²", solver.form().acceleration_rate, "1/s²", "of the scheme: 1/Δt² for implicit Euler")},
-            [](Values x) { return x[0] + (x[1] + x[2]) / (x[3] * x[4]); }};
+             Input::constant("ρ²", solver.form().acceleration_rate, "1/s²", "of the scheme: 1/Δt² for implicit Euler")}};
 }
 
 Explanation RodLesson::why_solved_position(Index node, int component) const {
@@ -100,9 +99,7 @@ Explanation RodLesson::why_solved_position(Index node, int component) const {
         solution.formula = "x′ = o + (F + r) / (m ρ²)";
         return solution;
     }
-    return {"x′ = 2 z − x",
-            {Input::part("z", "m", std::move(solution)), Input::before("x", "position", node, component)},
-            [](Values x) { return 2 * x[0] - x[1]; }};
+    return {"x′ = 2 z − x", {Input::part("z", "m", std::move(solution)), Input::before("x", "position", node, component)}};
 }
 
 Explanation RodLesson::why_solved_velocity(Index node, int component) const {
@@ -111,15 +108,9 @@ Explanation RodLesson::why_solved_velocity(Index node, int component) const {
     const Input origin =
         Input::constant("o", form.velocity_origin[2 * node + component], "m", "of the scheme: x for implicit Euler");
     if (scheme != Scheme::implicit_midpoint)
-        return {"v′ = ρ (x′ − o)", {rate, Input::now("x′", "position", node, component), origin}, [](Values x) {
-                    return x[0] * (x[1] - x[2]);
-                }};
-    Explanation middle{"v_m = ρ (z − o)", {rate, Input::part("z", "m", why_solution(node, component)), origin}, [](Values x) {
-                           return x[0] * (x[1] - x[2]);
-                       }};
-    return {"v′ = 2 v_m − v",
-            {Input::part("v_m", "m/s", std::move(middle)), Input::before("v", "velocity", node, component)},
-            [](Values x) { return 2 * x[0] - x[1]; }};
+        return {"v′ = ρ (x′ − o)", {rate, Input::now("x′", "position", node, component), origin}};
+    Explanation middle{"v_m = ρ (z − o)", {rate, Input::part("z", "m", why_solution(node, component)), origin}};
+    return {"v′ = 2 v_m − v", {Input::part("v_m", "m/s", std::move(middle)), Input::before("v", "velocity", node, component)}};
 }
 
 }  // namespace pliant::rod

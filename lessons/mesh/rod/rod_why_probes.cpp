@@ -48,9 +48,9 @@ void RodLesson::explain_probes() {
     give("imbalance", [this] { return why_imbalance(); });
     give("mode_amplitude", [this] { return why_mode_amplitude(); });
     give("frequency", [this]() -> Explanation {
-        return {"ω = 2 π / T_q",
-                {Input::constant("T_q", rhythm_.period().value_or(0), "s", "mean time from one rise of q through 0 to the next")},
-                [](Values x) { return 2 * pi / x[0]; }};
+        return {
+            "ω = 2 π / T_q",
+            {Input::constant("T_q", rhythm_.period().value_or(0), "s", "mean time from one rise of q through 0 to the next")}};
     });
     give("frequency_chain", [this]() -> Explanation {
         return {"ω_j = 2 √(k / m) sin(θ / 2)",

@@ -31,8 +31,7 @@ Explanation IntegrationLesson::why_force(Index dof, std::string_view x_field, st
                  at(v, v_field, 0, 0)}};
     Explanation e{fmt::format("f_{0} = − (K_{0}1 {1} + K_{0}2 {2}) − (C_{0}1 {3} + C_{0}2 {4})", dof + 1, of_mass("x", 0, mark),
                               of_mass("x", 1, mark), of_mass("v", 0, mark), of_mass("v", 1, mark)),
-                  {},
-                  [](std::span<const Real> q) { return -(q[0] * q[1] + q[2] * q[3]) - (q[4] * q[5] + q[6] * q[7]); }};
+                  {}};
     for (Index k = 0; k < 2; ++k) {
         e.inputs.push_back(Input::constant(fmt::format("K_{}{}", dof + 1, k + 1), motion_->stiffness_matrix()(dof, k), "N/m",
                                            "of the soft spring ω² and the stiff one κω²"));
@@ -72,17 +71,12 @@ bool IntegrationLesson::steps_back() const { return scheme == Scheme::bdf2 && co
 // x̂: where the mass would be at the time that is solved for if no force acted from now on.
 Explanation IntegrationLesson::why_prediction(Index dof) const {
     const Input x = Input::before("x", "position", dof), v = Input::before("v", "velocity", dof), step = Input::of(dt);
-    if (scheme == Scheme::implicit_midpoint)
-        return {"x̂ = x + ½ Δt v", {x, step, v}, [](std::span<const Real> q) { return q[0] + q[1] / 2 * q[2]; }};
+    if (scheme == Scheme::implicit_midpoint) return {"x̂ = x + ½ Δt v", {x, step, v}};
     if (scheme == Scheme::newmark)
-        return {"x̂ = x + Δt v + ¼ Δt² f / m",
-                {x, step, v, Input::now("f", "force", dof), unit_mass()},
-                [](std::span<const Real> q) { return q[0] + q[1] * q[2] + q[1] * q[1] / 4 * q[3] / q[4]; }};
+        return {"x̂ = x + Δt v + ¼ Δt² f / m", {x, step, v, Input::now("f", "force", dof), unit_mass()}};
     if (steps_back())
-        return {"x̂ = (4 x − x_b) / 3 + ⅔ Δt (4 v − v_b) / 3",
-                {x, before_start(false, dof), step, v, before_start(true, dof)},
-                [](std::span<const Real> q) { return (4 * q[0] - q[1]) / 3 + 2 * q[2] / 3 * (4 * q[3] - q[4]) / 3; }};
-    return {"x̂ = x + Δt v", {x, step, v}, [](std::span<const Real> q) { return q[0] + q[1] * q[2]; }};
+        return {"x̂ = (4 x − x_b) / 3 + ⅔ Δt (4 v − v_b) / 3", {x, before_start(false, dof), step, v, before_start(true, dof)}};
+    return {"x̂ = x + Δt v", {x, step, v}};
 }
 
 Input IntegrationLesson::unit_mass() const { return Input::constant("m", 1, "kg", "of each mass"); }
@@ -170,17 +164,10 @@ Input IntegrationLesson::newton_direction(Index dof) const {
 // V = h_v (X − x_v), as each scheme says.
 Explanation IntegrationLesson::why_iterate_velocity(Index dof) const {
     const Input X = Input::now("X", "trial_position", dof), x = Input::before("x", "position", dof), step = Input::of(dt);
-    if (scheme == Scheme::implicit_midpoint)
-        return {"V = 2 (X − x) / Δt", {X, x, step}, [](std::span<const Real> q) { return 2 * (q[0] - q[1]) / q[2]; }};
-    if (scheme == Scheme::newmark)
-        return {"V = 2 (X − x) / Δt − v", {X, x, step, Input::before("v", "velocity", dof)}, [](std::span<const Real> q) {
-                    return 2 * (q[0] - q[1]) / q[2] - q[3];
-                }};
-    if (steps_back())
-        return {"V = (3 X − 4 x + x_b) / (2 Δt)", {X, x, before_start(false, dof), step}, [](std::span<const Real> q) {
-                    return (3 * q[0] - 4 * q[1] + q[2]) / (2 * q[3]);
-                }};
-    return {"V = (X − x) / Δt", {X, x, step}, [](std::span<const Real> q) { return (q[0] - q[1]) / q[2]; }};
+    if (scheme == Scheme::implicit_midpoint) return {"V = 2 (X − x) / Δt", {X, x, step}};
+    if (scheme == Scheme::newmark) return {"V = 2 (X − x) / Δt − v", {X, x, step, Input::before("v", "velocity", dof)}};
+    if (steps_back()) return {"V = (3 X − 4 x + x_b) / (2 Δt)", {X, x, before_start(false, dof), step}};
+    return {"V = (X − x) / Δt", {X, x, step}};
 }
 
 // ------------------------------------------------------------------------------------------------------------ the end
@@ -208,16 +195,9 @@ Explanation IntegrationLesson::why_balanced_velocity(Index dof) const {
     const Input f = Input::part("f′", "N", why_force(dof, "position", "velocity", Input::now, "′"));
     const Input r = Input::constant("r", left[dof], "N", "what the solver has left unbalanced");
     if (scheme == Scheme::newmark)
-        return {"v′ = v + ½ Δt (f + f′ + r) / m",
-                {v, step, Input::now("f", "force", dof), f, r, unit_mass()},
-                [](std::span<const Real> q) { return q[0] + q[1] / 2 * (q[2] + q[3] + q[4]) / q[5]; }};
-    if (steps_back())
-        return {"v′ = (4 v − v_b) / 3 + ⅔ Δt (f′ + r) / m",
-                {v, before_start(true, dof), step, f, r, unit_mass()},
-                [](std::span<const Real> q) { return (4 * q[0] - q[1]) / 3 + 2 * q[2] / 3 * (q[3] + q[4]) / q[5]; }};
-    return {"v′ = v + Δt (f′ + r) / m", {v, step, f, r, unit_mass()}, [](std::span<const Real> q) {
-                return q[0] + q[1] * (q[2] + q[3]) / q[4];
-            }};
+        return {"v′ = v + ½ Δt (f + f′ + r) / m", {v, step, Input::now("f", "force", dof), f, r, unit_mass()}};
+    if (steps_back()) return {"v′ = (4 v − v_b) / 3 + ⅔ Δt (f′ + r) / m", {v, before_start(true, dof), step, f, r, unit_mass()}};
+    return {"v′ = v + Δt (f′ + r) / m", {v, step, f, r, unit_mass()}};
 }
 
 }  // namespace pliant::integration

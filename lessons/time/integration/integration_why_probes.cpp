@@ -57,18 +57,11 @@ Explanation IntegrationLesson::why_shadow_energy() const {
 
 Explanation IntegrationLesson::why_potential_energy() const {
     if (omega == 0) return fixed_value("U = 0: without ω there is no spring", 0);
-    if (is(System::oscillator))
-        return {"U = ½ m ω² x²", {unit_mass(), Input::of(omega), Input::now("x", "position", 0)}, [](std::span<const Real> q) {
-                    return 0.5 * q[0] * q[1] * q[1] * q[2] * q[2];
-                }};
+    if (is(System::oscillator)) return {"U = ½ m ω² x²", {unit_mass(), Input::of(omega), Input::now("x", "position", 0)}};
     if (is(System::pendulum))
         return {"U = m g l (1 − cos(x / l))",
                 {unit_mass(), Input::constant("g", Swinging::gravity, "m/s²", "gravity"),
-                 Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²"), Input::now("x", "position", 0)},
-                [](std::span<const Real> q) {
-                    const Real s = std::sin(q[3] / (2 * q[2]));
-                    return 2 * q[0] * q[1] * q[2] * s * s;
-                }};
+                 Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²"), Input::now("x", "position", 0)}};
     return {"U = ½ ω² x_1² + ½ κ ω² (x_2 − x_1)²  with m = 1 kg",
             {Input::of(omega), Input::now("x_1", "position", 0), Input::of(ratio), Input::now("x_2", "position", 1)},
             [](std::span<const Real> q) {
@@ -94,18 +87,8 @@ Explanation IntegrationLesson::why_exact(bool of_velocity) const {
     const Real turning = omega * std::sqrt((1 - zeta) * (1 + zeta));
     std::vector<Input> inputs{Input::of(zeta), Input::of(omega), Input::constant("t", time(), "s", "the time"),
                               Input::of(x0),   Input::of(v0),    Input::constant("ω_d", turning, "rad/s", "ω √(1 − ζ²)")};
-    if (of_velocity)
-        return {"v_e = exp(− ζ ω t) (v₀ cos(ω_d t) − (ω² x₀ + ζ ω v₀) sin(ω_d t) / ω_d)", std::move(inputs),
-                [](std::span<const Real> q) {
-                    const Real fading = q[0] * q[1], angle = q[5] * q[2];
-                    return std::exp(-fading * q[2]) *
-                           (q[4] * std::cos(angle) - (q[1] * q[1] * q[3] + fading * q[4]) * std::sin(angle) / q[5]);
-                }};
-    return {"x_e = exp(− ζ ω t) (x₀ cos(ω_d t) + (v₀ + ζ ω x₀) sin(ω_d t) / ω_d)", std::move(inputs),
-            [](std::span<const Real> q) {
-                const Real fading = q[0] * q[1], angle = q[5] * q[2];
-                return std::exp(-fading * q[2]) * (q[3] * std::cos(angle) + (q[4] + fading * q[3]) * std::sin(angle) / q[5]);
-            }};
+    if (of_velocity) return {"v_e = exp(− ζ ω t) (v₀ cos(ω_d t) − (ω² x₀ + ζ ω v₀) sin(ω_d t) / ω_d)", std::move(inputs)};
+    return {"x_e = exp(− ζ ω t) (x₀ cos(ω_d t) + (v₀ + ζ ω x₀) sin(ω_d t) / ω_d)", std::move(inputs)};
 }
 
 Explanation IntegrationLesson::why_error() const {
@@ -113,31 +96,25 @@ Explanation IntegrationLesson::why_error() const {
     return {
         "e = √((x − x_e)² + ((v − v_e) / w)²) / s",
         {Input::now("x", "x", 0), Input::now("x_e", "exact_x", 0), Input::now("v", "v", 0), Input::now("v_e", "exact_v", 0),
-         Input::constant("w", rate(), "rad/s", "ω"), Input::constant("s", motion_->scale(), "m", "how far the start can swing")},
-        [](std::span<const Real> q) { return std::hypot(q[0] - q[1], (q[2] - q[3]) / q[4]) / q[5]; }};
+         Input::constant("w", rate(), "rad/s", "ω"), Input::constant("s", motion_->scale(), "m", "how far the start can swing")}};
 }
 
 // --------------------------------------------------------------------------------------------- growth and frequency
 
 Explanation IntegrationLesson::why_growth() const {
     const Input w = Input::constant("ω", motion_->fast_rate(), "rad/s", "of the fastest mode"), step = Input::of(dt);
-    if (zeta == 0 && scheme == Scheme::explicit_euler)
-        return {"ρ = √(1 + ω² Δt²)", {w, step}, [](std::span<const Real> q) { return std::hypot(1, q[0] * q[1]); }};
-    if (zeta == 0 && scheme == Scheme::implicit_euler)
-        return {"ρ = 1 / √(1 + ω² Δt²)", {w, step}, [](std::span<const Real> q) { return 1 / std::hypot(1, q[0] * q[1]); }};
+    if (zeta == 0 && scheme == Scheme::explicit_euler) return {"ρ = √(1 + ω² Δt²)", {w, step}};
+    if (zeta == 0 && scheme == Scheme::implicit_euler) return {"ρ = 1 / √(1 + ω² Δt²)", {w, step}};
     return fixed_value("ρ: the largest eigenvalue of the matrix that takes (x, Δt v) from one step to the next",
                        growth_per_step());
 }
 
 Explanation IntegrationLesson::why_frequency() const {
     if (zeta == 0 && (scheme == Scheme::semi_implicit_euler || scheme == Scheme::velocity_verlet))
-        return {"ω′ = 2 asin(ω Δt / 2) / Δt", {Input::of(omega), Input::of(dt)}, [](std::span<const Real> q) {
-                    return 2 * std::asin(q[0] * q[1] / 2) / q[1];
-                }};
+        return {"ω′ = 2 asin(ω Δt / 2) / Δt", {Input::of(omega), Input::of(dt)}};
     return {"ω′ = φ / Δt",
             {Input::constant("φ", phase_per_step(scheme, omega, zeta, dt), "rad", "angle of the eigenvalue of the step's matrix"),
-             Input::of(dt)},
-            [](std::span<const Real> q) { return q[0] / q[1]; }};
+             Input::of(dt)}};
 }
 
 }  // namespace pliant::integration
