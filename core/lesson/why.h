@@ -69,6 +69,8 @@ std::vector<Answer> why(Runner& runner, std::span<const AskedNumber> questions, 
 std::string why_json(const Answer& answer, int depth);
 // For people: one line a value, inputs indented below it.
 std::string why_text(const Answer& answer);
+// "The sides differ in their unit: m/s on the left, m on the right."; "" where they do not, or nothing is known of them.
+std::string unit_words(const Answer& answer);
 // "velocity x of cell 413", "viscosity": what the number is.
 std::string title_of(const Answer& answer, const Lesson& lesson);
 

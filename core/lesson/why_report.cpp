@@ -92,6 +92,7 @@ void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
                         origin.empty() ? "" : fmt::format("   ({})", origin));
     if (!a.formula.empty()) text += fmt::format("{:{}}{}\n", "", indent + 4, a.formula);
     if (a.substituted != a.formula) text += fmt::format("{:{}}{}\n", "", indent + 4, a.substituted);
+    if (const std::string words = unit_words(a); !words.empty()) text += fmt::format("{:{}}{}\n", "", indent + 4, words);
     if (!with_inputs) return;
     const auto parts = static_cast<std::size_t>(std::ranges::count(a.inputs, Answer::Kind::part, &Answer::kind));
     const std::size_t shown = a.inputs.size() > most ? most - 2 : a.inputs.size();
@@ -101,6 +102,11 @@ void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
 }
 
 }  // namespace
+
+std::string unit_words(const Answer& a) {
+    if (a.unit_check.empty() || a.unit_check == "ok") return "";
+    return fmt::format("The sides differ in their unit: {}.", a.unit_check);
+}
 
 std::string why_json(const Answer& answer, int depth) { return json_of(answer, depth).dump(2) + "\n"; }
 

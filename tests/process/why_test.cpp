@@ -63,6 +63,13 @@ TEST_CASE("why in words shows the formula with its numbers", "[process]") {
     CHECK(contains(text, "k_structural"));
 }
 
+TEST_CASE("why shows that the slide's formula is wrong in its units", "[process]") {
+    const Arguments slide{"why", "diffusion", "--set", "form=lecture", "--steps", "1", "--field", "u", "--index", "3"};
+    CHECK(contains(output_of(slide), "The sides differ in their unit: m/s on the left, m³/s on the right."));
+    const Arguments careful{"why", "diffusion", "--steps", "1", "--field", "u", "--index", "3"};
+    CHECK_FALSE(contains(output_of(careful), "differ in their unit"));
+}
+
 TEST_CASE("why refuses what does not exist", "[process]") {
     for (const Arguments& arguments : std::vector<Arguments>{{"why", "navier_stokes", "--field", "presure"},
                                                              {"why", "navier_stokes", "--field", "pressure", "--index", "-1"},

@@ -41,6 +41,11 @@ void formula_block(LabState& lab, const Answer& a) {
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
     wrapped(with_index_letters(a.substituted));
     ImGui::PopStyleColor();
+    if (const std::string words = unit_words(a); !words.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
+        wrapped(words);
+        ImGui::PopStyleColor();
+    }
 }
 
 // How much an input matters beside the others; a bullet where there is nothing to compare.
