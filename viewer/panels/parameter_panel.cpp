@@ -77,19 +77,17 @@ void choice_box(LabState& lab, const Parameter& p) {
     ImFont* font = ImGui::GetFont();
     for (ImFont* smaller : {lab.fonts.medium, lab.fonts.normal, lab.fonts.small})
         if (smaller->FontSize < font->FontSize && !fits_with(font, label, room)) font = smaller;
-    // The box keeps its height.
-    ImVec2 padding = ImGui::GetStyle().FramePadding;
-    padding.y += (ImGui::GetFontSize() - font->FontSize) / 2;
-    ImGui::PushFont(font);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
-    const bool open = ImGui::BeginCombo("##value", label.c_str());
-    ImGui::PopStyleVar();
-    ImGui::PopFont();
-    if (!open) return;
-    for (std::size_t i = 0; i < p.info.options.size(); ++i)
-        if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current))
-            lab.session.assign(p, static_cast<Real>(i));
-    ImGui::EndCombo();
+    if (ImGui::BeginCombo("##value", "")) {
+        for (std::size_t i = 0; i < p.info.options.size(); ++i)
+            if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current))
+                lab.session.assign(p, static_cast<Real>(i));
+        ImGui::EndCombo();
+    }
+    // Drawn into the box, whose list keeps the usual type: a font that is pushed belongs to the window of that moment.
+    const ImVec2 at = ImGui::GetItemRectMin();
+    const float down = (ImGui::GetItemRectSize().y - font->FontSize) / 2;
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {at.x + ImGui::GetStyle().FramePadding.x, at.y + down},
+                                        ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
 }
 
 void switch_box(LabState& lab, const Parameter& p, const std::string& label) {
