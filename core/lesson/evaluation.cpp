@@ -28,7 +28,7 @@ std::optional<Formula> read(const Answer& a, const Explanation& e) {
     }
 }
 
-// But for rounding, which may be that of what cancels in it.
+// But for rounding. Where much cancels the lesson's own number counts.
 bool same(Real by_formula, Real by_lesson) { return std::abs(by_formula - by_lesson) <= 1e-9 * std::abs(by_lesson) + 1e-300; }
 
 using Evaluate = std::function<Real(std::span<const Real>)>;
@@ -85,9 +85,6 @@ std::string unit_check(const Formula& formula, const Answer& a) {
     const Formula::UnitCheck found = formula.check_units();
     return found.mismatch.empty() ? compared(Unit(a.unit), found.unit) : found.mismatch;
 }
-
-// A sum of the inputs, or of the products of pairs of them: how many make a term.
-std::size_t factors_of(Making making) { return making == Making::products ? 2 : 1; }
 
 std::vector<Real> gradient_of_terms(std::span<const Real> values, std::size_t factors) {
     std::vector<Real> gradient(values.size(), 1);

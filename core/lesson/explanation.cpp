@@ -104,7 +104,7 @@ Explanation sum_of(std::string formula, std::vector<Input> terms) {
 }
 
 Real sum_of_terms(Making making, std::span<const Real> values) {
-    const std::size_t factors = making == Making::products ? 2 : 1;
+    const std::size_t factors = factors_of(making);
     Real total = 0;
     for (std::size_t k = 0; k + factors <= values.size(); k += factors)
         total += factors == 2 ? values[k] * values[k + 1] : values[k];

@@ -5,6 +5,7 @@
 #include <pliant/lesson/parameter.h>
 #include <pliant/math/types.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -80,6 +81,8 @@ Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input,
 // Σ q, "a + b − c + …" where numbers are put in: of quantities that are added as they are. No term gives 0.
 Explanation sum_of(std::string formula, std::vector<Input> terms);
 
+// How many inputs make a term of a sum, or of a sum of products.
+inline std::size_t factors_of(Making making) { return making == Making::products ? 2 : 1; }
 // Of the values of the inputs, where they make a sum, or a sum of products.
 Real sum_of_terms(Making making, std::span<const Real> values);
 
