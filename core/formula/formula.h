@@ -96,6 +96,9 @@ private:
     void mark_degrees();
 };
 
+// Which symbol stands at this place of a text as a word of its own: the longest one; −1 for none.
+int symbol_at(std::string_view text, std::size_t at, std::span<const std::string> symbols);
+
 // A text of formulas and words as LaTeX, without reading it: "f = Σ of the springs" as "f = \sum \text{ of the springs}".
 std::string latex_text(std::string_view text);
 

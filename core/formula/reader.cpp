@@ -48,6 +48,19 @@ std::size_t letters_before(std::string_view text, std::size_t byte) {
 
 }  // namespace
 
+int symbol_at(std::string_view text, std::size_t at, std::span<const std::string> symbols) {
+    int found = -1;
+    std::size_t longest = 0;
+    for (std::size_t k = 0; k < symbols.size(); ++k) {
+        const std::string& symbol = symbols[k];
+        if (symbol.size() <= longest || text.substr(at, symbol.size()) != symbol) continue;
+        const std::size_t end = at + symbol.size();
+        if (end < text.size() && continues_symbol(code_point(text, end).letter)) continue;
+        found = static_cast<int>(k), longest = symbol.size();
+    }
+    return found;
+}
+
 std::string_view name_of(Function function) {
     const auto found = std::ranges::find(function_names, function, [](const auto& f) { return f.second; });
     return found->first;
@@ -279,18 +292,7 @@ std::optional<int> FormulaReader::exponent_digits() {
     return sign * value;
 }
 
-int FormulaReader::symbol_here() const {
-    int found = -1;
-    std::size_t longest = 0;
-    for (std::size_t k = 0; k < f_.symbols_.size(); ++k) {
-        const std::string& symbol = f_.symbols_[k];
-        const std::size_t end = at_ + symbol.size();
-        if (symbol.size() <= longest || end > f_.right_end_ || text_.substr(at_, symbol.size()) != symbol) continue;
-        if (end < f_.right_end_ && continues_symbol(code_point(text_, end).letter)) continue;
-        found = static_cast<int>(k), longest = symbol.size();
-    }
-    return found;
-}
+int FormulaReader::symbol_here() const { return symbol_at(text_.substr(0, f_.right_end_), at_, f_.symbols_); }
 
 std::optional<Function> FormulaReader::function_here() const {
     for (const auto& [name, function] : function_names) {

@@ -1,3 +1,4 @@
+#include <pliant/formula/formula.h>
 #include <pliant/formula/unicode.h>
 #include <pliant/lesson/explanation.h>
 #include <pliant/lesson/format.h>
@@ -143,27 +144,15 @@ char32_t first_visible(std::string_view text) {
     return at == std::string_view::npos ? U'\0' : code_point(text, at).letter;
 }
 
-// The longest symbol that stands at this place; -1 for none.
-int symbol_at(std::string_view text, std::size_t at, const std::vector<Input>& inputs) {
-    int found = -1;
-    std::size_t longest = 0;
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-        const std::string& symbol = inputs[k].symbol;
-        if (symbol.size() <= longest || text.substr(at, symbol.size()) != symbol) continue;
-        const std::size_t end = at + symbol.size();
-        if (end < text.size() && continues_symbol(code_point(text, end).letter)) continue;
-        found = static_cast<int>(k), longest = symbol.size();
-    }
-    return found;
-}
-
 std::string with_numbers(std::string_view right, const std::vector<Input>& inputs, std::span<const Real> values) {
+    std::vector<std::string> symbols;
+    for (const Input& in : inputs) symbols.push_back(in.symbol);
     std::string text;
     char32_t before = 0;  // the code point before this place, of the formula
     bool after_number = false;
     for (std::size_t at = 0; at < right.size();) {
         const auto [c, length] = code_point(right, at);
-        const int k = continues_symbol(before) && !is_digit(before) ? -1 : symbol_at(right, at, inputs);
+        const int k = continues_symbol(before) && !is_digit(before) ? -1 : symbol_at(right, at, symbols);
         if (k < 0) {
             if (after_number && c != ' ') {
                 if (c == '(' || multiplies(first_visible(right.substr(at)))) {
