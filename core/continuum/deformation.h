@@ -53,7 +53,7 @@ struct PolarDecomposition {
 };
 
 // For every finite F, singular and inverted ones included. In 3D R is the derivative of tr S, found from the invariants of F
-// [Lin2022 §4]; near its singularities from a singular value decomposition.
+// [Lin2022]; near its singularities from a singular value decomposition.
 template <int Dim>
 PolarDecomposition<Dim> polar_decomposition(const Mat<Dim>& F);
 template <int Dim>

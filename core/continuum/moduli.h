@@ -1,4 +1,4 @@
-// Elastic constants of an isotropic linear material, and Hooke's law [TimoshenkoGoodier1970 §6-§8].
+// Elastic constants of an isotropic linear material, and Hooke's law [TimoshenkoGoodier1970 §6].
 #pragma once
 #include <pliant/math/types.h>
 

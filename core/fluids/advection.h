@@ -30,7 +30,7 @@ struct Departure {
     GridPlace<Dim> free_middle, free_departure;
 };
 
-// Semi-Lagrangian advection [Stam1999 §3.2; Bridson2007 §3]: the new value at a sample is the old one where the particle that
+// Semi-Lagrangian advection [Stam1999 §2.2; Bridson2007 §3]: the new value at a sample is the old one where the particle that
 // arrives there was one step ago, interpolated. Every new value lies within the old samples and wall values around that place,
 // so that the largest magnitude never grows, at any time step; the interpolation dissipates. Closed faces and the quantity in
 // solid cells keep their value.

@@ -1,6 +1,6 @@
 // The collocated grid: velocity and pressure both at cell centres, with central differences over two cells. It is here for
 // comparison with the staggered grid: every second cell does not see its neighbour, so that a checkerboard has neither
-// divergence nor gradient [HarlowWelch1965; Bridson2007 §4.1].
+// divergence nor gradient [HarlowWelch1965; Bridson2007].
 #pragma once
 #include <pliant/fluids/lattice.h>
 #include <pliant/fluids/pressure_solve.h>

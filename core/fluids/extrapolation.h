@@ -14,7 +14,7 @@ enum class Known : std::uint8_t {
     aside,  // keeps its value and fills no one
 };
 
-// Layer by layer, each sample to be filled takes the mean of its neighbours that are known [Bridson2007 §4.4]. Samples that no
+// Layer by layer, each sample to be filled takes the mean of its neighbours that are known [Bridson2007]. Samples that no
 // layer reaches keep their values. known: one per sample; those that were filled are `yes` afterwards.
 //
 // layers(): of the latest fill, the layer in which each sample got its value: 0 where it was known, -1 where nothing was done.

@@ -1,4 +1,4 @@
-// External forces: the body force per unit mass, scaled by the time step and added to the velocity [Stam1999 §3.1].
+// External forces: the body force per unit mass, scaled by the time step and added to the velocity [Stam1999 §2.2].
 #pragma once
 #include <pliant/fluids/parallel_rows.h>
 #include <pliant/fluids/staggered_grid.h>

@@ -49,7 +49,7 @@ private:
 };
 
 // What stands between a left and a right state after a diaphragm has been taken away: the density and the velocity between the
-// two waves, each a shock or a rarefaction [LeVeque2002 §13.7]. Densities > 0.
+// two waves, each a shock or a rarefaction [LeVeque2002]. Densities > 0.
 struct GasState {
     Real density, velocity;
 };

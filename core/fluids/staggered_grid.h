@@ -1,5 +1,5 @@
 // The staggered (marker-and-cell) grid: pressure at cell centres, one velocity component on the faces across each axis
-// [HarlowWelch1965; Bridson2007 §4.1].
+// [HarlowWelch1965; Bridson2007].
 #pragma once
 #include <pliant/fluids/lattice.h>
 

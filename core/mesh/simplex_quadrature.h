@@ -12,7 +12,7 @@ struct SimplexRule {
     VecX weights;
 };
 
-// Exact for polynomials up to `degree`: Gauss points of a cube, collapsed onto the simplex [Stroud1971 §2.4]. Throws Refused for
+// Exact for polynomials up to `degree`: Gauss points of a cube, collapsed onto the simplex [Stroud1971]. Throws Refused for
 // a degree outside [0, 30].
 template <int Dim>
 SimplexRule<Dim> simplex_rule(int degree);

@@ -28,7 +28,8 @@ std::string section(const ClaimResult& r) {
     if (c.timed)
         text += fmt::format("- Measured: it takes the time of this machine; `pliant claims {}` tells it\n", c.id);
     else if (r.finding) {
-        text += fmt::format("- Measured: **{}**. {}\n", steady_figure(r.finding->figure, c.unit), r.finding->text);
+        text +=
+            fmt::format("- Measured: **{}**. {}\n", steady_figure(r.finding->figure, c.unit, rounding_of(c)), r.finding->text);
         if (!r.finding->condition.empty()) text += fmt::format("- Condition: {}\n", r.finding->condition);
     } else {
         text += fmt::format("- {}\n", r.failure);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -87,10 +88,30 @@ std::string_view outcome_of(const ClaimResult& r) { return r.finding ? name_of(r
 
 std::string figure_text(const ClaimResult& r) { return r.finding ? format_quantity(r.finding->figure, r.claim->unit, 3) : ""; }
 
-std::string steady_figure(Real value, std::string_view unit) {
-    constexpr Real rounding = 1e-9;
+std::string steady_figure(Real value, std::string_view unit, Real rounding) {
     if (!(std::abs(value) < rounding)) return format_quantity(value, unit, 3);
-    return unit.empty() ? "below 10⁻⁹" : fmt::format("below 10⁻⁹ {}", unit);
+    const std::string power = format_quantity(rounding, "", 1);
+    return unit.empty() ? fmt::format("below {}", power) : fmt::format("below {} {}", power, unit);
+}
+
+Real rounding_of(const Claim& claim) {
+    constexpr Real usual = 1e-9;
+    constexpr std::string_view at_most = "≤ 10⁻";
+    if (!claim.criterion.starts_with(at_most)) return usual;
+    constexpr std::array<std::string_view, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string_view rest = claim.criterion.substr(at_most.size());
+    int power = 0;
+    for (bool digit = true; digit;) {
+        digit = false;
+        for (std::size_t d = 0; d < raised.size(); ++d) {
+            if (!rest.starts_with(raised[d])) continue;
+            power = 10 * power + static_cast<int>(d);
+            rest.remove_prefix(raised[d].size());
+            digit = true;
+            break;
+        }
+    }
+    return std::min(usual, std::pow(Real{10}, -power));
 }
 
 std::string claims_json(std::span<const ClaimResult> results) {

@@ -25,9 +25,11 @@ ClaimResult measured(const Claim& claim);
 std::string_view outcome_of(const ClaimResult& result);
 // "1.2×10⁻¹²", "412 kPa"; "" without a finding.
 std::string figure_text(const ClaimResult& result);
-// The same for generated pages, which any compiler has to make alike: three digits, and "below 10⁻⁹" for what is rounding.
-// Findings use it for errors at that level.
-std::string steady_figure(Real value, std::string_view unit = "");
+// The same for generated pages, which any compiler has to make alike: three digits, and "below 10⁻⁹" for what is rounding, or
+// below another power of ten. Findings use it for errors at that level.
+std::string steady_figure(Real value, std::string_view unit = "", Real rounding = 1e-9);
+// What is rounding for this claim: 10⁻⁹, or less where its criterion begins with a finer power, as in "≤ 10⁻¹²".
+Real rounding_of(const Claim& claim);
 
 // A table of 100 columns. Rows may be printed as they are measured: head, rows, tail.
 std::string claims_head();

@@ -105,6 +105,18 @@ Real stability_limit(Scheme scheme, Real omega, Real zeta) {
     }
 }
 
+std::string limit_in_words(Scheme scheme) {
+    const std::string name(info_of(scheme).name);
+    switch (scheme) {
+        case Scheme::explicit_euler:
+            return name + ", 2ζ/ω up to ζ = 1, beyond it (2/ω)(ζ − √(ζ² − 1))";
+        case Scheme::semi_implicit_euler:
+            return name + ", (2/ω)(√(1 + ζ²) − ζ)";
+        default:
+            return name;
+    }
+}
+
 Real amplification(Scheme scheme, Real omega, Real zeta, Real dt) {
     const Real w = omega * dt;
     if (root_by_root(scheme)) {

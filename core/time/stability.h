@@ -3,13 +3,18 @@
 #pragma once
 #include <pliant/time/scheme.h>
 
+#include <string>
+
 namespace pliant {
 
 // Largest stable dt, s: infinite when every one is. Undamped: none for explicit Euler (0), 2/omega for semi-implicit Euler and
-// velocity Verlet, 2 sqrt(2)/omega for Runge–Kutta 4. Damped, explicit Euler has 2 zeta/omega (zeta <= 1) and semi-implicit
-// Euler, whose damping force is explicit, (2/omega)(sqrt(1 + zeta^2) - zeta): its limit falls as damping grows. Those of
-// velocity Verlet and Runge–Kutta 4 are found as the first dt at which the amplification passes 1.
+// velocity Verlet, 2 sqrt(2)/omega for Runge–Kutta 4. Damped, explicit Euler has 2 zeta/omega up to zeta = 1 and beyond it
+// (2/omega)(zeta - sqrt(zeta^2 - 1)), set by the faster of its two decays. Semi-implicit Euler, whose damping force is
+// explicit, has (2/omega)(sqrt(1 + zeta^2) - zeta): its limit falls as damping grows, and is the smaller of the two from
+// zeta = 1/sqrt(3) on. Those of velocity Verlet and Runge–Kutta 4 are found as the first dt at which the amplification passes 1.
 Real stability_limit(Scheme scheme, Real omega, Real zeta);
+// The scheme and, where it has one, the formula of its limit: "semi-implicit Euler, (2/ω)(√(1 + ζ²) − ζ)".
+std::string limit_in_words(Scheme scheme);
 
 // Largest factor by which one step multiplies an amplitude: the spectral radius of the step's matrix. Undamped, with
 // w = omega dt: sqrt(1 + w^2) for explicit Euler, 1 (w <= 2) for semi-implicit Euler and velocity Verlet, 1/sqrt(1 + w^2) for

@@ -2,6 +2,7 @@
 #include <pliant/math/error.h>
 #include <pliant/study/claims_report.h>
 
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <nlohmann/json.hpp>
@@ -134,6 +135,17 @@ TEST_CASE("a figure for generated pages tells no rounding", "[claims]") {
     CHECK(steady_figure(-3e-13, "m") == "below 10⁻⁹ m");
     CHECK(steady_figure(0) == "below 10⁻⁹");
     CHECK(steady_figure(2e-9) == "2×10⁻⁹");
+    CHECK(steady_figure(3e-13, "", 1e-12) == "below 10⁻¹²");
+    CHECK(steady_figure(3e-12, "m", 1e-12) == "3×10⁻¹² m");
+    const auto rounding = [](std::string_view criterion) {
+        Claim c = claim_with("E91", [] { return reproduced(); });
+        c.criterion = criterion;
+        return rounding_of(c);
+    };
+    CHECK(rounding("≤ 10⁻¹²") == Catch::Approx(1e-12));
+    CHECK(rounding("≤ 10⁻¹³, and more") == Catch::Approx(1e-13));
+    CHECK(rounding("≤ 10⁻⁶, as many forces") == 1e-9);
+    CHECK(rounding("1 ± 0.1") == 1e-9);
     CHECK(steady_figure(123456, "Pa") == "123 kPa");
 }
 

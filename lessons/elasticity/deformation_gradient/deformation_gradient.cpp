@@ -110,7 +110,7 @@ void DeformationGradientLesson::declare_stages() {
                .explain = [this](const Question& q) { return why_compared(q); }},
               {.name = "polar_decomposition",
                .formula = "F = R S,  RᵀR = I,  det R = 1,  S = Sᵀ",
-               .source = "rotation and stretch [Bonet2008 §4.6, Lin2022 §4]",
+               .source = "rotation and stretch [Bonet2008 §4.6, Lin2022]",
                .run = [this] { decompose(); },
                .reads = {"point_deformation"},
                .writes = {"point_rotation", "point_stretch"},

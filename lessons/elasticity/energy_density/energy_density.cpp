@@ -153,25 +153,25 @@ void EnergyDensityLesson::declare_stages() {
           strain, Energy::stvk);
     stage("polar", "F = R S,  RᵀR = I,  S = Sᵀ", "polar decomposition [Bonet2008 §4.6]", &L::measure_strain,
           {"deformation_gradient"}, {"rotation", "strain"}, strain, Energy::corotated);
-    stage("invariants", "I₁ = tr FᵀF,  ln J = ln det F", "invariants of F [Bonet2008 §6.3]", &L::measure_strain,
+    stage("invariants", "I₁ = tr FᵀF,  ln J = ln det F", "invariants of F [Bonet2008 §6.4]", &L::measure_strain,
           {"deformation_gradient", "volume_ratio"}, {"first_invariant", "log_volume"}, strain, Energy::neo_hookean);
 
-    stage("energy_linear", "ψ = μ ε:ε + ½ λ tr(ε)²", "lecture: strain energy density, with the ½ [Sifakis2012 §3.1]",
+    stage("energy_linear", "ψ = μ ε:ε + ½ λ tr(ε)²", "lecture: strain energy density, with the ½ [Sifakis2012 §3.2]",
           &L::evaluate_energy, {"strain"}, {"energy_density"}, psi, Energy::linear);
-    stage("energy_stvk", "ψ = μ E:E + ½ λ tr(E)²", "lecture: strain energy density [Sifakis2012 §3.2]", &L::evaluate_energy,
+    stage("energy_stvk", "ψ = μ E:E + ½ λ tr(E)²", "lecture: strain energy density [Sifakis2012 §3.3]", &L::evaluate_energy,
           {"strain"}, {"energy_density"}, psi, Energy::stvk);
-    stage("energy_corotated", "ψ = μ |S − I|² + ½ λ tr(S − I)²", "lecture: strain energy density [Sifakis2012 §3.3]",
+    stage("energy_corotated", "ψ = μ |S − I|² + ½ λ tr(S − I)²", "lecture: strain energy density [Sifakis2012 §3.4]",
           &L::evaluate_energy, {"strain"}, {"energy_density"}, psi, Energy::corotated);
     stage("energy_neo_hookean", "ψ = ½ μ (I₁ − 3) − μ ln J + ½ λ (ln J)²", "lecture: strain energy density [Bonet2008 §6.4.3]",
           &L::evaluate_energy, {"first_invariant", "log_volume"}, {"energy_density"}, psi, Energy::neo_hookean);
 
-    stage("stress_linear", "P = ∂ψ/∂F = 2 μ ε + λ tr(ε) I", "[Sifakis2012 §3.1]", &L::evaluate_stress, {"strain"}, {"stress"},
+    stage("stress_linear", "P = ∂ψ/∂F = 2 μ ε + λ tr(ε) I", "[Sifakis2012 §3.2]", &L::evaluate_stress, {"strain"}, {"stress"},
           stress, Energy::linear);
-    stage("stress_stvk", "P = ∂ψ/∂F = F (2 μ E + λ tr(E) I)", "[Sifakis2012 §3.2]", &L::evaluate_stress,
+    stage("stress_stvk", "P = ∂ψ/∂F = F (2 μ E + λ tr(E) I)", "[Sifakis2012 §3.3]", &L::evaluate_stress,
           {"deformation_gradient", "strain"}, {"stress"}, stress, Energy::stvk);
-    stage("stress_corotated", "P = ∂ψ/∂F = R (2 μ (S − I) + λ tr(S − I) I)", "[Sifakis2012 §3.3]", &L::evaluate_stress,
+    stage("stress_corotated", "P = ∂ψ/∂F = R (2 μ (S − I) + λ tr(S − I) I)", "[Sifakis2012 §3.4]", &L::evaluate_stress,
           {"rotation", "strain"}, {"stress"}, stress, Energy::corotated);
-    stage("stress_neo_hookean", "P = ∂ψ/∂F = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ", "[Sifakis2012 §3.4]", &L::evaluate_stress,
+    stage("stress_neo_hookean", "P = ∂ψ/∂F = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ", "[Sifakis2012 §3.6]", &L::evaluate_stress,
           {"deformation_gradient", "log_volume"}, {"stress"}, stress, Energy::neo_hookean);
 
     stage("derivative_check", "P_ij ≈ (ψ(F + h e_i e_jᵀ) − ψ(F − h e_i e_jᵀ)) / 2h", "central difference", &L::check_derivative,

@@ -60,7 +60,7 @@ const ClaimRegistration e14{
      .lesson = "elasticity/energy_density",
      .statement = "The choice of Ψ(F) sets the behaviour, volume preservation included: St. Venant–Kirchhoff "
                   "softens and inverts in compression, neo-Hookean resists.",
-     .source = "C: strain energy density",
+     .source = "C: strain energy density (which energy does what is ours)",
      .experiment = "A bar that is free across is pressed; the stretch at which St. Venant–Kirchhoff pushes "
                    "back most is searched, and the stress of neo-Hookean followed towards s = 0.",
      .figure = "distance of that stretch from 1/√3",

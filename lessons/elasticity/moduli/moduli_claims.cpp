@@ -51,7 +51,10 @@ Finding compare(std::string_view test, std::string_view symbol, Real (*exact)(co
         f.text += fmt::format("{}{} {}", f.text.empty() ? fmt::format("{}: ", symbol) : ", ", m.name,
                               format_quantity(measured, "Pa", 3));
     }
-    f.text += fmt::format(". The largest relative difference is {}.", steady_figure(f.figure));
+    f.text += fmt::format(
+        ". The largest relative difference is {}: the strain is the same everywhere, which linear elements hold "
+        "exactly.",
+        steady_figure(f.figure));
     f.verdict = f.figure <= enough ? Verdict::reproduced : Verdict::refuted;
     return f;
 }

@@ -51,7 +51,7 @@ const ClaimRegistration e6{
      .lesson = "elasticity/poisson",
      .statement = "ν = 0.5 is incompressible: the volume change under a pull tends to 0 as ν tends to 0.5; and a "
                   "mesh of linear elements locks there.",
-     .source = "U, T: Poisson's ratio",
+     .source = "U, T: Poisson's ratio (that a mesh locks is ours)",
      .experiment = "A block of tetrahedra is pulled at three ν; then Cook's membrane is bent in plane strain at "
                    "ν = 0.4999 and compared with cubic elements.",
      .figure = "stiffness of the membrane over the right one",

@@ -110,7 +110,7 @@ void PoissonLesson::draw_membrane(Scene& scene) const {
     scene.points.push_back({.at = {place(tip)}, .ink = Ink::accent, .radius = 6});
     if (done() > 0) {
         const Position end = place(tip);
-        scene.arrow(position(54, end[1] - 10), position(54, end[1]), Ink::force, "F = 1 N");
+        scene.arrow(position(54, end[1] - 10), position(54, end[1]), Ink::force, "F = 1 N/m");
         const Real nu = ratios()[static_cast<std::size_t>(done() - 1)];
         scene.notes.push_back(fmt::format("ν = {}: u_y = {} on {} × {} cells", format_quantity(nu, "", 5),
                                           format_quantity(deflections_[done() - 1], "m"), 2 * Index(membrane_cells),

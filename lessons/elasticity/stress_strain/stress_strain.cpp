@@ -223,7 +223,7 @@ void StressStrainLesson::declare_stages() {
                .explain = [this](const Question& q) { return hooke().why_stress(q.index, q.component / 3, q.component % 3); }},
               {.name = "cut",
                .formula = "t = σ·n,  σ_n = n·t,  τ = |t − σ_n n|",
-               .source = "lecture: force per area of a plane of normal n, f = σ·n [TimoshenkoGoodier1970 §9]",
+               .source = "lecture: force per area of a plane of normal n, f = σ·n [TimoshenkoGoodier1970 §10]",
                .run = [this] { cut(); },
                .reads = {"stress"},
                .writes = {"traction", "normal_part", "shear_part"},

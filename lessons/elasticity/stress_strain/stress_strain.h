@@ -99,8 +99,8 @@ private:
     Tensors<3> strain_, stress_;
 };
 
-// The largest and the smallest normal stress over all cuts in the plane of the picture [Pa]: the middle of Mohr's circle, and its
-// radius to both sides.
+// The largest and the smallest normal stress over all cuts that stand upright on the picture [Pa]: the middle of Mohr's circle,
+// and its radius to both sides.
 inline Vec<2> principal_stresses(const Mat<3>& stress) {
     const Real middle = (stress(0, 0) + stress(1, 1)) / 2, radius = std::hypot((stress(0, 0) - stress(1, 1)) / 2, stress(0, 1));
     return {middle + radius, middle - radius};

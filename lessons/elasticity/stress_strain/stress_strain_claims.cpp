@@ -36,9 +36,10 @@ Finding stress_under_a_weight() {
                smaller = measured(disc(50, 0.05), "stress");
     return {.figure = worst,
             .verdict = worst <= 1e-9 ? Verdict::reproduced : Verdict::refuted,
-            .text = fmt::format("50 kg on a disc of radius 10 cm: {}. Twice the mass: {} times that; half the radius: {} times.",
-                                format_quantity(once, "Pa"), format_quantity(heavier / once, ""),
-                                format_quantity(smaller / once, ""))};
+            .text = fmt::format(
+                "50 kg on a disc of radius 10 cm: {}. Twice the mass: {} times that; half the radius: {} times. Linear "
+                "elements hold a stress that is the same everywhere exactly: what differs is rounding.",
+                format_quantity(once, "Pa"), format_quantity(heavier / once, ""), format_quantity(smaller / once, ""))};
 }
 
 Real rod_strain(Real force, Real unit = 1) {
@@ -57,17 +58,17 @@ Finding sign_of_strain() {
     const Mat<3> R = Eigen::AngleAxis<Real>(std::numbers::pi / 6, Vec<3>::UnitZ()).toRotationMatrix();
     const Mat<3> H = displacement_gradient<3>(R);
     const Real green = green_strain<3>(H).cwiseAbs().maxCoeff(), cauchy = cauchy_strain<3>(H)(0, 0);
-    const Real shifted = cauchy_strain<3>(Mat<3>::Zero()).cwiseAbs().maxCoeff();
-    const bool signs = pressed < 0 && pulled > 0 && shifted == 0 && green < 1e-12 && std::abs(in_millimetres / pulled - 1) < 1e-9;
-    return {.figure = cauchy,
-            .verdict = !signs                     ? Verdict::refuted
-                       : std::abs(cauchy) < 1e-12 ? Verdict::reproduced
-                                                  : Verdict::qualified,
-            .text = fmt::format("A rod pressed with 300 N: ε = {}; pulled: {}, in metres and in millimetres alike. Shifted: 0. "
-                                "Turned by 30°: {} by Green's strain, {} by Cauchy's.",
-                                format_quantity(pressed, ""), format_quantity(pulled, ""),
-                                green < 1e-12 ? "0" : format_quantity(green, ""), format_quantity(cauchy, "")),
-            .condition = "Cauchy's strain is zero for shifts and very small turns only; Green's is zero for every rigid motion"};
+    const bool signs = pressed < 0 && pulled > 0 && green < 1e-12 && std::abs(in_millimetres / pulled - 1) < 1e-9;
+    return {
+        .figure = cauchy,
+        .verdict = !signs                     ? Verdict::refuted
+                   : std::abs(cauchy) < 1e-12 ? Verdict::reproduced
+                                              : Verdict::qualified,
+        .text = fmt::format("A rod pressed with 300 N: ε = {}; pulled: {}, in metres and in millimetres alike. "
+                            "Turned by 30°: {} by Green's strain, {} by Cauchy's.",
+                            format_quantity(pressed, ""), format_quantity(pulled, ""),
+                            green < 1e-12 ? "0" : format_quantity(green, ""), format_quantity(cauchy, "")),
+        .condition = "Cauchy's strain is zero for shifts (E8) and very small turns only; Green's is zero for every rigid motion"};
 }
 
 const ClaimRegistration e1{{.id = "E1",

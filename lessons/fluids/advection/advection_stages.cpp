@@ -11,7 +11,7 @@ namespace pliant::carrying {
 void AdvectionLesson::declare_stages() {
     stages = {{.name = "velocity",
                .formula = "on faces (ψ_above − ψ_below)/Δx;   at a centre u = ½ (u_left + u_right), v = ½ (v_below + v_above)",
-               .source = "HarlowWelch1965; Bridson2007 §4.1",
+               .source = "HarlowWelch1965; Bridson2007",
                .run = [this] { find_velocity(); },
                .writes = {"u_on_faces", "v_on_faces", "velocity"},
                .explain =
@@ -21,7 +21,7 @@ void AdvectionLesson::declare_stages() {
                    }},
               {.name = "back_trace",
                .formula = "midpoint: x_m = x − ½Δt u(x),  x_d = x − Δt u(x_m);   Euler: x_d = x − Δt u(x)",
-               .source = "Utrecht slides: semi-Lagrangian technique; Stam1999 §3.2; Bridson2007 §3.2",
+               .source = "Utrecht slides: semi-Lagrangian technique; Stam1999 §2.2; Bridson2007 §3.2",
                .run = [this] { trace_back(); },
                .reads = {"velocity", "u_on_faces", "v_on_faces"},
                .writes = {"middle", "departure", "way"},
@@ -32,7 +32,7 @@ void AdvectionLesson::declare_stages() {
                    }},
               {.name = "interpolation",
                .formula = "q′(x) = q(x_d) = Σ w_k q_k",
-               .source = "Stam1999 §3.2; monotone cubic: FritschCarlson1980 §3, Fedkiw2001 appendix B",
+               .source = "Stam1999 §2.2; monotone cubic: FritschCarlson1980 §3, Fedkiw2001 appendix B",
                .run = [this] { interpolate(); },
                .reads = {"departure", "quantity"},
                .writes = {"previous", "quantity"},

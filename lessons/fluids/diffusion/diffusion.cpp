@@ -222,7 +222,7 @@ void DiffusionLesson::declare_stages() {
                .explain = [this](const Question& q) { return std::optional(why_updated(q.index)); }},
               {.name = "solve",
                .formula = "u′ − (νΔt/Δx²) s(u′) = u, by conjugate gradients: one iteration a pass",
-               .source = "Stam1999 §3.3; Shewchuk1994",
+               .source = "Stam1999 §2.2; Shewchuk1994",
                .run = [this] { solve_pass(); },
                .reads = {"u"},
                .writes = {"u_before", "u", "residual"},

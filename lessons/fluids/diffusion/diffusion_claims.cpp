@@ -115,22 +115,20 @@ Finding stencil() {
     const OneStep literal = one_step("lecture"), careful = one_step("careful");
     const bool complete = std::abs(literal.factor - literal.exact) < 0.01;
     const bool sound = off <= close_enough && second && std::abs(careful.factor - careful.exact) < 0.01;
-    return {
-        .figure = off,
-        .verdict = !sound     ? Verdict::refuted
-                   : complete ? Verdict::reproduced
-                              : Verdict::qualified,
-        .text = fmt::format(
-            "s/Δx² tends to ∇²u with order {:.2f} in 1D and {:.2f} in 2D. By bisection random numbers begin to grow at "
-            "r = {:.4f} in 1D and {:.4f} in 2D, {} off 1/2 and 1/4.",
-            order[0], order[1], limit[0], limit[1], steady_figure(off)),
-        .condition = fmt::format(
-            "with the old u and 1/Δx². The slide's u = νΔt Σ as it is written keeps {:.0f} % of the mean in a step (careful "
-            "form: "
-            "{:.0f} %) and multiplies mode 3 of 32 cells by {:.1e} instead of {:.3f} (careful form: {:.3f}); with the old u put "
-            "back, but not 1/Δx², it fades {:.0f} times too slowly on cells of 1/32 m",
-            100 * std::abs(literal.mean_kept), 100 * careful.mean_kept, literal.factor, literal.exact, careful.factor,
-            1 / fading_without_cell_size())};
+    return {.figure = off,
+            .verdict = !sound     ? Verdict::refuted
+                       : complete ? Verdict::reproduced
+                                  : Verdict::qualified,
+            .text = fmt::format(
+                "s/Δx² tends to ∇²u with order {:.2f} in 1D and {:.2f} in 2D. By bisection random numbers begin to grow at "
+                "r = {:.4f} in 1D and {:.4f} in 2D, {} off 1/2 and 1/4.",
+                order[0], order[1], limit[0], limit[1], steady_figure(off)),
+            .condition = fmt::format(
+                "with the old u and 1/Δx². The slide's u = νΔt Σ as it is written keeps {:.0f} % of the mean in a step (careful "
+                "form: {:.0f} %) and multiplies mode 3 of 32 cells by {:.1e} instead of {:.3f} (careful form: {:.3f}); with the "
+                "old u put back, but not 1/Δx², it fades {:.0f} times too slowly on cells of 1/32 m",
+                100 * std::abs(literal.mean_kept), 100 * careful.mean_kept, literal.factor, literal.exact, careful.factor,
+                1 / fading_without_cell_size())};
 }
 
 const ClaimRegistration f3{
@@ -138,7 +136,7 @@ const ClaimRegistration f3{
      .lesson = "fluids/diffusion",
      .statement =
          "The stencil of a cell and its neighbours tends to ν∇²u; explicit, it is stable for νΔt/Δx² ≤ 1/2 in 1D and 1/4 in 2D.",
-     .source = "U: Navier–Stokes equations, viscosity, 2-neighbour and 4-neighbour stencil",
+     .source = "U: Navier–Stokes equations, viscosity, 2-neighbour and 4-neighbour stencil (the limits are ours)",
      .experiment =
          "The stencil on a smooth u with known ∇²u, on 32 to 256 cells; the r at which random numbers begin to grow, by "
          "bisection; one step of the formula exactly as on the slide.",

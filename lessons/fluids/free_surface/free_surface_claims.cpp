@@ -13,8 +13,10 @@ namespace pliant::free_surface {
 namespace {
 
 constexpr Real g = 9.81;
-constexpr Real U = 0.3;                                                    // of the plate, m/s
-constexpr Real lowest_front = 2.292 - 0.15, highest_front = 2.662 + 0.25;  // in column widths, at t √(2g/a) = 1.99
+constexpr Real U = 0.3;  // of the plate, m/s
+// In column widths, at t √(2g/a) = 2: what was filmed behind a gate that takes time to open [MartinMoyce1952, figure 3], and a
+// volume-of-fluid solution that slides along walls.
+constexpr Real filmed_front = 2.29, volume_of_fluid_front = 2.66;
 
 Real measured(const Runner& runner, std::string_view probe) { return *runner.value(runner.lesson().probe(probe)); }
 
@@ -54,26 +56,28 @@ AtSolid beside_a_plate() {
 
 Finding surfaces_and_solids() {
     const Real a = 0.05715;
-    const Runner falls = run("dam_break", {}, 54), stands = run("mould", {}, 50);
+    const Runner falls = run("dam_break", {}, 54), coarse = run("dam_break", {{"resolution", "48"}}, 54),
+                 stands = run("mould", {}, 50);
     const Real front = measured(falls, "front_position") / a;
+    // What twice the cells still change is the margin that the front has.
+    const Real margin = std::abs(front - measured(coarse, "front_position") / a);
     const Real held = std::abs(measured(stands, "front_position") - 0.25);
     const Runner still = run("still_water", {{"column_height", "0.325"}}, 1),
                  off = run("still_water", {{"column_height", "0.325"}, {"surface_condition", "at_cell_centre"}}, 1);
     const Real right = std::abs(measured(still, "pressure_offset")), wrong = measured(off, "pressure_offset");
     const AtSolid solid = beside_a_plate();
-    const bool so = front > lowest_front && front < highest_front && held < 2e-3 && right < 1e-4 && solid.across < 1e-12 &&
-                    solid.along > 0.01;
-    return {
-        .figure = front,
-        .verdict = so ? Verdict::reproduced : Verdict::refuted,
-        .text = fmt::format(
-            "With p = 0 on the surface the front of a column is {:.2f} column widths from the wall at t √(2g/a) = 2 (measured "
-            "2.29 "
-            "behind a gate, 2.66 by a volume-of-fluid method); with u·n = 0 there it stays where it is, to {:.1g} mm. In still "
-            "water p is g times the depth to {:.0e} m²/s²; with p = 0 in the cell of air it is {:.3f} m²/s² off, which is "
-            "g Δx/2. At a plate that moves, u·n differs from the plate's by {:.0g} m/s, and along it the water moves at up to "
-            "{:.2f} m/s.",
-            front, 1e3 * held, std::max(right, 1e-9), wrong, solid.across, solid.along)};
+    const bool so = front > filmed_front && std::abs(front - volume_of_fluid_front) < margin && margin < 0.1 && held < 2e-3 &&
+                    right < 1e-4 && solid.across < 1e-12 && solid.along > 0.01;
+    return {.figure = front,
+            .verdict = so ? Verdict::reproduced : Verdict::refuted,
+            .text = fmt::format(
+                "With p = 0 on the surface the front of a column is {:.2f} column widths from the wall at t √(2g/a) = 2, {:.2f} "
+                "farther than on cells twice as wide ({:.2f} were filmed behind a gate, {:.2f} follow from a volume-of-fluid "
+                "method); with u·n = 0 there it stays where it is, to {:.1g} mm. In still water p is g times the depth to {:.0e} "
+                "m²/s²; with p = 0 in the cell of air it is {:.3f} m²/s² off, which is g Δx/2. At a plate that moves, u·n "
+                "differs from the plate's by {:.0g} m/s, and along it the water moves at up to {:.2f} m/s.",
+                front, margin, filmed_front, volume_of_fluid_front, 1e3 * held, std::max(right, 1e-9), wrong, solid.across,
+                solid.along)};
 }
 
 const ClaimRegistration f5{
@@ -86,7 +90,9 @@ const ClaimRegistration f5{
                    "plate.",
      .figure = "front of the column at t √(2g/a) = 2, in column widths",
      .unit = "",
-     .criterion = "between 2.14 and 2.91 (experiment and volume-of-fluid, with their margins); u·n exact and u·t free at solids",
+     .criterion =
+         "beyond the 2.29 of the film, and no farther from 2.66 (volume-of-fluid) than twice the cells change, at most 0.1; "
+         "u·n exact and u·t free at solids",
      .question = "The surface of a column of water is treated as a wall, u·n = 0. What does the column do?",
      .answers = {"it falls, a little slower", "it stands still", "it loses water"},
      .right_answer = 1,

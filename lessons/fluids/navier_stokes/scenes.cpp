@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::pi;
 
-// u = sin 2πx cos 2πy, v = −cos 2πx sin 2πy, in m/s and with lengths in L [TaylorGreen1937].
+// u = sin 2πx cos 2πy, v = −cos 2πx sin 2πy, in m/s and with lengths in L [Taylor1923].
 void start_vortices(const StaggeredGrid<2>& grid, const SceneSettings& settings, FaceField<2>& velocity) {
     for (int axis = 0; axis < 2; ++axis) {
         const Lattice<2>& faces = grid.faces(axis);

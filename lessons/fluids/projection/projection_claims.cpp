@@ -22,7 +22,8 @@ Real measured(const Runner& runner, std::string_view probe) { return runner.valu
 struct Left {
     Real largest = 0;
     int runs = 0;
-    bool energy_never_grew = true;
+    bool energy_never_grew = true;  // with walls at rest
+    Real most_growth = 0;           // of the energy, where walls let a flow in and out
 };
 Left what_is_left() {
     Left left;
@@ -42,9 +43,11 @@ Left what_is_left() {
                     ++left.runs;
                     left.largest =
                         std::max(left.largest, measured(runner, "max_divergence") / measured(runner, "max_divergence_before"));
-                    if (field.key != "through_flow")
-                        left.energy_never_grew &=
-                            measured(runner, "kinetic_energy") <= measured(runner, "kinetic_energy_before") * (1 + 1e-12);
+                    const Real growth = measured(runner, "kinetic_energy") / measured(runner, "kinetic_energy_before");
+                    if (field.key == "through_flow")
+                        left.most_growth = std::max(left.most_growth, growth);
+                    else
+                        left.energy_never_grew &= growth <= 1 + 1e-12;
                 }
             }
         }
@@ -78,16 +81,18 @@ Finding projection() {
     const Real on_faces = checkerboard_left("staggered"), in_cells = checkerboard_left("collocated");
     // The solvers stop at any point below their tolerance: the order of magnitude is what counts.
     const bool met = left.largest <= tolerance * (1 + 1e-6);
-    const bool so = met && left.energy_never_grew && staggered == 1 && collocated == 4 && on_faces < 1e-20 && in_cells == 1;
+    const bool so = met && left.energy_never_grew && left.most_growth > 1 && staggered == 1 && collocated == 4 &&
+                    on_faces < 1e-20 && in_cells == 1;
     return {.figure = static_cast<Real>(collocated - staggered),
             .verdict = so ? Verdict::reproduced : Verdict::refuted,
             .text = fmt::format(
                 "In {} projections (8 fields, 4 solvers, closed and periodic, with and without a disc) at most the asked 10⁻⁶ of "
-                "the divergence is {}, and the energy {}. On a periodic 8 × 8 grid the staggered operator has a null space of "
+                "the divergence is {}. The energy {} where walls are at rest; where they let a flow in and out it becomes up to "
+                "{:.0f} times as large. On a periodic 8 × 8 grid the staggered operator has a null space of "
                 "dimension {}, the collocated one of {}: a checkerboard of the velocity loses {:.0f} % of its energy on the "
                 "staggered grid and {:.0f} % on the collocated one.",
-                left.runs, met ? "left" : "exceeded", left.energy_never_grew ? "never grows" : "grows", staggered, collocated,
-                100 * (1 - on_faces), 100 * (1 - in_cells)),
+                left.runs, met ? "left" : "exceeded", left.energy_never_grew ? "never grows" : "grows", left.most_growth,
+                staggered, collocated, 100 * (1 - on_faces), 100 * (1 - in_cells)),
             .condition = {}};
 }
 
@@ -96,7 +101,7 @@ const ClaimRegistration f4{
      .lesson = "fluids/projection",
      .statement = "Projection makes a velocity free of divergence, to the tolerance of the solver. Velocity belongs on the faces "
                   "and pressure in the centres of the cells: with both in the centres a checkerboard is not seen.",
-     .source = "U, S, T: Eulerian methods, pressure projection",
+     .source = "U, S, T: Eulerian methods, pressure projection (that a checkerboard is not seen is ours)",
      .experiment = "Every field, solver and boundary of the lesson is projected; the null spaces of both grids are found by the "
                    "rank of their matrices; a checkerboard is given to both.",
      .figure = "null vectors of the collocated operator beyond the staggered one's, periodic 8 × 8",

@@ -101,7 +101,8 @@ void ClothLesson::declare_checks() {
          .value = [this] { return Real(dt); },
          .limit = [this] { return stable_time_step(); },
          .formula =
-             "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω, so none without damping;  ω of the fastest mode",
+             "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω up to ζ = 1, so none without damping, beyond it "
+             "(2/ω)(ζ − √(ζ² − 1));  ω of the fastest mode",
          .broken = "the fastest mode grows in every step until the sheet tears itself apart",
          .used = [this] { return !implicit(); },
          .fix =
@@ -227,8 +228,7 @@ std::string ClothLesson::too_large_a_step() const {
         return "Explicit Euler without damping is stable at no Δt: switch damping_mode on, or choose implicit_euler as the "
                "scheme";
     return fmt::format("Δt = {} is above the stability limit of {} ({}): choose implicit_euler as the scheme, or lower time_step",
-                       format_quantity(dt, "s", 3), format_quantity(limit, "s", 3),
-                       scheme == Scheme::explicit_euler ? "explicit Euler, 2ζ/ω" : "semi-implicit Euler, (2/ω)(√(1 + ζ²) − ζ)");
+                       format_quantity(dt, "s", 3), format_quantity(limit, "s", 3), limit_in_words(scheme));
 }
 
 std::string ClothLesson::blow_up_hint() const {

@@ -15,9 +15,8 @@ void MassSpringLesson::declare_assumptions() {
          .unit = "s",
          .value = [this] { return Real(dt); },
          .limit = [this] { return stable_time_step(); },
-         .formula =
-             "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω, so none without damping;  undamped Verlet: 2/ω, "
-             "Runge–Kutta 4: 2√2/ω;  ω of the fastest mode",
+         .formula = "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω up to ζ = 1, so none without damping, beyond "
+                    "it (2/ω)(ζ − √(ζ² − 1));  undamped Verlet: 2/ω, Runge–Kutta 4: 2√2/ω;  ω of the fastest mode",
          .broken = "the fastest mode grows in every step until the block tears itself apart",
          .used = [this] { return !implicit() && !tested(); },
          .fix = [this] { return stable_fix(); }},
@@ -87,11 +86,7 @@ std::string MassSpringLesson::too_large_a_step() const {
             growth);
     return fmt::format(
         "Δt = {} is above the stability limit of {} ({}): {}. Lower time_step or the stiffness, or choose implicit_euler",
-        format_quantity(dt, "s"), format_quantity(limit, "s", 3),
-        integrator == Scheme::explicit_euler ? "explicit Euler, 2ζ/ω"
-        : semi_implicit()                    ? "semi-implicit Euler, (2/ω)(√(1 + ζ²) − ζ)"
-                                             : info_of(integrator).name,
-        growth);
+        format_quantity(dt, "s"), format_quantity(limit, "s", 3), limit_in_words(integrator), growth);
 }
 
 std::string MassSpringLesson::blow_up_hint() const {

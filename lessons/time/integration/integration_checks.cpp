@@ -38,8 +38,8 @@ void IntegrationLesson::declare_checks() {
          .value = [this] { return Real(dt); },
          .limit = [this] { return stable_time_step(); },
          .formula =
-             "explicit Euler: Δt ≤ 2ζ/ω, none without damping;  semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  Verlet: 2/ω and "
-             "Runge–Kutta 4: 2.83/ω without damping;  ω of the fastest mode",
+             "explicit Euler: Δt ≤ 2ζ/ω up to ζ = 1, none without damping, beyond it (2/ω)(ζ − √(ζ² − 1));  semi-implicit: Δt ≤ "
+             "(2/ω)(√(1 + ζ²) − ζ);  Verlet: 2/ω and Runge–Kutta 4: 2.83/ω without damping;  ω of the fastest mode",
          .broken = "every step makes the motion larger, until nothing else is left of it",
          .used = [this] { return !implicit() && omega > 0; },
          .fix = [this] { return stable_fix(); }},
