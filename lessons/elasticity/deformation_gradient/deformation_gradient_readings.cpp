@@ -91,7 +91,7 @@ void DeformationGradientLesson::declare_probes() {
                }},
               {.name = "mapped_length_ratio",
                .symbol = "|F dX|/|dX|",
-               .help = "the same as F foretells it",
+               .help = "the same as F predicts it",
                .value = [this]() -> std::optional<Real> {
                    const Real at_rest = rest_vector_.norm();
                    return at_rest > 0 ? std::optional(mapped_vector_.norm() / at_rest) : std::nullopt;

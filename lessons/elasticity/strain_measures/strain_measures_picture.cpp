@@ -152,7 +152,7 @@ void StrainMeasuresLesson::write_numbers(Scene& scene) const {
     const auto text = [](Real x) { return format_quantity(std::abs(x) < 5e-13 ? 0 : x, "", 5); };
     scene.notes.push_back(fmt::format("|v′|² = {}² = {},  vᵀC v = {}", text(deformed_v_.norm()), text(deformed_v_.squaredNorm()),
                                       text(v_.dot(of(C_) * v_))));
-    scene.notes.push_back(fmt::format("Cauchy foretells |v′| = 1 + vᵀε v = {}", text(1 + v_.dot(of(cauchy_) * v_))));
+    scene.notes.push_back(fmt::format("Cauchy predicts |v′| = 1 + vᵀε v = {}", text(1 + v_.dot(of(cauchy_) * v_))));
 }
 
 void StrainMeasuresLesson::write_hookes_law(Scene& scene) const {

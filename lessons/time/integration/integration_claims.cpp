@@ -151,7 +151,7 @@ const ClaimRegistration i2{
 // longer.
 Real equally_stable_damping(Real omega) {
     Real less = 0.1, more = 0.9;
-    for (int k = 0; k < 26; ++k) {
+    for (int k = 0; k < 32; ++k) {
         const Real zeta = (less + more) / 2;
         const Real old_velocity = limit_found("explicit_euler", omega, zeta, 0.01, 0.3),
                    new_velocity = limit_found("semi_implicit_euler", omega, zeta, 0.01, 0.3);
