@@ -254,7 +254,7 @@ TEST_CASE("diffusion: a channel has its closed form from the first moment on", "
     CHECK_THAT(*runner.lesson().probe("u_selected").exact(0.3), WithinRel(1.9515070625310336, 1e-12));
 }
 
-TEST_CASE("diffusion: what a lamp offers mends what it shows", "[diffusion]") {
+TEST_CASE("diffusion: what a light offers mends what it shows", "[diffusion]") {
     const auto check = [](const Runner::Assignments& scene, std::string_view name) {
         Runner runner = start_diffusion(scene);
         const Assumption& broken = assumption(runner, name);

@@ -74,15 +74,15 @@ TEST_CASE("free surface: a pressure that no surface sets has no offset, and a wa
     CHECK(probe({{"scene", "wave"}, {"depth", "0.1"}, {"wave_height", "-0.11"}}, "column_height_at_wall"));
 }
 
-TEST_CASE("free surface: the mould holds, and the lamp tells", "[free_surface]") {
+TEST_CASE("free surface: the mould holds, and the light tells", "[free_surface]") {
     const Runner mould = run({{"surface_condition", "closed"}, {"resolution", "40"}}, 20);
     CHECK(value(mould, "front_position") == Approx(0.25).margin(2e-3));
     const auto& assumptions = mould.lesson().assumptions;
-    const auto lamp = std::ranges::find(assumptions, "p = 0 at the surface", &Assumption::name);
-    REQUIRE(lamp != assumptions.end());
-    CHECK(lamp->value() > lamp->limit());
-    REQUIRE(lamp->fix());
-    CHECK(lamp->fix()->assign.front().second == "at_surface");
+    const auto light = std::ranges::find(assumptions, "p = 0 at the surface", &Assumption::name);
+    REQUIRE(light != assumptions.end());
+    CHECK(light->value() > light->limit());
+    REQUIRE(light->fix());
+    CHECK(light->fix()->assign.front().second == "at_surface");
 }
 
 TEST_CASE("free surface: a wave goes down and up as linear theory says", "[free_surface]") {

@@ -119,15 +119,15 @@ TEST_CASE("mass-spring: a solid of the lattice's own Poisson ratio stretches as 
     Runner own = net(isotropic);
     own.step();
     CHECK_THAT(value(own, "stiffness_ratio"), WithinRel(1, 1e-9));
-    const auto lamp = [](const Runner& runner) {
+    const auto light = [](const Runner& runner) {
         const Assumption& a =
             *std::ranges::find(runner.lesson().assumptions, std::string_view("poisson_ratio"), &Assumption::name);
         return a.value() <= a.limit();
     };
-    CHECK(lamp(own));
+    CHECK(light(own));
     Runner wished = net(joined(isotropic, {{"target_poisson", "0.45"}}));
     wished.step();
-    CHECK_FALSE(lamp(wished));
+    CHECK_FALSE(light(wished));
 }
 
 TEST_CASE("mass-spring: a mechanism is reported, and motions of rest length 0 are finite") {

@@ -190,3 +190,19 @@ TEST_CASE("finite strain: the curves touch the linear one at rest and follow the
         CHECK(std::abs(stvk.value.back() / (1e6 * s * (s * s - 1) / 2) - 1) < 1e-9);
     }
 }
+
+TEST_CASE("finite strain: at 30 % both laws pull as the walkthrough says", "[moduli]") {
+    Runner runner(find_lesson("elasticity/moduli"), {{"test", "tension"}, {"resolution", "2"}, {"load", "3e5"}});
+    runner.step();
+    const Line& line = *std::ranges::find(runner.lesson().lines, "measured_stress", &Line::name);
+    for (const CompareCurve& other : line.others) {
+        Curve curve;
+        other.sample(curve);
+        const auto after = static_cast<std::size_t>(std::ranges::lower_bound(curve.position, Real(0.3)) - curve.position.begin());
+        REQUIRE(after > 0);
+        REQUIRE(after < curve.position.size());
+        const Real part = (0.3 - curve.position[after - 1]) / (curve.position[after] - curve.position[after - 1]);
+        const Real stress = std::lerp(curve.value[after - 1], curve.value[after], part);
+        CHECK(std::abs(stress - (other.name == "neo-Hookean" ? 248.5e3 : 448.5e3)) < 500);
+    }
+}

@@ -20,11 +20,11 @@ Runner start_navier_stokes_terms(const Runner::Assignments& parameters) {
     return Runner(find_lesson("fluids/navier_stokes"), parameters);
 }
 
-bool lamp_holds(const Runner& runner) {
-    const auto& lamps = runner.lesson().assumptions;
-    const Assumption& lamp = *std::ranges::find(lamps, "divergence-free", &Assumption::name);
-    REQUIRE(lamp.in_use());
-    return lamp.value() <= lamp.limit();
+bool light_holds(const Runner& runner) {
+    const auto& lights = runner.lesson().assumptions;
+    const Assumption& light = *std::ranges::find(lights, "divergence-free", &Assumption::name);
+    REQUIRE(light.in_use());
+    return light.value() <= light.limit();
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ TEST_CASE("navier_stokes: a term that is off has no stage and no array") {
     }
     CHECK(!piling_up.value(piling_up.lesson().probe("max_divergence")));
     CHECK(value(piling_up, "divergence_left") > 0.1);
-    CHECK(!lamp_holds(piling_up));
+    CHECK(!light_holds(piling_up));
     CHECK_THAT(piling_up.time(), WithinRel(0.1, 1e-12));
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("navier_stokes: only the lecture's order leaves a velocity without div
     CHECK(stage_names(runner) == names);
     for (int k = 0; k < 20; ++k) runner.step();
     const bool lecture = std::string(order) == "lecture";
-    CHECK(lamp_holds(runner) == lecture);
+    CHECK(light_holds(runner) == lecture);
     CHECK((value(runner, "divergence_left") > 1e-2) == !lecture);
     CHECK((value(runner, "divergence_left") == value(runner, "max_divergence")) == lecture);
     CHECK_THAT(runner.time(), WithinRel(0.4, 1e-12));
@@ -103,19 +103,19 @@ TEST_CASE("navier_stokes: only the lecture's order leaves a velocity without div
     CHECK(runner.place().step == (lecture ? 20 : 0));
 }
 
-TEST_CASE("navier_stokes: the lamp of the order offers what mends it") {
+TEST_CASE("navier_stokes: the light of the order offers what mends it") {
     for (const Runner::Assignments& wrong : {Runner::Assignments{{"order", "forces_last"}}, {{"with_projection", "off"}}}) {
         Runner::Assignments parameters = wrong;
         parameters.emplace_back("resolution", "24");
         Runner runner = start_navier_stokes_terms(parameters);
         for (int k = 0; k < 5; ++k) runner.step();
-        REQUIRE(!lamp_holds(runner));
-        const auto& lamps = runner.lesson().assumptions;
-        const auto fix = std::ranges::find(lamps, "divergence-free", &Assumption::name)->fix();
+        REQUIRE(!light_holds(runner));
+        const auto& lights = runner.lesson().assumptions;
+        const auto fix = std::ranges::find(lights, "divergence-free", &Assumption::name)->fix();
         REQUIRE(fix);
         runner.assign(fix->assign);
         for (int k = 0; k < 5; ++k) runner.step();
-        CHECK(lamp_holds(runner));
+        CHECK(light_holds(runner));
     }
 }
 

@@ -124,12 +124,12 @@ TEST_CASE("projection: a checkerboard survives on the collocated grid alone", "[
     CHECK(value(in_cells, "energy_left") == 1);
     CHECK(value(on_faces, "null_dimension") == 1);
     CHECK(value(in_cells, "null_dimension") == 4);
-    // The lamp of what the grid does not see, and what mends it.
-    const auto& lamp =
+    // The light of what the grid does not see, and what mends it.
+    const auto& light =
         *std::ranges::find(in_cells.lesson().assumptions, "pressures that the grid does not see", &Assumption::name);
-    REQUIRE(lamp.in_use());
-    CHECK(lamp.value() > lamp.limit());
-    CHECK(lamp.fix()->assign == Runner::Assignments{{"grid", "staggered"}});
+    REQUIRE(light.in_use());
+    CHECK(light.value() > light.limit());
+    CHECK(light.fix()->assign == Runner::Assignments{{"grid", "staggered"}});
 }
 
 TEST_CASE("projection: a checkerboard of the pressure is felt by the staggered grid alone", "[projection]") {

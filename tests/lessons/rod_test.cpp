@@ -100,6 +100,14 @@ TEST_CASE("rod: the curves of the tip against N are those of rods that hang", "[
     CHECK(mark.value[0] == value(runner, "tip_displacement"));
 }
 
+TEST_CASE("rod: springs of 200 N/m hang as the continuum at 9 segments, and as the derived ones at 10", "[rod]") {
+    const auto tip = [](const char* rule, const char* segments) {
+        return value(after(1, {{"spring_rule", rule}, {"segments", segments}}), "tip_over_continuum");
+    };
+    CHECK_THAT(tip("constant", "9"), WithinRel(1, 1e-12));
+    CHECK_THAT(tip("constant", "10"), WithinRel(tip("derived", "10"), 1e-12));
+}
+
 TEST_CASE("rod: in every stage stands what the lecture writes", "[rod]") {
     Runner runner = after(1, {});
     const auto field = [&](std::string_view name) { return runner.lesson().field(name).view(); };
@@ -115,7 +123,7 @@ TEST_CASE("rod: in every stage stands what the lecture writes", "[rod]") {
         CHECK_THAT(field("gradient_force")[2 * i + 3], WithinAbs(field("spring_force")[2 * i + 3], 1e-12));
     }
     CHECK_THAT(exact(runner, "elastic_energy"), WithinRel(9.81 * 9.81 / 120, 1e-12));
-    // A lamp that can go out: a rod whose springs are not those of its energy.
+    // A light that can go out: a rod whose springs are not those of its energy.
     CHECK(runner.holds(0) == Holds::yes);
     std::vector<std::string_view> names;
     for (const Stage* s : runner.stages()) names.push_back(s->name);
@@ -218,7 +226,7 @@ TEST_CASE("rod: the limit of stability is that of its fastest mode, on both side
     CHECK_THROWS_AS(run(1.05), Diverged);
 }
 
-TEST_CASE("rod: what is above the limit names it, and what the lamps offer mends", "[rod]") {
+TEST_CASE("rod: what is above the limit names it, and what the lights offer mends", "[rod]") {
     const auto check = [](const Runner::Assignments& scene, std::string_view name) {
         Runner runner = start_rod(scene);
         if (name == "not_turned_over") runner.step();
@@ -333,7 +341,7 @@ TEST_CASE("rod: what would be turned over at the start is refused, with what is 
         CHECK_NOTHROW(start_rod(mended));
     }
     CHECK_THROWS_AS(start_rod({{"scene", "free_end"}, {"pulse_width", "3"}}), Refused);
-    // One that turns over on the way is told by the lamp, whatever |∂x/∂s| says.
+    // One that turns over on the way is told by the light, whatever |∂x/∂s| says.
     Runner runner = start_rod({{"scene", "wave"}, {"amplitude", "1.5"}});
     CHECK(assumption(runner, "not_turned_over").value() <= 0.9);
     Real worst = 0;

@@ -5,12 +5,14 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
 #include <numbers>
 
 using namespace pliant;
 using namespace pliant::test;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -62,6 +64,15 @@ TEST_CASE("the force on a cut follows its normal, and the principal cuts bear no
     CHECK_THAT(value(runner, "shear_stress"), WithinAbs(-half * std::sin(2 * a) + xy * std::cos(2 * a), 1e-6));
     CHECK_THAT(value(runner, "largest_normal_stress"), WithinRel(mean + std::hypot(half, xy), 1e-9));
     CHECK(std::abs(value(runner, "force_imbalance")) < 1e-9);
+}
+
+TEST_CASE("the principal stresses are those of cuts upright on the picture", "[stress_strain]") {
+    // The cut along the picture bears no stress, which is more than either of these.
+    const Runner runner = loaded({{"scene", "cut"}, {"sigma_xx", "-1e4"}, {"sigma_yy", "-3e4"}, {"sigma_xy", "0"}});
+    CHECK_THAT(value(runner, "largest_normal_stress"), WithinAbs(-1e4, 1e-6));
+    CHECK_THAT(value(runner, "smallest_normal_stress"), WithinAbs(-3e4, 1e-6));
+    for (const std::string_view name : {"largest_normal_stress", "smallest_normal_stress"})
+        CHECK_THAT(std::string(runner.lesson().probe(name).help), ContainsSubstring("upright on the picture"));
 }
 
 TEST_CASE("the handles set the load that puts them where they are dragged", "[stress_strain]") {

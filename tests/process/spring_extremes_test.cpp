@@ -88,10 +88,10 @@ TEST_CASE("springs: every node held, no spring at all, and a single spring are f
 TEST_CASE("a wished Poisson ratio that a lattice cannot have is reported", "[process]") {
     const std::vector<std::string> isotropic =
         joined(small, {"scene=stretch_test", "k_shear=200", "k_bending=0", "shared_edges=true"});
-    const auto lamp = [&](const char* wish) {
+    const auto light = [&](const char* wish) {
         const Json result = json_of(with({"run", "mesh/mass_spring"}, joined(isotropic, {wish})));
         return result["assumptions"]["poisson_ratio"]["holds"].get<bool>();
     };
-    CHECK(lamp("target_poisson=0.25"));
-    CHECK_FALSE(lamp("target_poisson=0.45"));
+    CHECK(light("target_poisson=0.25"));
+    CHECK_FALSE(light("target_poisson=0.45"));
 }

@@ -216,6 +216,18 @@ TEST_CASE("an overdamped oscillator has limits too", "[integrators]") {
     const Real limit = stability_limit(scheme, 10, zeta);
     CHECK(radius(scheme, 10, zeta, 0.999 * limit) < 1);
     CHECK(radius(scheme, 10, zeta, 1.001 * limit) > 1);
+    if (scheme == Scheme::explicit_euler) CHECK_THAT(limit, WithinRel(0.2 * (zeta - std::sqrt(zeta * zeta - 1)), 1e-12));
+}
+
+TEST_CASE("with a damping ratio above 1/√3 explicit Euler takes the longer steps", "[integrators]") {
+    const auto limit = [](Scheme scheme, Real zeta) { return stability_limit(scheme, 10, zeta); };
+    for (const Real zeta : {0.1, 0.5, 0.57})
+        CHECK(limit(Scheme::explicit_euler, zeta) < limit(Scheme::semi_implicit_euler, zeta));
+    for (const Real zeta : {0.58, 0.9, 1.0, 3.0})
+        CHECK(limit(Scheme::explicit_euler, zeta) > limit(Scheme::semi_implicit_euler, zeta));
+    CHECK(limit_in_words(Scheme::semi_implicit_euler) == "semi-implicit Euler, (2/ω)(√(1 + ζ²) − ζ)");
+    CHECK(limit_in_words(Scheme::explicit_euler) == "explicit Euler, 2ζ/ω up to ζ = 1, beyond it (2/ω)(ζ − √(ζ² − 1))");
+    CHECK(limit_in_words(Scheme::velocity_verlet) == info_of(Scheme::velocity_verlet).name);
 }
 
 TEST_CASE("undamped: forward Euler grows at every time step, semi-implicit Euler from 2/omega on", "[integrators]") {

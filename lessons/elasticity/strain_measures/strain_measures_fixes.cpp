@@ -1,4 +1,4 @@
-// Which parameters would mend what the lamps show.
+// Which parameters would mend what the lights show.
 #include <fmt/format.h>
 #include <pliant/lesson/format.h>
 
