@@ -136,7 +136,7 @@ TEST_CASE("a figure for generated pages tells no rounding", "[claims]") {
     CHECK(steady_figure(0) == "below 10⁻⁹");
     CHECK(steady_figure(2e-9) == "2×10⁻⁹");
     CHECK(steady_figure(3e-13, "", 1e-12) == "below 10⁻¹²");
-    CHECK(steady_figure(3e-12, "m", 1e-12) == "3×10⁻¹² m");
+    CHECK(steady_figure(3e-12, "", 1e-12) == "3×10⁻¹²");
     const auto rounding = [](std::string_view criterion) {
         Claim c = claim_with("E91", [] { return reproduced(); });
         c.criterion = criterion;
