@@ -45,7 +45,8 @@ std::string claims_markdown(std::span<const ClaimResult> results) {
         "figure meets the criterion, *qualified* when it does so under a condition that the experiment finds, and *refuted* "
         "when it does not. `pliant claims` measures all of them; in the lab the key K shows those of the lesson.\n\n"
         "Lectures: U, Utrecht slides; S, survey of deformable models; C, COL781 lecture 36; T, transcript of a second Utrecht "
-        "deck. What a source calls ours no lecture says: Pliant adds it.\n\n<!-- Made by `pliant claims --markdown`; edit the claims beside the lessons, not this page. -->\n";
+        "deck. What a source calls ours no lecture says: Pliant adds it.\n\n<!-- Made by `pliant claims --markdown`; edit the "
+        "claims beside the lessons, not this page. -->\n";
     std::string_view chapter;
     for (const ClaimResult& r : results) {
         if (chapter_of(*r.claim) != chapter) {
