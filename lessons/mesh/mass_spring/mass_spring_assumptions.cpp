@@ -46,9 +46,9 @@ void MassSpringLesson::declare_assumptions() {
              [this] { return std::abs(lattice_constants(lattice(), stiffnesses(), edge()).poisson_ratio() - target_poisson); },
          .limit = [] { return 0.01; },
          .formula = "|ν − ν*| ≤ 0.01;  central forces: C₁₂ = C₄₄",
-         .broken =
-             "springs along the line between two nodes obey Cauchy's relation: an isotropic lattice has ν = 1/3 in a sheet and "
-             "1/4 in space, whatever their stiffness; the wished one it cannot have",
+         .broken = "where every node is a centre of symmetry and no spring is under tension, springs between nodes obey Cauchy's "
+                   "relation: an isotropic lattice has ν = 1/3 in a sheet and 1/4 in space, whatever their stiffness; the wished "
+                   "one it cannot have",
          .used = [this] { return tested() && lattice() != LatticeKind::chain && (k_structural > 0 || k_bending > 0); },
          .fix = [this] { return own_poisson(); }},
     };
