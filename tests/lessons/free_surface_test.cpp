@@ -113,8 +113,8 @@ TEST_CASE("free surface: a front of any size in its own units", "[free_surface]"
         return value(runner, "front_position") / (0.05715 * unit);
     };
     const Real metres = front(1);
-    CHECK(metres > 2.292 - 0.15);
-    CHECK(metres < 2.662 + 0.25);
+    CHECK(metres > 2.292);  // filmed behind a gate that takes time to open
+    CHECK(metres < 2.662);  // volume-of-fluid; coarse cells are late
     CHECK(front(1000) == Approx(metres).epsilon(1e-6));
 }
 
