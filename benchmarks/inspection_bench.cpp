@@ -1,7 +1,7 @@
 // What looking inside costs: a step with nobody looking, with the stages traced, and a question.
 #include <benchmark/benchmark.h>
-#include <pliant/lesson/breakpoints.h>
-#include <pliant/lesson/why.h>
+#include <pliant/run/breakpoints.h>
+#include <pliant/run/why.h>
 
 namespace {
 

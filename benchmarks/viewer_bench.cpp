@@ -1,8 +1,8 @@
 // What a frame of the lab costs, at rest and with the step of the lesson it shows, and whether it keeps 60 frames a second; what
 // opening it costs; what the runner adds to a step; how fast a state is stored.
 #include <benchmark/benchmark.h>
-#include <pliant/lesson/history.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/history.h>
+#include <pliant/run/runner.h>
 
 #include "app/lab.h"
 #include "app/redraw.h"

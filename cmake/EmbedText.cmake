@@ -1,6 +1,6 @@
 # Texts that are read, not compiled, become part of the program. They are embedded again when a file changes.
 
-# pliant_embed_text(OUTPUT FILES...) writes a C++ source that registers the text of each file (pliant/lesson/texts.h) under its
+# pliant_embed_text(OUTPUT FILES...) writes a C++ source that registers the text of each file (pliant/text/texts.h) under its
 # path relative to the calling folder.
 function(pliant_embed_text output)
   pliant_embed(${output} ${CMAKE_CURRENT_SOURCE_DIR} lessons ${ARGN})

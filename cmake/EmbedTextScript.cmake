@@ -25,6 +25,6 @@ ${entries}    };
 }  // namespace pliant::viewer
 ")
 else()
-  set(source "#include <pliant/lesson/texts.h>\n\nnamespace {\nconst pliant::TextRegistration texts{{\n${entries}}};\n}\n")
+  set(source "#include <pliant/text/texts.h>\n\nnamespace {\nconst pliant::TextRegistration texts{{\n${entries}}};\n}\n")
 endif()
 file(WRITE ${OUTPUT} "${source}")

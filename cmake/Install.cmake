@@ -1,4 +1,4 @@
-# Installs pliant::core for find_package(pliant): the archive, the headers of core/ under include/pliant and the package.
+# Installs pliant::core for find_package(pliant): the archive, the headers of core/pliant under include/pliant and the package.
 # PLIANT_INSTALLABLE tells the tests whether there is anything to install.
 get_property(fetched GLOBAL PROPERTY PLIANT_FETCHED)
 set(PLIANT_INSTALLABLE ON CACHE INTERNAL "")
@@ -15,7 +15,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pliant)
 
 install(TARGETS pliant_core EXPORT pliantTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT pliant_core)
-install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION include/pliant COMPONENT pliant_core FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/pliant DESTINATION include COMPONENT pliant_core FILES_MATCHING PATTERN "*.h")
 install(EXPORT pliantTargets NAMESPACE pliant:: DESTINATION ${package_dir} COMPONENT pliant_core)
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/pliantConfig.cmake.in ${PROJECT_BINARY_DIR}/package/pliantConfig.cmake

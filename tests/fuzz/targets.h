@@ -1,8 +1,8 @@
 // What each fuzzer does with its bytes. Anything but pliant::Error that comes out of here is a fault, and so is a promise of the
 // reader that is not kept.
 #pragma once
-#include <pliant/lesson/share.h>
-#include <pliant/lesson/walkthrough.h>
+#include <pliant/document/share.h>
+#include <pliant/document/walkthrough.h>
 
 #include <stdexcept>
 #include <string_view>

@@ -1,5 +1,6 @@
-// Who may include whom: math <- continuum, mesh, time <- solids, particles, fluids <- lessons, and viewer apart from them. The
-// lesson contract and the studies know no solver, and no solver knows them. Read from the #include lines of the sources.
+// Who may include whom: math <- continuum, mesh, time <- solids, particles, fluids <- lessons, and viewer apart from them. What a
+// lesson declares, what runs it, what is written about it and the studies (text <- lesson <- run <- document <- study) know no
+// solver, and no solver knows them. Read from the #include lines of the sources.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <catch2/catch_test_macros.hpp>
@@ -22,18 +23,22 @@ using Names = std::set<std::string>;
 
 // The folders of core that each folder may use besides itself.
 const std::map<std::string, Names> allowed_folders{
-    {"core/math", {}},
-    {"core/continuum", {"math"}},
-    {"core/mesh", {"math"}},
-    {"core/time", {"math"}},
-    {"core/solids", {"math", "continuum", "mesh", "time"}},
-    {"core/particles", {"math", "continuum", "mesh", "time"}},
-    {"core/fluids", {"math", "continuum", "mesh", "time"}},
-    {"core/formula", {"math"}},
-    {"core/lesson", {"math", "formula"}},
-    {"core/study", {"math", "formula", "lesson"}},
-    {"lessons", {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "formula", "lesson", "study"}},
-    {"viewer", {"math", "formula", "lesson", "study"}},
+    {"core/pliant/math", {}},
+    {"core/pliant/continuum", {"math"}},
+    {"core/pliant/mesh", {"math"}},
+    {"core/pliant/time", {"math"}},
+    {"core/pliant/solids", {"math", "continuum", "mesh", "time"}},
+    {"core/pliant/particles", {"math", "continuum", "mesh", "time"}},
+    {"core/pliant/fluids", {"math", "continuum", "mesh", "time"}},
+    {"core/pliant/text", {"math"}},
+    {"core/pliant/formula", {"math"}},
+    {"core/pliant/lesson", {"math", "text", "formula"}},
+    {"core/pliant/run", {"math", "text", "formula", "lesson"}},
+    {"core/pliant/document", {"math", "text", "formula", "lesson", "run"}},
+    {"core/pliant/study", {"math", "text", "formula", "lesson", "run", "document"}},
+    {"lessons",
+     {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "text", "formula", "lesson", "run", "study"}},
+    {"viewer", {"math", "text", "formula", "lesson", "run", "document", "study"}},
 };
 
 // The libraries of others, by the first part of what is included. Standard headers have neither folder nor ending.
@@ -70,8 +75,8 @@ std::string first_part(const std::string& path, std::size_t parts = 1) {
     return path.substr(0, end);
 }
 
-// "core/solids" of core/solids/springs.h, "lessons" of anything there.
-std::string group_of(const std::string& file) { return first_part(file, file.starts_with("core/") ? 2 : 1); }
+// "core/pliant/solids" of core/solids/springs.h, "lessons" of anything there.
+std::string group_of(const std::string& file) { return first_part(file, file.starts_with("core/") ? 3 : 1); }
 
 bool is_standard(const std::string& included) { return included.find_first_of("./") == std::string::npos; }
 
@@ -93,7 +98,7 @@ std::string objection(const std::string& file, const Include& include) {
         return libraries.contains(library) ? "" : fmt::format("{} is no library of {}", library, group);
     }
     const std::string folder = first_part(include.path.substr(7));
-    return "core/" + folder == group || allowed->second.contains(folder)
+    return "core/pliant/" + folder == group || allowed->second.contains(folder)
                ? ""
                : fmt::format("{} lies above or beside {}", folder, group);
 }
@@ -156,24 +161,24 @@ TEST_CASE("the check of the layers finds what does not belong", "[layering]") {
     const auto wrong = [](const char* file, const char* line) {
         return objections(file, std::string("#pragma once\n") + line + "\n").size() == 1;
     };
-    CHECK(wrong("core/math/a.h", "#include <pliant/mesh/simplex_mesh.h>"));
-    CHECK(wrong("core/mesh/a.h", "#include <pliant/continuum/strain.h>"));
-    CHECK(wrong("core/time/a.h", "#include <pliant/solids/springs.h>"));
-    CHECK(wrong("core/fluids/a.cpp", "#include <pliant/lesson/lesson.h>"));
-    CHECK(wrong("core/solids/a.cpp", "#include <pliant/fluids/lattice.h>"));
-    CHECK(wrong("core/lesson/a.cpp", "#include <pliant/solids/springs.h>"));
-    CHECK(wrong("core/study/a.cpp", "#include <pliant/fluids/lattice.h>"));
-    CHECK(wrong("core/lesson/a.cpp", "  #  include <imgui.h>"));
-    CHECK(wrong("core/math/a.cpp", "#include <GLFW/glfw3.h>"));
-    CHECK(wrong("core/math/a.cpp", "#include <GL/gl.h>"));
-    CHECK(wrong("core/math/a.cpp", "#include \"../../viewer/app/session.h\""));
-    CHECK(wrong("core/other/a.cpp", "#include <pliant/math/types.h>"));
+    CHECK(wrong("core/pliant/math/a.h", "#include <pliant/mesh/simplex_mesh.h>"));
+    CHECK(wrong("core/pliant/mesh/a.h", "#include <pliant/continuum/strain.h>"));
+    CHECK(wrong("core/pliant/time/a.h", "#include <pliant/solids/springs.h>"));
+    CHECK(wrong("core/pliant/fluids/a.cpp", "#include <pliant/lesson/lesson.h>"));
+    CHECK(wrong("core/pliant/solids/a.cpp", "#include <pliant/fluids/lattice.h>"));
+    CHECK(wrong("core/pliant/lesson/a.cpp", "#include <pliant/solids/springs.h>"));
+    CHECK(wrong("core/pliant/study/a.cpp", "#include <pliant/fluids/lattice.h>"));
+    CHECK(wrong("core/pliant/lesson/a.cpp", "  #  include <imgui.h>"));
+    CHECK(wrong("core/pliant/math/a.cpp", "#include <GLFW/glfw3.h>"));
+    CHECK(wrong("core/pliant/math/a.cpp", "#include <GL/gl.h>"));
+    CHECK(wrong("core/pliant/math/a.cpp", "#include \"../../../viewer/app/session.h\""));
+    CHECK(wrong("core/pliant/other/a.cpp", "#include <pliant/math/types.h>"));
     CHECK(wrong("lessons/mesh/rod/rod.cpp", "#include \"../../../viewer/app/session.h\""));
     CHECK(wrong("lessons/mesh/rod/rod.cpp", "#include <imgui.h>"));
     CHECK(wrong("viewer/app/a.cpp", "#include <pliant/solids/springs.h>"));
     CHECK(wrong("viewer/app/a.cpp", "#include \"../lessons/mesh/rod/rod.h\""));
-    CHECK_FALSE(wrong("core/solids/a.h", "#include <pliant/mesh/simplex_mesh.h>"));
-    CHECK_FALSE(wrong("core/solids/a.h", "#include <vector>"));
-    CHECK_FALSE(wrong("core/solids/a.h", "// #include <imgui.h>"));
+    CHECK_FALSE(wrong("core/pliant/solids/a.h", "#include <pliant/mesh/simplex_mesh.h>"));
+    CHECK_FALSE(wrong("core/pliant/solids/a.h", "#include <vector>"));
+    CHECK_FALSE(wrong("core/pliant/solids/a.h", "// #include <imgui.h>"));
     CHECK_FALSE(wrong("lessons/mesh/rod/rod.cpp", "#include \"rod.h\""));
 }

@@ -2,7 +2,7 @@
 #include "readings.h"
 #include "why_checks.h"
 
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 

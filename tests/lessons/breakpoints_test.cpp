@@ -1,5 +1,5 @@
-#include <pliant/lesson/breakpoints.h>
-#include <pliant/lesson/revisit.h>
+#include <pliant/run/breakpoints.h>
+#include <pliant/run/revisit.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

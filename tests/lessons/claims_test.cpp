@@ -2,10 +2,10 @@
 #include "../every_lesson.h"
 
 #include <fmt/format.h>
-#include <pliant/lesson/file.h>
-#include <pliant/lesson/runner.h>
 #include <pliant/math/background.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims_report.h>
+#include <pliant/text/file.h>
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,7 +1,7 @@
 // The cloth lesson: what its scenes must show.
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/run/runner.h>
+#include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,7 +1,7 @@
 // The inputs that the fuzzers start from, and those that they have found, under the same functions.
 #include "../fuzz/targets.h"
 
-#include <pliant/lesson/file.h>
+#include <pliant/text/file.h>
 #include <catch2/catch_test_macros.hpp>
 
 #include <filesystem>

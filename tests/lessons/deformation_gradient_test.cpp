@@ -2,9 +2,9 @@
 #include "readings.h"
 
 #include <pliant/continuum/deformation.h>
-#include <pliant/lesson/format.h>
 #include <pliant/math/line_fit.h>
 #include <pliant/study/claims.h>
+#include <pliant/text/format.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

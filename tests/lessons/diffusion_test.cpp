@@ -2,7 +2,7 @@
 #include "readings.h"
 
 #include <fmt/format.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

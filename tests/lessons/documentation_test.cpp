@@ -2,8 +2,8 @@
 #include "../every_lesson.h"
 
 #include <fmt/format.h>
-#include <pliant/lesson/file.h>
 #include <pliant/study/lesson_page.h>
+#include <pliant/text/file.h>
 
 #include <catch2/catch_test_macros.hpp>
 

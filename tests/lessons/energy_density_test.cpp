@@ -1,9 +1,9 @@
 // Energy densities as a lesson: known stresses and energies through its parameters, and what each energy does when squeezed.
 #include "readings.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/until.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
+#include <pliant/text/format.h>
 
 #include "why_checks.h"
 

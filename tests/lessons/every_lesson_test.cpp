@@ -1,12 +1,12 @@
 // What must hold for every lesson, whatever it teaches. A new lesson is tested by being registered.
 #include "../every_lesson.h"
 
-#include <pliant/lesson/report.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
-#include <pliant/lesson/until.h>
-#include <pliant/lesson/walkthrough.h>
+#include <pliant/document/report.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/document/walkthrough.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
+#include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 

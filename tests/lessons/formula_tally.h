@@ -3,7 +3,7 @@
 #pragma once
 #include <pliant/formula/formula.h>
 #include <pliant/formula/unicode.h>
-#include <pliant/lesson/why.h>
+#include <pliant/run/why.h>
 
 #include <map>
 #include <string>

@@ -2,7 +2,7 @@
 // it.
 #include "readings.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -2,7 +2,7 @@
 // against its equation.
 #include "readings.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 #include <pliant/time/scheme.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

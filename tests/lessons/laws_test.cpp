@@ -1,8 +1,8 @@
 // What should be conserved is measured against how the run began: a run that blows up does not widen its own tolerance, and
 // rounding alone breaks no law.
-#include <pliant/lesson/report.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/summary.h>
+#include <pliant/document/report.h>
+#include <pliant/document/summary.h>
+#include <pliant/run/runner.h>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -2,7 +2,7 @@
 #include "readings.h"
 #include "why_checks.h"
 
-#include <pliant/lesson/until.h>
+#include <pliant/run/until.h>
 #include <pliant/time/scheme.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

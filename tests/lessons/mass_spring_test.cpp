@@ -1,10 +1,10 @@
 // The mass-spring lesson: what its scenes, dampers and integrators must show.
 #include "readings.h"
 
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
-#include <pliant/lesson/until.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
+#include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

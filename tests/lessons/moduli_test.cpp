@@ -1,9 +1,9 @@
 // The virtual material tests: what they measure is what the material was made of.
 #include "readings.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/until.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
+#include <pliant/text/format.h>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -1,7 +1,7 @@
 // The scenes of the Navier-Stokes lesson that have a closed form or a known behaviour: channels, the cavity of any shape, the
 // vortex street, smoke.
 #include <pliant/fluids/channel_flow.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,7 +1,7 @@
 // The terms of the Navier-Stokes equations switched off one by one, and put into another order.
 #include "readings.h"
 
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

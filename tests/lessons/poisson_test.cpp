@@ -1,9 +1,9 @@
 // Poisson's ratio: the narrowing of a cube by the law, by the estimate and by finite elements, and locking.
 #include "readings.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/until.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
+#include <pliant/text/format.h>
 
 #include "why_checks.h"
 

@@ -2,8 +2,8 @@
 #include "readings.h"
 
 #include <pliant/fluids/collocated.h>
-#include <pliant/lesson/format.h>
 #include <pliant/study/claims.h>
+#include <pliant/text/format.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,6 +1,6 @@
 // What the tests of lessons read off a run, by name.
 #pragma once
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 
 #include <algorithm>
 #include <string>

@@ -1,8 +1,8 @@
 // What is done to a run is recorded, and its scene plays it again to the same bits.
 #include "../every_lesson.h"
 
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/share.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/document/share.h>
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>

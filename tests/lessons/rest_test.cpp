@@ -1,8 +1,8 @@
 // Runs to rest: every scene that has a steady state reaches it, every other is refused before it begins, in words.
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
-#include <pliant/lesson/until.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
+#include <pliant/text/texts.h>
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

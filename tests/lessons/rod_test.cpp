@@ -2,9 +2,9 @@
 #include "readings.h"
 #include "why_checks.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
 #include <pliant/math/line_fit.h>
+#include <pliant/run/runner.h>
+#include <pliant/text/format.h>
 #include <pliant/time/scheme.h>
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,9 +1,9 @@
 // The runner on the bead chain, whose exact motion is known.
-#include <pliant/lesson/recorder.h>
-#include <pliant/lesson/report.h>
-#include <pliant/lesson/revisit.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/until.h>
+#include <pliant/document/report.h>
+#include <pliant/run/recorder.h>
+#include <pliant/run/revisit.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

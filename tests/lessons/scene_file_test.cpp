@@ -1,4 +1,4 @@
-#include <pliant/lesson/scene_file.h>
+#include <pliant/document/scene_file.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

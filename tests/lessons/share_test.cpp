@@ -1,10 +1,10 @@
 // Share strings: they carry a scene to the bit, survive a chat, and refuse what is no longer whole.
 #include "../every_lesson.h"
 
-#include <pliant/lesson/file.h>
+#include <pliant/document/share.h>
 #include <pliant/lesson/registry.h>
-#include <pliant/lesson/share.h>
-#include <pliant/lesson/texts.h>
+#include <pliant/text/file.h>
+#include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 #include <pliant/continuum/moduli.h>
-#include <pliant/lesson/format.h>
 #include <pliant/study/claims.h>
+#include <pliant/text/format.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

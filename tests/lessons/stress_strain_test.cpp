@@ -1,7 +1,7 @@
 // Loaded bodies against force over area, change over length, and the force on a plane.
 #include "readings.h"
 
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,12 +1,12 @@
 // A parameter that a scene does not use: what a lesson says of it is true, and what it would need is found and said.
 #include "../every_lesson.h"
 
-#include <pliant/lesson/report.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
-#include <pliant/lesson/unused.h>
-#include <pliant/lesson/walkthrough.h>
+#include <pliant/document/report.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/document/unused.h>
+#include <pliant/document/walkthrough.h>
+#include <pliant/run/runner.h>
+#include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
 

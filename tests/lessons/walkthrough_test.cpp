@@ -1,5 +1,5 @@
 // The format of walkthroughs, what a slide locks, and going to a slide.
-#include <pliant/lesson/walkthrough.h>
+#include <pliant/document/walkthrough.h>
 
 #include <pliant/math/error.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "formula_tally.h"
 
-#include <pliant/lesson/why.h>
+#include <pliant/run/why.h>
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "readings.h"
 #include "why_checks.h"
 
-#include <pliant/lesson/scene_file.h>
+#include <pliant/document/scene_file.h>
 
 using namespace pliant;
 using namespace pliant::test;

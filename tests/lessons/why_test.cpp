@@ -2,8 +2,8 @@
 #include "../every_lesson.h"
 #include "why_checks.h"
 
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/text/texts.h>
 
 using namespace pliant;
 using namespace pliant::test;

@@ -5,7 +5,7 @@
 #include "platform/headless_context.h"
 #include "render/moving_parts.h"
 
-#include <pliant/lesson/texts.h>
+#include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "../process/process.h"
 #include "platform/png_file.h"
 
-#include <pliant/lesson/share.h>
+#include <pliant/document/share.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 

@@ -1,5 +1,5 @@
 // Numbers as a person writes them.
-#include <pliant/lesson/number_text.h>
+#include <pliant/text/number_text.h>
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>

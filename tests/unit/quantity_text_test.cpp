@@ -1,5 +1,5 @@
 // Numbers with a unit, as people write them.
-#include <pliant/lesson/quantity_text.h>
+#include <pliant/text/quantity_text.h>
 #include <catch2/catch_test_macros.hpp>
 
 using namespace pliant;

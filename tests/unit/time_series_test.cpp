@@ -1,5 +1,5 @@
 // A number that is recorded for as long as a run goes on.
-#include <pliant/lesson/time_series.h>
+#include <pliant/run/time_series.h>
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>

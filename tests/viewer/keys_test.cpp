@@ -1,7 +1,7 @@
 // Keys of several keyboards, as the window's library tells of them: the key by its name or, where that is no ASCII letter or
 // sign, by its place on a US keyboard, and the character that it types.
 #include <imgui.h>
-#include <pliant/lesson/file.h>
+#include <pliant/text/file.h>
 #include <catch2/catch_test_macros.hpp>
 
 #include "app/keys.h"

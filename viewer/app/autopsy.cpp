@@ -1,7 +1,7 @@
 #include "app/autopsy.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/summary.h>
+#include <pliant/document/summary.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What is said of a run that broke down, or of an assumption that failed: where, by how much, and what would mend it. It draws
 // nothing.
 #pragma once
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 
 #include "app/inspector.h"
 

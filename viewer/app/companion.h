@@ -1,8 +1,8 @@
 // A second run, B, beside the present one, A: the same lesson with parameters of its own, its clock tied to that of A. It draws
 // nothing.
 #pragma once
-#include <pliant/lesson/recorder.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/recorder.h>
+#include <pliant/run/runner.h>
 
 #include "app/cost_history.h"
 

@@ -1,6 +1,6 @@
 // What each stage of a step cost, step by step: the latest steps of a run, for plots and for comparing runs.
 #pragma once
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 
 #include <deque>
 #include <optional>

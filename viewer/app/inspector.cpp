@@ -1,7 +1,7 @@
 #include "app/inspector.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/revisit.h>
+#include <pliant/run/revisit.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

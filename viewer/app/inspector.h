@@ -1,9 +1,9 @@
 // What a person looks into: where the run is to stop, what a stage found and left, the thing that was picked, and how its numbers
 // came about. It draws nothing.
 #pragma once
-#include <pliant/lesson/breakpoints.h>
-#include <pliant/lesson/time_series.h>
-#include <pliant/lesson/why.h>
+#include <pliant/run/breakpoints.h>
+#include <pliant/run/time_series.h>
+#include <pliant/run/why.h>
 
 #include "render/palette.h"
 

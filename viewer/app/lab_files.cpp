@@ -1,6 +1,6 @@
 // What the lab takes from files and the clipboard, and what it leaves there.
-#include <pliant/lesson/file.h>
-#include <pliant/lesson/share.h>
+#include <pliant/document/share.h>
+#include <pliant/text/file.h>
 
 #include "app/lab.h"
 #include "platform/image.h"

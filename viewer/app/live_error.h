@@ -1,8 +1,8 @@
 // How wrong a run is, and what that costs: the error of the lesson's error_probe() over time, against its closed form or a finer
 // run of the same scene, and the points (cost, error) that earlier settings reached. It draws nothing.
 #pragma once
-#include <pliant/lesson/recorder.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/recorder.h>
+#include <pliant/run/runner.h>
 
 #include <memory>
 #include <optional>

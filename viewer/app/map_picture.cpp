@@ -1,6 +1,6 @@
 #include "app/map_picture.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <imgui.h>
 

@@ -1,12 +1,12 @@
 // What the lab holds: the lesson being run, what the person looks at, and everything that a button, a key or a walkthrough may do
 // to it. It draws nothing, so a test can drive it as the window does.
 #pragma once
-#include <pliant/lesson/recorder.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/texts.h>
-#include <pliant/lesson/until.h>
-#include <pliant/lesson/walkthrough.h>
+#include <pliant/document/scene_file.h>
+#include <pliant/document/walkthrough.h>
+#include <pliant/run/recorder.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
+#include <pliant/text/texts.h>
 
 #include "app/autopsy.h"
 #include "app/budget.h"

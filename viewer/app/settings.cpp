@@ -1,8 +1,8 @@
 #include "app/settings.h"
 
-#include <pliant/lesson/file.h>
-#include <pliant/lesson/json_positions.h>
 #include <pliant/math/error.h>
+#include <pliant/text/file.h>
+#include <pliant/text/json_positions.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

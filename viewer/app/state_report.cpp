@@ -1,6 +1,6 @@
 #include "app/state_report.h"
 
-#include <pliant/lesson/file.h>
+#include <pliant/text/file.h>
 
 #include <imgui.h>
 

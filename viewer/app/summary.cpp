@@ -1,8 +1,8 @@
 #include "app/summary.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/summary.h>
+#include <pliant/document/summary.h>
 #include <pliant/study/stability_report.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

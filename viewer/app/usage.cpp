@@ -1,6 +1,6 @@
 #include "app/usage.h"
 
-#include <pliant/lesson/unused.h>
+#include <pliant/document/unused.h>
 
 #include <fmt/format.h>
 

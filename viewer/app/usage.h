@@ -1,6 +1,6 @@
 // Why the present scene does not use a parameter, in the words of the lab.
 #pragma once
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 #include "command_line/command_line.h"
 
-#include <pliant/lesson/suggest.h>
 #include <pliant/math/parallel.h>
+#include <pliant/text/suggest.h>
 
 #include "command_line/number_options.h"
 #include "command_line/options.h"

@@ -1,7 +1,7 @@
 // Options that take a number, read as the lab and scene files read theirs.
 #pragma once
-#include <pliant/lesson/number_text.h>
 #include <pliant/math/error.h>
+#include <pliant/text/number_text.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

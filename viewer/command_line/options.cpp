@@ -1,7 +1,7 @@
 #include "command_line/options.h"
 #include "command_line/terminal.h"
 
-#include <pliant/lesson/share.h>
+#include <pliant/document/share.h>
 
 #include <fmt/format.h>
 

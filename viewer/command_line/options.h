@@ -1,9 +1,9 @@
 // What the commands take from the command line.
 #pragma once
+#include <pliant/document/scene_file.h>
+#include <pliant/document/unused.h>
 #include <pliant/lesson/registry.h>
-#include <pliant/lesson/scene_file.h>
-#include <pliant/lesson/until.h>
-#include <pliant/lesson/unused.h>
+#include <pliant/run/until.h>
 
 #include "panels/layout.h"
 #include "platform/context.h"

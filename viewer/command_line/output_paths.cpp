@@ -1,7 +1,7 @@
 #include "command_line/output_paths.h"
 
-#include <pliant/lesson/file.h>
 #include <pliant/math/error.h>
+#include <pliant/text/file.h>
 
 #include <fmt/format.h>
 

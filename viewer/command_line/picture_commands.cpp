@@ -1,7 +1,7 @@
 // `pliant shot` and `pliant tour`: pictures without a display.
-#include <pliant/lesson/file.h>
-#include <pliant/lesson/report.h>
-#include <pliant/lesson/texts.h>
+#include <pliant/document/report.h>
+#include <pliant/text/file.h>
+#include <pliant/text/texts.h>
 
 #include "app/lab.h"
 #include "command_line/options.h"

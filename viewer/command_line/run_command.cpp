@@ -1,11 +1,11 @@
 // `pliant list`, `keys`, `describe`, `run`, `share` and `walkthrough`: everything that needs no picture.
-#include <pliant/lesson/file.h>
-#include <pliant/lesson/recorder.h>
-#include <pliant/lesson/report.h>
-#include <pliant/lesson/share.h>
-#include <pliant/lesson/summary.h>
-#include <pliant/lesson/walkthrough.h>
+#include <pliant/document/report.h>
+#include <pliant/document/share.h>
+#include <pliant/document/summary.h>
+#include <pliant/document/walkthrough.h>
+#include <pliant/run/recorder.h>
 #include <pliant/study/lesson_page.h>
+#include <pliant/text/file.h>
 
 #include "app/keys.h"
 #include "command_line/options.h"

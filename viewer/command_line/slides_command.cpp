@@ -1,5 +1,5 @@
 // `pliant walkthrough LESSON --out DIR`: a picture of every slide.
-#include <pliant/lesson/texts.h>
+#include <pliant/text/texts.h>
 
 #include "command_line/options.h"
 #include "command_line/output_paths.h"

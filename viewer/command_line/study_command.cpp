@@ -1,7 +1,7 @@
 // `pliant study`: the stability map of a lesson, in files.
-#include <pliant/lesson/file.h>
 #include <pliant/math/parallel.h>
 #include <pliant/study/stability_report.h>
+#include <pliant/text/file.h>
 
 #include "app/map_picture.h"
 #include "command_line/options.h"

@@ -1,5 +1,5 @@
 // `pliant why`: how a number came about.
-#include <pliant/lesson/why.h>
+#include <pliant/run/why.h>
 
 #include "command_line/options.h"
 #include "command_line/terminal.h"

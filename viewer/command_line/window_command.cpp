@@ -1,5 +1,5 @@
 // The lab in a window.
-#include <pliant/lesson/share.h>
+#include <pliant/document/share.h>
 
 #include "app/lab.h"
 #include "app/redraw.h"

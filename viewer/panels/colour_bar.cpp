@@ -1,6 +1,6 @@
 #include "panels/colour_bar.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

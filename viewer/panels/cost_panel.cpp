@@ -1,5 +1,5 @@
 // Cost and error of the present run: ms per stage over time, the error over time, and the one against the other.
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
 #include "panels/plot_panel.h"

@@ -1,6 +1,6 @@
 // What the slide layout shows besides picture and plots: the title, and the numbers that matter in large type.
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/summary.h>
+#include <pliant/document/summary.h>
+#include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
 #include "platform/index_letters.h"

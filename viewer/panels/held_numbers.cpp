@@ -1,7 +1,7 @@
 // Key numbers and lights, measured when the run has moved: by the worker, since a stability limit may take long to find.
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/summary.h>
+#include <pliant/document/summary.h>
 #include <pliant/math/watch.h>
+#include <pliant/text/format.h>
 
 #include "panels/lab_state.h"
 

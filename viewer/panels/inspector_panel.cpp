@@ -1,6 +1,6 @@
 // A picked thing with all its quantities, and how a number came about.
-#include <pliant/lesson/file.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/file.h>
+#include <pliant/text/format.h>
 
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"

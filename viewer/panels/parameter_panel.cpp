@@ -1,5 +1,5 @@
 // One control per parameter, made from its declaration alone.
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
 #include "platform/index_letters.h"

@@ -1,6 +1,6 @@
 #include "panels/plot_panel.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
 #include "panels/field_profile.h"

@@ -1,5 +1,5 @@
 // What is known of the thing under the pointer, and the ring around it.
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "panels/scene_view.h"
 #include "plot/free_place.h"

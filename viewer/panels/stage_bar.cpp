@@ -1,5 +1,5 @@
 // The buttons of time, and the stages of a step with where we are in them.
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
 #include "panels/scene_view.h"

@@ -1,4 +1,4 @@
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "panels/lab_state.h"
 

@@ -1,5 +1,5 @@
 // The stored past with its scrubber, where the run is to stop, and what is shown of a stage.
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "panels/lab_state.h"
 

@@ -1,9 +1,9 @@
 #include "panels/typed_number.h"
 
 #include <imgui_internal.h>
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/number_text.h>
 #include <pliant/math/error.h>
+#include <pliant/text/format.h>
+#include <pliant/text/number_text.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Why a number is what it is: its formula, the numbers put in, and how much each of them matters.
 #include "panels/why_panel.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/why.h>
+#include <pliant/run/why.h>
+#include <pliant/text/format.h>
 
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"

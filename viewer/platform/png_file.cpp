@@ -1,7 +1,7 @@
 #include "platform/png_file.h"
 
-#include <pliant/lesson/file.h>
 #include <pliant/math/error.h>
+#include <pliant/text/file.h>
 #include <png.h>
 
 #include <cerrno>

@@ -1,6 +1,6 @@
 #include "plot/csv.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // What follows the pointer over a plot.
 #include <imgui.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "plot/ticks.h"
 
 #include <fmt/format.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <array>

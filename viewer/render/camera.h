@@ -1,7 +1,7 @@
 // From metres to pixels: a flat view of a 2D scene, or an orbit about a target in 3D.
 #pragma once
+#include <pliant/document/scene_file.h>
 #include <pliant/lesson/scene.h>
-#include <pliant/lesson/scene_file.h>
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/deformation_map.h>
-#include <pliant/lesson/runner.h>
 #include <pliant/math/line_fit.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 #include <Eigen/Dense>
 

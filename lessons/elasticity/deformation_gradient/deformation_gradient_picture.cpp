@@ -1,7 +1,7 @@
 // The figure of the lecture: the body at rest and deformed, P and Q, p and q, the vectors between them, and what becomes of a
 // small sphere about P.
 #include <fmt/format.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "deformation_gradient.h"
 

@@ -1,6 +1,6 @@
 // What is shown of a local deformation: fields, probes, the error over the distance, and where the model holds.
 #include <fmt/format.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "deformation_gradient.h"
 

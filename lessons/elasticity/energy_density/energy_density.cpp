@@ -4,7 +4,7 @@
 
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/uniaxial.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What would mend a deformation that an energy does not bear.
 #include "energy_density.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "energy_density.h"
 
 #include <pliant/continuum/deformation.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

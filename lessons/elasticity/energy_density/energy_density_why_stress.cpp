@@ -1,7 +1,7 @@
 // Why the stress, its check and the probes read what they read.
 #include "energy_density.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "tensor_texts.h"
 

@@ -1,6 +1,6 @@
 #include "tensor_texts.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 
 #include "elasticity/material/material_parameters.h"
 
-#include <pliant/lesson/format.h>
 #include <pliant/math/line_fit.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What the lectures say of the three moduli, measured by the virtual tests of the lesson.
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims_report.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Which parameters would mend a test, and which make a finer one.
 #include "moduli.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

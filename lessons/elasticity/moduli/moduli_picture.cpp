@@ -2,7 +2,7 @@
 #include "elasticity/linear_body/linear_body_picture.h"
 #include "moduli.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "contraction_law.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // E6 and E7: what the lectures say of Poisson's ratio, measured on bodies of finite elements.
 #include <fmt/format.h>
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
 #include <pliant/math/line_fit.h>
+#include <pliant/run/runner.h>
 #include <pliant/solids/cooks_membrane.h>
 #include <pliant/study/claims.h>
+#include <pliant/text/format.h>
 
 #include "contraction_law.h"
 

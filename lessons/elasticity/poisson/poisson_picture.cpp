@@ -6,7 +6,7 @@
 #include "contraction_law.h"
 #include "membrane_table.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

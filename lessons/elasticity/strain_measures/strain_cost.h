@@ -9,7 +9,7 @@ struct OperationCounts {
     Index right_cauchy_green = 0, green = 0, cauchy = 0;
 };
 
-// Of the functions of core/continuum/strain.h as they stand, additions and multiplications alike.
+// Of the functions of core/pliant/continuum/strain.h as they stand, additions and multiplications alike.
 OperationCounts count_operations();
 
 }  // namespace pliant::strain_measures

@@ -3,8 +3,8 @@
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/deformation_map.h>
 #include <pliant/continuum/moduli.h>
-#include <pliant/lesson/runner.h>
 #include <pliant/math/small_eigen.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 // Which parameters would mend what the lights show.
 #include <fmt/format.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "strain_measures.h"
 

@@ -2,7 +2,7 @@
 // will do.
 #include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include "strain_measures.h"
 

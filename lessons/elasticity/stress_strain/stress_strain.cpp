@@ -2,7 +2,7 @@
 
 #include "elasticity/material/material_parameters.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

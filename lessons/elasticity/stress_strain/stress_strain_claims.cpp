@@ -1,8 +1,8 @@
 // E1 and E2: what the lectures say of stress and strain, measured on bodies of finite elements.
 #include <pliant/continuum/deformation.h>
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 #include "elasticity/linear_body/linear_body_picture.h"
 #include "stress_strain.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What the loaded bodies show: fields, probes, lines, and where the model holds.
 #include "stress_strain.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <pliant/fluids/advection.h>
 #include <pliant/fluids/diagnostics.h>
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 #include <pliant/study/claims_report.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <array>

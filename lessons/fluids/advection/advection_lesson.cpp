@@ -1,7 +1,7 @@
 #include "advection_lesson.h"
 
 #include <pliant/fluids/diagnostics.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

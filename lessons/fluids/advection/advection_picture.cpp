@@ -3,7 +3,7 @@
 
 #include "fluids/flow/grid_picture.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

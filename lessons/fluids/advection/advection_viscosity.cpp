@@ -1,7 +1,7 @@
 // Interpolation spreads a blob as a viscosity would: what is measured of it, what theory says, the profiles, and when to doubt.
 #include "advection_lesson.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What the lecture says of the viscosity stencil, measured.
 #include <pliant/fluids/diffusion.h>
-#include <pliant/lesson/runner.h>
 #include <pliant/math/line_fit.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims_report.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Under which conditions the result can be trusted, what a run must obey, and which parameters mend what does not.
 #include "diffusion.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <numbers>

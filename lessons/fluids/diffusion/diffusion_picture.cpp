@@ -1,7 +1,7 @@
 // The figure: the curve over its row of cells, or the heat map of the square, and below or beside it the stencil of one cell.
 #include "diffusion.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "diffusion.h"
 #include "fluids/flow/face_samples.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Under which conditions the picture can be trusted, and what must not change.
 #include "free_surface.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // F5: what the lectures say of free surfaces and of solids, measured.
+#include <pliant/document/scene_file.h>
 #include <pliant/fluids/liquid.h>
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/scene_file.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "fluids/flow/liquid_picture.h"
 #include "free_surface.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

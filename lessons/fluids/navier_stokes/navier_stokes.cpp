@@ -1,6 +1,6 @@
 #include "navier_stokes.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <cmath>
 

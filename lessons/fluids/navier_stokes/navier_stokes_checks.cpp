@@ -1,7 +1,7 @@
 // Assumptions, what mends them, and laws.
 #include "navier_stokes.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

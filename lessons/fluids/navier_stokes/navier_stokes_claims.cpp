@@ -3,10 +3,10 @@
 #include <pliant/fluids/diagnostics.h>
 #include <pliant/fluids/isothermal_gas.h>
 #include <pliant/fluids/projection.h>
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 #include <pliant/study/claims_report.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

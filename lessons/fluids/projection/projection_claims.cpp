@@ -1,7 +1,7 @@
 // What the lectures say of the projection, measured.
 #include <pliant/fluids/collocated.h>
-#include <pliant/lesson/runner.h>
 #include <pliant/math/null_dimension.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 #include <pliant/study/claims_report.h>
 

@@ -2,7 +2,7 @@
 #include "fluids/flow/grid_picture.h"
 #include "projection.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

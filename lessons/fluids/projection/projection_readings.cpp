@@ -3,7 +3,7 @@
 #include "projection.h"
 
 #include <pliant/fluids/diagnostics.h>
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <cmath>

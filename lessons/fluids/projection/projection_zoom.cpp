@@ -2,7 +2,7 @@
 // its divergence.
 #include "projection.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <array>

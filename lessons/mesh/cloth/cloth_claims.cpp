@@ -1,5 +1,5 @@
 // What the lecture says of springs as cloth, measured.
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 
 #include <algorithm>

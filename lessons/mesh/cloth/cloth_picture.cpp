@@ -1,6 +1,6 @@
 #include "cloth.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Probes, conserved quantities, assumptions, hints and fixes.
 #include "cloth.h"
 
-#include <pliant/lesson/format.h>
 #include <pliant/solids/point_masses.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Under which conditions the picture can be trusted, and what is said when it cannot.
 #include "mass_spring.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

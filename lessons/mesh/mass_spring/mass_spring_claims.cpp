@@ -1,6 +1,6 @@
 // What the lectures say of mass-spring nets, measured.
-#include <pliant/lesson/runner.h>
-#include <pliant/lesson/until.h>
+#include <pliant/run/runner.h>
+#include <pliant/run/until.h>
 #include <pliant/solids/lattice_elasticity.h>
 #include <pliant/study/claims_report.h>
 

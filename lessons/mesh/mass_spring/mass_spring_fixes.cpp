@@ -1,7 +1,7 @@
 // Which parameters would mend a run, and which make a finer one.
 #include "mass_spring.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

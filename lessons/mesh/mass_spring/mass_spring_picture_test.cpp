@@ -1,7 +1,7 @@
 // The picture of the static test, and of a chain that swings.
 #include "mass_spring.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

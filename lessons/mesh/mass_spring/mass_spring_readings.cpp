@@ -1,8 +1,8 @@
 // Probes and conserved quantities.
 #include "mass_spring.h"
 
-#include <pliant/lesson/format.h>
 #include <pliant/solids/point_masses.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The static scene: the net between two plates, measured as a material, with a solid of the same modulus beside it.
 #include "mass_spring.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

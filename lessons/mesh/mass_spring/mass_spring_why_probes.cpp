@@ -1,8 +1,8 @@
 // Why the probes are what they are: sums over all nodes, computed again from their positions and velocities.
 #include "mass_spring.h"
 
-#include <pliant/lesson/format.h>
 #include <pliant/solids/point_masses.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

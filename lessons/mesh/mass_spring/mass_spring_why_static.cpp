@@ -1,7 +1,7 @@
 // Why the static test gives what it gives.
 #include "mass_spring.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "rod.h"
 #include "time/schemes/scheme_options.h"
 
-#include <pliant/lesson/format.h>
 #include <pliant/solids/point_masses.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

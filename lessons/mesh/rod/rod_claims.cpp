@@ -1,6 +1,6 @@
 // What the lecture says of the rod, measured.
-#include <pliant/lesson/runner.h>
 #include <pliant/math/line_fit.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims_report.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Laws and assumptions, what a step may be, and what mends a run.
 #include "rod.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Rods that hang side by side: the rest, the continuum, and the chains of derived and of picked springs.
 #include "rod.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // A rod that carries a wave: the rod itself, and above it its displacement, with that of the continuum.
 #include "rod.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Under which conditions a run can be trusted, what it must obey, and which parameters mend what does not.
 #include "integration.h"
 
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/until.h>
+#include <pliant/run/until.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What the lecture says of its three schemes, measured.
-#include <pliant/lesson/format.h>
-#include <pliant/lesson/runner.h>
+#include <pliant/run/runner.h>
 #include <pliant/study/claims_report.h>
+#include <pliant/text/format.h>
 
 #include <algorithm>
 #include <array>

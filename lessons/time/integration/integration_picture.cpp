@@ -2,7 +2,7 @@
 #include "integration.h"
 #include "layout.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The plane of λΔt with the roots of the motion, and what moves: springs or a pendulum, with the exact motion as a ghost.
 #include "layout.h"
 
-#include <pliant/lesson/format.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 

@@ -1,0 +1,21 @@
+// How a run stands, in plain sentences: for those who listen rather than look, and for a terminal.
+#pragma once
+#include <pliant/run/runner.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+// One sentence a line: lesson, step and time, the stage that ran last and the next one, the key numbers with their units and
+// exact values, which assumptions and laws hold or fail and by how much, and what ended the run.
+std::string summary_text(const Runner& runner);
+
+// The numbers that matter: what the lesson names; else the probes with an exact value, or the first one.
+std::vector<const Probe*> key_probes(const Lesson& lesson);
+
+// "spring_forces" as it is said.
+std::string spoken(std::string_view key);
+
+}  // namespace pliant

@@ -1,0 +1,194 @@
+// Plays a walkthrough: its actions, and what it expects.
+#include <pliant/document/scene_file.h>
+#include <pliant/document/walkthrough.h>
+#include <pliant/document/walkthrough_words.h>
+#include <pliant/run/until.h>
+#include <pliant/text/format.h>
+#include <pliant/text/number_text.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pliant {
+WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
+    : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {
+    check_controls();
+}
+
+void WalkthroughPlayer::check_controls() const {
+    for (const Slide& s : walkthrough_.slides)
+        for (const Block& b : s.blocks) {
+            if (b.kind != BlockKind::controls || b.paragraph() == "none") continue;
+            int number = b.first_line;
+            for (const std::string& line : b.lines) {
+                for (const std::string& key : words_of_line(line)) check_control(key, number);
+                ++number;
+            }
+        }
+}
+
+void WalkthroughPlayer::check_control(const std::string& key, int line) const {
+    if (key == "none") refuse(line, "'none' stands alone: it locks all parameters");
+    try {
+        runner_.lesson().parameter(key);
+    } catch (const Refused& e) {
+        refuse(line, fmt::format("{} (in controls)", e.what()));
+    }
+}
+
+void WalkthroughPlayer::refuse(int line, const std::string& what) const {
+    throw Refused(fmt::format("{}:{}: {}", walkthrough_.path, line, what));
+}
+
+bool WalkthroughPlayer::next() {
+    const bool acts = slide().has(BlockKind::actions) || slide().has(BlockKind::expect) || slide().has(BlockKind::answer);
+    if (!revealed_ && acts) return reveal(), true;
+    if (slide_ + 1 == walkthrough_.slides.size()) return false;
+    ++slide_;
+    revealed_ = false;
+    results_.clear();
+    return true;
+}
+
+bool WalkthroughPlayer::back() {
+    if (slide_ == 0 && !revealed_) return false;
+    go_to_slide(revealed_ ? slide_ : slide_ - 1);
+    return true;
+}
+
+void WalkthroughPlayer::go_to_slide(std::size_t n) {
+    const std::size_t count = walkthrough_.slides.size();
+    if (n >= count) throw Refused(fmt::format("slide {} is not there: {} has slides 1 to {}", n + 1, walkthrough_.path, count));
+    runner_.load({});
+    shown_field_.clear();
+    for (slide_ = 0; slide_ < n; ++slide_) reveal();
+    revealed_ = false;
+    results_.clear();
+}
+
+void WalkthroughPlayer::reveal() {
+    before_.clear();
+    for (const Probe& p : runner_.lesson().probes)
+        if (const auto value = runner_.value(p)) before_[std::string(p.name)] = *value;
+    results_.clear();
+    for (const Block& b : slide().blocks) {
+        int number = b.first_line;
+        for (const std::string& raw : b.lines) {
+            const std::string line = trimmed(raw);
+            if (!line.empty() && b.kind == BlockKind::actions) act(line, number);
+            if (!line.empty() && b.kind == BlockKind::expect) results_.push_back(check(line, number));
+            ++number;
+        }
+    }
+    revealed_ = true;
+}
+
+namespace {
+
+// "run 20 steps", "run 0.5 s", "run rest", "run to advection".
+void run_for(Runner& runner, const std::vector<std::string>& words, const std::function<void()>& after_step) {
+    if (words.size() == 2 && words[1] == "rest") return advance(runner, Until::at_rest(), after_step);
+    if (words.size() == 3 && words[2] == "s")
+        if (const auto seconds = finite_number(words[1])) return advance(runner, Until::after_time(*seconds), after_step);
+    if (words.size() == 3 && (words[2] == "steps" || words[2] == "step"))
+        if (const auto steps = whole_number(words[1])) return advance(runner, Until::after_steps(*steps), after_step);
+    if (words.size() == 3 && words[1] == "to") return runner.run_to_stage(words[2]);
+    throw Refused("run needs one of: N steps, T s, rest, to STAGE");
+}
+
+Pull pull_of(const std::vector<std::string>& words) {
+    const auto index = words.size() == 6 && words[2] == "to" ? whole_number(words[1]) : std::nullopt;
+    Vec<3> to;
+    bool complete = index.has_value();
+    for (std::size_t i = 0; complete && i < 3; ++i) {
+        const auto value = finite_number(words[3 + i]);
+        complete = value.has_value();
+        to[static_cast<Index>(i)] = value.value_or(0);
+    }
+    if (!complete) throw Refused("pull needs: INDEX to X Y Z");
+    return {*index, to, to};
+}
+
+}  // namespace
+
+void WalkthroughPlayer::act(const std::string& line, int number) {
+    const auto words = words_of_line(line);
+    const bool was_at_start = runner_.place() == Place{};
+    try {
+        perform(words);
+    } catch (const Refused& e) {
+        refuse(number, fmt::format("{} (in '{}')", e.what(), line));
+    }
+    if (after_step_ && !was_at_start && runner_.place() == Place{}) after_step_();
+}
+
+void WalkthroughPlayer::perform(const std::vector<std::string>& words) {
+    if (words[0] == "set" && words.size() > 1) return runner_.assign(assignments_of(words));
+    if (words[0] == "reset" && words.size() == 1) return runner_.reset();
+    if (words[0] == "run") return run_for(runner_, words, after_step_);
+    if (words[0] == "release" && words.size() == 1) return runner_.pull(std::nullopt);
+    if (words[0] == "pull") return runner_.pull(pull_of(words));
+    if (words[0] == "preset" && words.size() == 2)
+        return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
+    if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
+    throw Refused(
+        "no such action; there are: set KEY=VALUE ..., reset, run, show FIELD, pull INDEX to X Y Z, release, preset NAME");
+}
+
+Real WalkthroughPlayer::quantity(std::string_view name) const {
+    if (name == "time") return runner_.time();
+    if (name == "step") return static_cast<Real>(runner_.place().step);
+    for (const Parameter* p : runner_.lesson().parameters)
+        if (p->info.key == name) return p->value();
+    const auto value = runner_.value(runner_.lesson().probe(name));
+    if (!value) throw Refused(fmt::format("the probe '{}' is not defined here", name));
+    return *value;
+}
+
+// NAME OP [FACTOR] VALUE [within TOLERANCE [relative]]
+ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) const try {
+    const auto words = words_of_line(line);
+    if (words.size() < 3) throw Refused("an expectation reads: NAME < VALUE, or NAME = VALUE within TOLERANCE [relative]");
+    const Real left = quantity(words[0]);
+
+    // The right side, with its optional factor.
+    std::size_t at = 2;
+    Real factor = 1;
+    if (const auto number_first = finite_number(words[at]); number_first && at + 1 < words.size() && words[at + 1] != "within")
+        factor = *number_first, ++at;
+    const std::string& term = words[at++];
+    Real right = 0;
+    if (const auto constant = finite_number(term))
+        right = *constant;
+    else if (term == "exact")
+        right = runner_.exact(runner_.lesson().probe(words[0])).value();
+    else if (term == "before" && before_.contains(words[0]))
+        right = before_.find(words[0])->second;
+    else
+        right = quantity(term);
+    right *= factor;
+
+    const std::string& op = words[1];
+    bool met = false;
+    if (op == "=") {
+        const auto tolerance = at + 1 < words.size() && words[at] == "within" ? finite_number(words[at + 1]) : std::nullopt;
+        if (!tolerance) throw Refused("= needs a tolerance: within 1e-6, or within 1e-6 relative");
+        at += 2;
+        const bool relative = at < words.size() && words[at] == "relative";
+        if (relative) ++at;
+        met = std::abs(left - right) <= *tolerance * (relative ? std::abs(right) : 1);
+    } else if (op == "<" || op == "<=" || op == ">" || op == ">=") {
+        met = op == "<" ? left < right : op == "<=" ? left <= right : op == ">" ? left > right : left >= right;
+    } else {
+        throw Refused(fmt::format("unknown comparison '{}'; known: < <= > >= =", op));
+    }
+    if (at < words.size()) throw Refused(fmt::format("'{}' is more than an expectation says: leave it out", words[at]));
+    return {line, met, fmt::format("{} = {}, against {}", words[0], format_exact(left), format_exact(right)), number};
+} catch (const Refused& e) {
+    refuse(number, fmt::format("{} (in '{}')", e.what(), line));
+} catch (const std::bad_optional_access&) {
+    refuse(number, fmt::format("this probe has no exact value here (in '{}')", line));
+}
+
+}  // namespace pliant

@@ -1,0 +1,119 @@
+// A lesson told slide by slide: predict, run, check. The text lies beside the lesson as walkthrough.md and reads well as it is; a
+// panel of the lab plays it, and `pliant walkthrough LESSON --check` plays it headless.
+//
+// The format is Markdown. `# Title` opens it and `## Title` begins a slide; fenced blocks have these meanings:
+//   ```formula   shown as a formula
+//   ```ask       the question to answer before going on
+//   ```do        what happens on the next press of Next, an action a line:
+//                  set KEY=VALUE ...   reset   run N steps   run T s   run rest   run to STAGE
+//                  show FIELD          pull INDEX to X Y Z   release   preset NAME
+//   ```expect    what must then hold, a line each:
+//                  NAME <|<=|>|>=|= VALUE [within TOLERANCE [relative]]
+//                where NAME is a probe, a parameter, `time` or `step`, and VALUE a number, `exact` (of that probe), `before` (its
+//                value before the actions), another NAME, or a number times one of these ("0.5 before"); = needs a tolerance
+//   ```answer    shown after the actions
+//   ```notes     for the lecturer alone: never shown with the slide itself
+//   ```controls  the keys of the parameters that a person may change on this slide, one or more a line. All others are locked
+//   while
+//                the slide shows; `none`, or an empty block, locks all. A slide without this block leaves all free.
+#pragma once
+#include <pliant/run/runner.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+enum class BlockKind { text, formula, ask, actions, expect, answer, notes, controls };
+
+struct Block {
+    BlockKind kind;
+    std::vector<std::string> lines;
+    int first_line = 0;  // in the file, from 1
+    // The lines as one paragraph.
+    std::string paragraph() const;
+};
+
+struct Slide {
+    std::string title;
+    std::vector<Block> blocks;
+    bool has(BlockKind kind) const;
+    // What the lecturer should know; "" when nothing is noted.
+    std::string notes() const;
+    // May a person change the parameter of this key?
+    bool allows(std::string_view key) const;
+};
+
+struct Walkthrough {
+    std::string path, title;
+    std::vector<Slide> slides;
+};
+
+// Throws Refused naming file and line.
+Walkthrough parse_walkthrough(std::string_view text, std::string_view path);
+// The walkthrough of a lesson; throws Refused when it has none.
+Walkthrough walkthrough_of(const LessonEntry& entry);
+
+struct ExpectationResult {
+    std::string text;  // the line
+    bool met = false;
+    std::string measured;  // "strain = 0.049, limit 0.05"
+    int line = 0;
+};
+
+// Plays a walkthrough on a runner. Each slide has a first half (text, formula, question) and, after the actions, a second half
+// (answer and what was expected).
+class WalkthroughPlayer {
+public:
+    // after_step, where given, is called behind each whole step that an action runs, and where an action starts the run
+    // again. Throws Refused naming file and line when a
+    // slide's controls name a parameter that the lesson lacks.
+    WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step = {});
+
+    const Walkthrough& walkthrough() const { return walkthrough_; }
+    std::size_t slide_number() const { return slide_; }
+    const Slide& slide() const { return walkthrough_.slides[slide_]; }
+    bool revealed() const { return revealed_; }
+    const std::vector<ExpectationResult>& results() const { return results_; }
+    // The field that the slides so far asked to show; "" when none did.
+    const std::string& shown_field() const { return shown_field_; }
+
+    // Performs the actions of the slide, if they have not been, else goes to the next slide. False at the end. Throws Refused
+    // naming file and line for an action that the lesson refuses, and Diverged when the run does.
+    bool next();
+    // To the start of the slide before (or of this one, when it was revealed), as go_to_slide; false at the beginning.
+    bool back();
+    // To the start of slide n, counted from 0: everything up to there is played again from the initial parameters, so whatever a
+    // person changed is gone. Throws as next, and Refused when there is no such slide.
+    void go_to_slide(std::size_t n);
+    // To the start of this slide, as it was before anything was changed on it.
+    void reset_slide() { go_to_slide(slide_); }
+
+    // May a person change the parameter of this key on this slide?
+    bool allows(std::string_view key) const { return slide().allows(key); }
+
+private:
+    void check_controls() const;
+    void check_control(const std::string& key, int line) const;
+    void reveal();
+    void act(const std::string& line, int number);
+    void perform(const std::vector<std::string>& words);
+    ExpectationResult check(const std::string& line, int number) const;
+    Real quantity(std::string_view name) const;
+    [[noreturn]] void refuse(int line, const std::string& what) const;
+
+    Runner& runner_;
+    Walkthrough walkthrough_;
+    std::function<void()> after_step_;
+    std::size_t slide_ = 0;
+    bool revealed_ = false;
+    std::string shown_field_;
+    std::map<std::string, Real, std::less<>> before_;
+    std::vector<ExpectationResult> results_;
+};
+
+}  // namespace pliant

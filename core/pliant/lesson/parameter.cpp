@@ -1,0 +1,127 @@
+#include <pliant/lesson/lesson.h>
+#include <pliant/lesson/parameter.h>
+#include <pliant/text/format.h>
+#include <pliant/text/number_text.h>
+#include <pliant/text/quantity_text.h>
+#include <pliant/text/suggest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+ParameterInfo of_kind(ParameterInfo info, Kind kind) {
+    info.kind = kind;
+    if (kind == Kind::toggle) info.useful = {0, 1};
+    return info;
+}
+
+std::string with_unit(std::string_view number, std::string_view unit) {
+    return unit.empty() ? fmt::format("{} (dimensionless)", number) : fmt::format("{} {}", number, unit);
+}
+
+std::string with_comma_as(std::string_view text, std::string_view sign) {
+    std::string other(text);
+    return other.replace(other.find(','), 1, sign);
+}
+
+std::string option_keys(const std::vector<Option>& options) {
+    std::string keys;
+    for (const Option& o : options) keys += (keys.empty() ? "" : ", ") + std::string(o.key);
+    return keys;
+}
+
+[[noreturn]] void refuse_text(const Parameter& p, std::string_view text, const QuantityText& read) {
+    const std::string range = p.accepted().text();
+    const std::string_view unit = p.info.unit;
+    switch (read.problem) {
+        case QuantityText::Problem::out_of_range:
+            throw Refused(
+                fmt::format("{} = {} is too large or too small for a number: give a value in {}", p.info.key, text, range));
+        case QuantityText::Problem::ambiguous:
+            throw Refused(fmt::format("{} = {} can be read in two ways: give {} or {}, whichever is meant", p.info.key, text,
+                                      with_comma_as(text, "."), with_comma_as(text, "")));
+        case QuantityText::Problem::other_unit:
+            if (unit.empty())
+                throw Refused(
+                    fmt::format("{} = '{}' has a unit, {}, and this number has none: give a number in {}, dimensionless",
+                                p.info.key, text, read.unit, range));
+            throw Refused(fmt::format("{} = '{}' is in another unit, {}: give a number in {} {}; {} may stand behind it",
+                                      p.info.key, text, read.unit, range, unit, units_accepted(unit)));
+        default:
+            throw Refused(fmt::format("{} = '{}' is not a number: give a number in {}, {}", p.info.key, text, range,
+                                      unit_or_dimensionless(unit)));
+    }
+}
+
+}  // namespace
+
+bool Interval::contains(Real v) const { return (open_min ? v > min : v >= min) && (open_max ? v < max : v <= max); }
+
+std::string Interval::text() const {
+    return fmt::format("{}{}, {}{}", open_min ? '(' : '[', format_exact(min), format_exact(max), open_max ? ')' : ']');
+}
+
+Parameter::Parameter(Lesson& owner, ParameterInfo given) : info(std::move(given)), value_(info.initial) {
+    owner.parameters.push_back(this);
+}
+
+Whole::Whole(Lesson& owner, ParameterInfo declared) : Parameter(owner, of_kind(std::move(declared), Kind::whole)) {}
+
+Switch::Switch(Lesson& owner, ParameterInfo declared) : Parameter(owner, of_kind(std::move(declared), Kind::toggle)) {}
+
+void Parameter::set(Real value) {
+    check(value);
+    value_ = value == 0 ? 0 : value;  // -0 and 0 are one value
+}
+
+void Parameter::check(Real value) const {
+    if (std::isfinite(value) && accepted().contains(value) && (info.kind == Kind::number || is_whole(value))) return;
+    const std::string shown = info.kind == Kind::number ? format_exact(value) : fmt::format("{}", value);
+    if (!std::isfinite(value))
+        throw Refused(fmt::format("{} = {} is not a finite number: give a number in {}, {}", info.key, shown, accepted().text(),
+                                  unit_or_dimensionless(info.unit)));
+    if (info.kind != Kind::number && !is_whole(value))
+        throw Refused(
+            fmt::format("{} = {} is not a whole number: give a whole number in {}", info.key, shown, accepted().text()));
+    throw Refused(
+        fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
+}
+
+Real Parameter::parse(std::string_view text) const {
+    if (info.kind == Kind::choice) {
+        for (std::size_t i = 0; i < info.options.size(); ++i)
+            if (info.options[i].key == text) return static_cast<Real>(i);
+        std::vector<std::string> keys;
+        for (const Option& o : info.options) keys.emplace_back(o.key);
+        throw Refused(fmt::format("{} = {} is not one of its options{}; give one of: {}", info.key, text,
+                                  did_you_mean(text, keys), option_keys(info.options)));
+    }
+    if (info.kind == Kind::toggle) {
+        if (text == "true" || text == "on" || text == "1") return 1;
+        if (text == "false" || text == "off" || text == "0") return 0;
+        throw Refused(fmt::format("{} = {} is not a switch position: give true or false", info.key, text));
+    }
+    const QuantityText read = read_quantity(text, info.unit);
+    if (read.problem != QuantityText::Problem::none) refuse_text(*this, text, read);
+    check(read.value);
+    return read.value;
+}
+
+std::string Parameter::text(Real value) const {
+    switch (info.kind) {
+        case Kind::choice:
+            return std::string(info.options[static_cast<std::size_t>(value)].key);
+        case Kind::toggle:
+            return value != 0 ? "true" : "false";
+        case Kind::whole:
+            return fmt::format("{}", static_cast<long long>(value));
+        case Kind::number:
+            break;
+    }
+    return format_exact(value);
+}
+
+}  // namespace pliant

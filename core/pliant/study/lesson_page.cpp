@@ -1,0 +1,49 @@
+#include <pliant/document/report.h>
+#include <pliant/study/claims.h>
+#include <pliant/study/lesson_page.h>
+#include <pliant/text/markdown.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace pliant {
+
+std::string lesson_text(const LessonEntry& entry) {
+    std::string text = describe_text(entry);
+    const auto stated = claims_of(entry.info.id);
+    if (!stated.empty()) text += "\nClaims\n";
+    for (const Claim* c : stated)
+        text += fmt::format("  {:<5} {}\n  {:<5} {}: {}\n", c->id, c->statement, "", c->figure, c->criterion);
+    return text;
+}
+
+std::string lesson_json(const LessonEntry& entry) {
+    auto j = nlohmann::ordered_json::parse(describe_json(entry));
+    auto& list = j["claims"] = nlohmann::ordered_json::array();
+    for (const Claim* c : claims_of(entry.info.id))
+        list.push_back({{"id", c->id},
+                        {"statement", c->statement},
+                        {"source", c->source},
+                        {"experiment", c->experiment},
+                        {"figure", c->figure},
+                        {"unit", c->unit},
+                        {"criterion", c->criterion},
+                        {"expected", name_of(c->expected)},
+                        {"question", c->question},
+                        {"answers", c->answers},
+                        {"right_answer", c->right_answer}});
+    return j.dump(2) + "\n";
+}
+
+std::string lesson_markdown(const LessonEntry& entry) {
+    std::string text = describe_markdown(entry);
+    const auto stated = claims_of(entry.info.id);
+    if (stated.empty()) return text;
+    text +=
+        "\n## Claims\n\n[All claims, measured](../claims.md)\n\n| claim | statement | figure | criterion |\n|---|---|---|---|\n";
+    for (const Claim* c : stated)
+        text += fmt::format("| {} | {} | {} | {} |\n", c->id, cell(c->statement), cell(c->figure), cell(c->criterion));
+    return text;
+}
+
+}  // namespace pliant

@@ -1,0 +1,88 @@
+#include <pliant/text/format.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace pliant {
+namespace {
+
+struct Prefix {
+    int exponent;
+    std::string_view symbol;
+};
+constexpr std::array<Prefix, 9> prefixes{
+    {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}, {12, "T"}, {-12, "p"}}};
+
+// Units whose first symbol takes a prefix, with the smallest and largest exponent that people use for it.
+struct Prefixable {
+    std::string_view unit;
+    int smallest, largest;
+};
+constexpr std::array<Prefixable, 12> prefixable{{{"Pa", -3, 12},
+                                                 {"N", -6, 9},
+                                                 {"J", -9, 9},
+                                                 {"W", -6, 9},
+                                                 {"Hz", 0, 9},
+                                                 {"s", -9, 0},
+                                                 {"m", -9, 3},
+                                                 {"m/s", -6, 3},
+                                                 {"N/m", -3, 12},
+                                                 {"N s/m", -3, 9},
+                                                 {"N·s/m", -3, 9},
+                                                 {"Pa·s", -6, 6}}};
+
+// Raised digits, as in 10⁻⁴.
+std::string raised(int exponent) {
+    constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char c : fmt::format("{}", std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
+    return text;
+}
+
+// "0.05", "1.2×10⁻⁷"
+std::string plain(Real value, int digits) {
+    const Real size = std::abs(value);
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    const auto e = text.find('e');
+    if (e == std::string::npos && (size == 0 || size >= 1e-3)) return text;
+    const std::string scientific = fmt::format("{:.{}e}", value, std::max(0, digits - 1));
+    const auto at = scientific.find('e');
+    std::string mantissa = scientific.substr(0, at);
+    if (mantissa.find('.') != std::string::npos) mantissa.erase(mantissa.find_last_not_of('0') + 1);
+    if (mantissa.ends_with('.')) mantissa.pop_back();
+    const std::string power = "10" + raised(std::stoi(scientific.substr(at + 1)));
+    return mantissa == "1" ? power : mantissa == "-1" ? "-" + power : mantissa + "×" + power;
+}
+
+}  // namespace
+
+std::string format_quantity(Real value, std::string_view unit, int digits) {
+    if (!std::isfinite(value)) return "undefined";
+    if (value == 0) value = 0;  // no minus sign on zero
+    const auto known = std::ranges::find(prefixable, unit, &Prefixable::unit);
+    if (known != prefixable.end() && value != 0) {
+        const int third = static_cast<int>(std::floor(std::log10(std::abs(value)) / 3 + 1e-12)) * 3;
+        const int exponent = std::clamp(third, known->smallest, known->largest);
+        const auto prefix = std::ranges::find(prefixes, exponent, &Prefix::exponent);
+        return fmt::format("{} {}{}", plain(value * std::pow(10.0, -exponent), digits), prefix->symbol, unit);
+    }
+    return unit.empty() ? plain(value, digits) : fmt::format("{} {}", plain(value, digits), unit);
+}
+
+std::string format_exact(Real value) { return fmt::format("{}", value); }
+
+Real rounded_down(Real value, int digits) {
+    if (value == 0 || !std::isfinite(value)) return value;
+    const int last = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;
+    // A number that has no more digits than these is kept, however its division rounds.
+    const Real whole = std::floor(value / std::pow(10.0, last) * (1 + std::copysign(1e-14, value)));
+    return std::stod(fmt::format("{:.0f}e{}", whole, last));
+}
+
+std::string unit_or_dimensionless(std::string_view unit) { return unit.empty() ? "dimensionless" : fmt::format("in {}", unit); }
+
+}  // namespace pliant
