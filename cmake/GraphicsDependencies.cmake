@@ -94,7 +94,8 @@ add_library(pliant_imgui STATIC
 # The backend takes its GL functions from glad, whose header it does not know.
 set_source_files_properties(${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp PROPERTIES
   COMPILE_OPTIONS "$<IF:$<CXX_COMPILER_ID:MSVC>,/FI,-include>;glad/gl.h")
-target_compile_definitions(pliant_imgui PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS PRIVATE IMGUI_IMPL_OPENGL_LOADER_CUSTOM)
+# The slanted letters of formulas have code points above 16 bits.
+target_compile_definitions(pliant_imgui PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_USE_WCHAR32 PRIVATE IMGUI_IMPL_OPENGL_LOADER_CUSTOM)
 target_include_directories(pliant_imgui SYSTEM PUBLIC ${imgui_SOURCE_DIR} ${imgui_SOURCE_DIR}/backends)
 target_link_libraries(pliant_imgui PUBLIC pliant_glad PRIVATE pliant_gl_platforms)
 pliant_third_party(pliant_imgui)

@@ -54,8 +54,6 @@ std::string unit_of(std::string text, const std::vector<Given>& given) {
     return check.unit ? check.unit->text() : check.mismatch.empty() ? "any" : check.mismatch;
 }
 
-std::string latex(std::string text, const std::vector<Given>& given) { return formula(std::move(text), given).latex(); }
-
 }  // namespace
 
 TEST_CASE("formula: precedence, signs and products without a sign") {
@@ -164,23 +162,4 @@ TEST_CASE("formula: sine takes degrees where the angle is given in degrees") {
     CHECK(value("y = φ π / 180°", {{"φ", 180, "°"}}) == std::numbers::pi);
     CHECK(unit_of("y = φ π / 180°", {{"φ", 30, "°/m"}}) == "1/m");
     CHECK_THAT(unit_of("y = φ + 1", {{"φ", 30, "°"}}), ContainsSubstring("° and a number"));
-}
-
-TEST_CASE("formula: in LaTeX") {
-    CHECK(latex("f_i = k (u_left − 2 u_i)", {{"k"}, {"u_left"}, {"u_i"}}) == "f_{i} = k \\left(u_{left} - 2 u_{i}\\right)");
-    CHECK(latex("Δs = L / N", {{"L"}, {"N"}}) == "\\Delta s = \\frac{L}{N}");
-    CHECK(latex("w = ½ EA ε²", {{"EA"}, {"ε"}}) == "w = \\tfrac{1}{2} EA \\varepsilon^{2}");
-    CHECK(latex("v′ = √(a + b)", {{"a"}, {"b"}}) == "v^{\\prime} = \\sqrt{a + b}");
-    CHECK(latex("y = −(a + b)", {{"a"}, {"b"}}) == "y = -\\left(a + b\\right)");
-    CHECK(latex("y = a − (b − c)", {{"a"}, {"b"}, {"c"}}) == "y = a - \\left(b - c\\right)");
-    CHECK(latex("y = sin²(κ/2)", {{"κ"}}) == "y = \\sin^{2}\\left(\\frac{\\kappa}{2}\\right)");
-    CHECK(latex_symbol("x_ij") == "x_{ij}");
-    CHECK(latex_symbol("fᵈ") == "f^{d}");
-    CHECK(latex_symbol("ũ") == "\\tilde{u}");
-    CHECK(latex_symbol("E₁₁") == "E_{11}");
-    CHECK(latex_symbol("Δt") == "\\Delta t");
-    CHECK(latex_symbol("|x_ij|") == "\\left|x_{ij}\\right|");
-    const Formula f = formula("f = k x", {{"k"}, {"x"}});
-    const std::vector<std::string> numbers{"2", "-3"};
-    CHECK(f.latex(numbers) == "f = 2 \\cdot \\left(-3\\right)");
 }

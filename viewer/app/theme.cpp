@@ -65,11 +65,18 @@ void projector_colours(ImVec4* c) {
 }  // namespace
 
 Fonts load_fonts(float scale) {
-    const auto file = find_font();
     ImGui::GetIO().Fonts->Clear();
     const std::array heights{15 * scale, 12.5f * scale, 19 * scale, 24 * scale, 29 * scale, 34 * scale};
-    const std::vector<ImFont*> all = add_fonts(file, heights);
-    return {.normal = all[0], .small = all[1], .medium = all[2], .large = all[3], .larger = all[4], .huge = all[5]};
+    const std::array math_heights{11 * scale, 15 * scale, 20 * scale, 29 * scale};
+    const LoadedFonts loaded = add_fonts(heights, math_heights);
+    const std::vector<ImFont*>& all = loaded.words;
+    return {.normal = all[0],
+            .small = all[1],
+            .medium = all[2],
+            .large = all[3],
+            .larger = all[4],
+            .huge = all[5],
+            .mathematics = MathType(loaded.mathematics, all)};
 }
 
 void apply_theme(Theme theme, float scale) {

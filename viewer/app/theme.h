@@ -1,6 +1,7 @@
 // Type, spacing and colours of the lab's own controls.
 #pragma once
 #include "render/palette.h"
+#include "typeset/math_type.h"
 
 struct ImFont;
 
@@ -13,9 +14,10 @@ struct Fonts {
     ImFont* large = nullptr;   // for the number that the last row must read
     ImFont* larger = nullptr;  // for the words of a slide that are few
     ImFont* huge = nullptr;    // titles of slides
+    MathType mathematics{};    // for formulas
 };
 
-// Loads the typeface at the scale (1 to 3) into ImGui's atlas. Call between frames; the GL texture of the atlas must be made
+// Loads the typefaces at the scale (1 to 3) into ImGui's atlas. Call between frames; the GL texture of the atlas must be made
 // again.
 Fonts load_fonts(float scale);
 

@@ -15,30 +15,23 @@ struct Paragraph {
     std::string text;
     ImFont* font;
     unsigned colour;
+    MathBox formula{};  // in place of the text, where there is one
 
-    float height(float width) const { return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y; }
+    bool is_formula() const { return !formula.letters.empty(); }
+    float height(float width) const {
+        return is_formula() ? formula.height() : font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
+    }
 };
 
 float gap(const LabState& lab) { return lab.px(9); }
 
-bool fits(const std::string& line, const ImFont* font, float width) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, line.c_str()).x <= width;
-}
-
-// Equations that stand side by side go one below the other where the width asks for it.
-std::string broken_formula(const std::string& line, const ImFont* font, float width) {
-    std::string text = line;
-    if (fits(line, font, width)) return text;
-    for (auto at = text.find("   "); at != std::string::npos; at = text.find("   ", at + 1))
-        if (const auto end = text.find_first_not_of(' ', at); end != std::string::npos) text.replace(at, end - at, 1, '\n');
-    return text;
-}
-
+// In the largest type in which it needs no more lines than it has equations.
 Paragraph formula(const LabState& lab, const std::string& line, float width) {
-    for (ImFont* font : {lab.fonts.larger, lab.fonts.large})
-        if (const std::string text = broken_formula(line, font, width); fits(text, font, width))
-            return {text, font, lab.ink(Ink::velocity)};
-    return {line, lab.fonts.large, lab.ink(Ink::velocity)};
+    const Notation text = notation(line);
+    const float largest = 1.2f * lab.fonts.larger->FontSize, smallest = lab.fonts.large->FontSize;
+    const float room = 1.2f * set_formula(text, lab.fonts.mathematics, largest).height();
+    return {line, lab.fonts.large, lab.ink(Ink::velocity),
+            fitted_formula(text, lab.fonts.mathematics, largest, smallest, width, room)};
 }
 
 std::string on_screen(const Block& block) { return with_index_letters(without_marks(block.paragraph())); }
@@ -52,14 +45,14 @@ std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, Shown shown, 
     const unsigned ink = ImGui::GetColorU32(ImGuiCol_Text), quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     std::vector<Paragraph> result;
     const auto headed = [&](const char* heading, Ink role, const Block& block, unsigned colour) {
-        result.push_back({heading, font, lab.ink(role)});
-        result.push_back({flowing_text(on_screen(block), font, width), font, colour});
+        result.push_back({heading, font, lab.ink(role), {}});
+        result.push_back({flowing_text(on_screen(block), font, width), font, colour, {}});
     };
     for (const Block& b : lab.session.walkthrough->slide().blocks) {
         if (b.kind == BlockKind::text && shown.introduction)
-            result.push_back({flowing_text(on_screen(b), font, width), font, ink});
+            result.push_back({flowing_text(on_screen(b), font, width), font, ink, {}});
         if (b.kind == BlockKind::formula)
-            for (const std::string& line : b.lines) result.push_back(formula(lab, with_index_letters(line), width));
+            for (const std::string& line : b.lines) result.push_back(formula(lab, line, width));
         if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, shown.answer ? quiet : ink);
         if (b.kind == BlockKind::answer && shown.answer) headed("What happened", Ink::velocity, b, ink);
     }
@@ -147,6 +140,10 @@ void draw_slide_words(LabState& lab) {
     ImGui::BeginChild("words", {0, 0}, 0, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, gap(lab)});
     for (const Paragraph& p : words) {
+        if (p.is_formula()) {
+            draw_item(lab.fonts.mathematics, p.formula, p.colour);
+            continue;
+        }
         ImGui::PushFont(p.font);
         ImGui::PushStyleColor(ImGuiCol_Text, p.colour);
         ImGui::PushTextWrapPos(room.x);

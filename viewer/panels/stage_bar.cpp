@@ -89,18 +89,13 @@ bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, floa
     return pressed;
 }
 
-// As many whole lines of the formula as fit, the last with an ellipsis where there are more.
-void draw_formula(std::string_view formula, ImVec2 at, ImVec2 room) {
-    const float line = ImGui::GetTextLineHeight();
-    std::vector<std::string> lines = broken_lines(with_index_letters(formula), room.x);
-    const auto most = static_cast<std::size_t>(std::max(room.y / line, 0.f));
-    if (lines.size() > most) {
-        lines.resize(most);
-        if (most > 0) lines.back() = with_ellipsis(lines.back(), room.x);
-    }
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        ImGui::GetWindowDrawList()->AddText({at.x, at.y + static_cast<float>(i) * line}, ImGui::GetColorU32(ImGuiCol_Text),
-                                            lines[i].c_str());
+// In the largest type in which it fits; what does not even fit in the smallest fades out at the end of the box.
+void draw_formula(LabState& lab, std::string_view formula, ImVec2 at, ImVec2 room) {
+    const MathBox box = fitted_formula(notation(formula), lab.fonts.mathematics, 1.15f * lab.fonts.normal->FontSize,
+                                       0.8f * lab.fonts.normal->FontSize, room.x, room.y);
+    const float spare = std::max(0.f, room.y - box.height());
+    lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), box, {at.x, at.y + box.above + 0.35f * spare},
+                               ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 // The name with its milliseconds, where there is room for both, then the formula; the tooltip has it whole.
@@ -128,7 +123,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
     ImGui::TextDisabled("%s", ms.c_str());
     const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
-    draw_formula(stage.formula, formula, {width - 2 * pad, at.y + height - formula.y});
+    draw_formula(lab, stage.formula, formula, {width - 2 * pad, at.y + height - formula.y - 0.4f * pad});
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({at.x + 2 * pad + dot, at.y + pad * 0.4f});
     const float room = width - ms_width - 4 * pad - dot;

@@ -13,7 +13,10 @@ void paragraph(const std::string& text) {
 
 void formula(LabState& lab, const Block& block) {
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::velocity));
-    for (const std::string& line : block.lines) ImGui::TextWrapped("    %s", with_index_letters(line).c_str());
+    ImGui::Indent(lab.px(12));
+    for (const std::string& line : block.lines)
+        formula_item(lab.fonts.mathematics, line, 1.2f * lab.fonts.normal->FontSize, ImGui::GetContentRegionAvail().x);
+    ImGui::Unindent(lab.px(12));
     ImGui::PopStyleColor();
     ImGui::Spacing();
 }

@@ -37,9 +37,10 @@ void wrapped(const std::string& text) {
 
 void formula_block(LabState& lab, const Answer& a) {
     if (a.formula.empty()) return;
-    wrapped(with_index_letters(a.formula));
+    const float size = 1.2f * lab.fonts.normal->FontSize, width = ImGui::GetContentRegionAvail().x;
+    formula_item(lab.fonts.mathematics, a.formula, size, width);
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
-    wrapped(with_index_letters(a.substituted));
+    formula_item(lab.fonts.mathematics, a.substituted, size, width);
     ImGui::PopStyleColor();
     if (const std::string words = unit_words(a); !words.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));

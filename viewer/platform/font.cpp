@@ -5,6 +5,8 @@
 #include <imgui.h>
 #include <pliant/math/error.h>
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <string>
 
@@ -36,25 +38,29 @@ constexpr ImWchar glyph_ranges[] = {
 // Of indices and exponents.
 constexpr ImWchar index_ranges[] = {0x0020, 0x007e, 0x00b0, 0x00b7, 0x0370, 0x03ff, 0x2212, 0x2212, 0};
 
-}  // namespace
+// Of formulas: upright signs, and slanted and bold letters, Latin and Greek.
+constexpr ImWchar math_ranges[] = {
+    0x0020, 0x007e, 0x00a8, 0x00a8, 0x00ac, 0x00bf, 0x00d7, 0x00d7, 0x02c6, 0x02c7, 0x02d8,  0x02dd,  0x0370,  0x03ff,  0x2010,
+    0x2057, 0x2102, 0x2102, 0x210e, 0x2115, 0x211d, 0x211d, 0x2153, 0x215e, 0x2190, 0x2195,  0x21a6,  0x21a6,  0x2200,  0x222e,
+    0x2248, 0x2248, 0x2260, 0x226b, 0x2297, 0x22a5, 0x22c5, 0x22c5, 0x27e8, 0x27e9, 0x1d400, 0x1d467, 0x1d6a8, 0x1d71b, 0,
+};
 
-std::filesystem::path find_font() {
-    if (const char* named = std::getenv("PLIANT_FONT")) {
+// A file of DejaVu.
+std::filesystem::path find_typeface(const char* variable, const char* file_name, const char* typeface, const char* package) {
+    if (const char* named = std::getenv(variable)) {
         if (std::filesystem::is_regular_file(named)) return named;
-        throw MachineLacks(std::string("The typeface '") + named + "', which PLIANT_FONT names, is not there.");
+        throw MachineLacks(fmt::format("The typeface '{}', which {} names, is not there.", named, variable));
     }
     for (const char* folder : {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu",
                                "/usr/share/fonts/dejavu-sans-fonts", "/usr/local/share/fonts", "/opt/homebrew/share/fonts",
                                "/Library/Fonts", "/fonts"}) {
-        const auto file = std::filesystem::path(folder) / "DejaVuSans.ttf";
+        const auto file = std::filesystem::path(folder) / file_name;
         std::error_code ignored;
         if (std::filesystem::is_regular_file(file, ignored)) return file;
     }
     throw MachineLacks(
-        "The typeface DejaVu Sans is not on this machine: install fonts-dejavu-core, or set PLIANT_FONT to its file.");
+        fmt::format("The typeface {} is not on this machine: install {}, or set {} to its file.", typeface, package, variable));
 }
-
-namespace {
 
 ImFont* add_font(const std::filesystem::path& file, float pixels, const ImWchar* ranges) {
     ImFontConfig config;
@@ -71,14 +77,22 @@ ImFont* add_font(const std::filesystem::path& file, float pixels, const ImWchar*
 
 }  // namespace
 
-std::vector<ImFont*> add_fonts(const std::filesystem::path& file, std::span<const float> heights) {
-    std::vector<ImFont*> fonts, small;
-    for (const float height : heights) {
-        fonts.push_back(add_font(file, height, glyph_ranges));
+std::filesystem::path find_font() { return find_typeface("PLIANT_FONT", "DejaVuSans.ttf", "DejaVu Sans", "fonts-dejavu-core"); }
+std::filesystem::path find_math_font() {
+    return find_typeface("PLIANT_MATH_FONT", "DejaVuMathTeXGyre.ttf", "DejaVu Math TeX Gyre", "fonts-dejavu-extra");
+}
+
+LoadedFonts add_fonts(std::span<const float> word_heights, std::span<const float> math_heights) {
+    const auto file = find_font(), math_file = find_math_font();
+    LoadedFonts fonts;
+    std::vector<ImFont*> small;
+    for (const float height : word_heights) {
+        fonts.words.push_back(add_font(file, height, glyph_ranges));
         small.push_back(add_font(file, index_size * height, index_ranges));
     }
+    for (const float height : math_heights) fonts.mathematics.push_back(add_font(math_file, height, math_ranges));
     ImGui::GetIO().Fonts->Build();
-    for (std::size_t i = 0; i < fonts.size(); ++i) add_index_letters(*fonts[i], *small[i]);
+    for (std::size_t i = 0; i < small.size(); ++i) add_index_letters(*fonts.words[i], *small[i]);
     return fonts;
 }
 

@@ -1,4 +1,5 @@
-// The typeface of the viewer: DejaVu Sans, which has the Greek letters and the mathematics that lessons use.
+// The typefaces of the viewer: DejaVu Sans, which has the Greek letters and the signs that lessons use, and DejaVu Math for
+// formulas.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -8,12 +9,17 @@ struct ImFont;
 
 namespace pliant::viewer {
 
-// The file of DejaVu Sans: what PLIANT_FONT names, else the usual folders of fonts. Throws MachineLacks, with the package to
-// install, when it is nowhere.
+// The files of DejaVu Sans and of DejaVu Math TeX Gyre: what PLIANT_FONT and PLIANT_MATH_FONT name, else the usual folders of
+// fonts. Throw MachineLacks, with the package to install, when it is nowhere.
 std::filesystem::path find_font();
+std::filesystem::path find_math_font();
 
-// Adds the typeface to ImGui's atlas at heights in px (of a line of type, not of a letter), each with letters for indices and
-// exponents, and builds the atlas. Call between frames. Throws MachineLacks.
-std::vector<ImFont*> add_fonts(const std::filesystem::path& file, std::span<const float> heights);
+struct LoadedFonts {
+    std::vector<ImFont*> words{}, mathematics{};  // in the order of the heights
+};
+
+// Adds the typefaces to ImGui's atlas at heights in px (of a line of type, not of a letter), that of words with letters for
+// indices and exponents, and builds the atlas. Call between frames. Throws MachineLacks.
+LoadedFonts add_fonts(std::span<const float> word_heights, std::span<const float> math_heights);
 
 }  // namespace pliant::viewer

@@ -81,8 +81,8 @@ public:
     // Only where the units of the symbols are known.
     UnitCheck check_units() const;
 
-    // In LaTeX, "f = k \left(x - l\right)"; with numbers in place of the symbols where these are given as text.
-    std::string latex(std::span<const std::string> numbers = {}) const;
+    // In LaTeX, "f = k \left(x - l\right)", without the remark.
+    std::string latex() const;
 
 private:
     friend class FormulaReader;
@@ -98,11 +98,5 @@ private:
 
 // Which symbol stands at this place of a text as a word of its own: the longest one; −1 for none.
 int symbol_at(std::string_view text, std::size_t at, std::span<const std::string> symbols);
-
-// A text of formulas and words as LaTeX, without reading it: "f = Σ of the springs" as "f = \sum \text{ of the springs}".
-std::string latex_text(std::string_view text);
-
-// A symbol as LaTeX: "x_ij" as "x_{ij}", "Δt" as "\Delta t", "ũ" as "\tilde{u}", "fᵈ" as "f^{d}".
-std::string latex_symbol(std::string_view symbol);
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
-// Formulas and symbols in LaTeX.
+// Formulas in LaTeX.
 #include <pliant/formula/formula.h>
-#include <pliant/formula/unicode.h>
+#include <pliant/formula/notation.h>
 
 #include <fmt/format.h>
 
@@ -11,268 +11,188 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<std::pair<char32_t, std::string_view>, 46> latex_letters{
-    {{U'α', "\\alpha"},       {U'β', "\\beta"},        {U'γ', "\\gamma"},  {U'δ', "\\delta"},  {U'ε', "\\varepsilon"},
-     {U'ζ', "\\zeta"},        {U'η', "\\eta"},         {U'θ', "\\theta"},  {U'κ', "\\kappa"},  {U'λ', "\\lambda"},
-     {U'μ', "\\mu"},          {U'ν', "\\nu"},          {U'ξ', "\\xi"},     {U'π', "\\pi"},     {U'ρ', "\\rho"},
-     {U'σ', "\\sigma"},       {U'τ', "\\tau"},         {U'φ', "\\varphi"}, {U'χ', "\\chi"},    {U'ψ', "\\psi"},
-     {U'ω', "\\omega"},       {U'Γ', "\\Gamma"},       {U'Δ', "\\Delta"},  {U'Θ', "\\Theta"},  {U'Λ', "\\Lambda"},
-     {U'Σ', "\\sum"},         {U'Φ', "\\Phi"},         {U'Ψ', "\\Psi"},    {U'Ω', "\\Omega"},  {U'∂', "\\partial"},
-     {U'∇', "\\nabla"},       {U'·', "\\cdot"},        {U'×', "\\times"},  {U'−', "-"},        {U'∞', "\\infty"},
-     {U'←', "\\leftarrow"},   {U'≤', "\\le"},          {U'≥', "\\ge"},     {U'≈', "\\approx"}, {U'…', "\\dots"},
-     {U'½', "\\tfrac{1}{2}"}, {U'¼', "\\tfrac{1}{4}"}, {U'∈', "\\in"},     {U'∘', "\\circ"},   {U'°', "^{\\circ}"},
-     {U'√', "\\sqrt{}"}}};
+using Kind = Notation::Kind;
+using Command = std::pair<std::string_view, std::string_view>;
 
-// Letters above the line: ᵃ to ᶻ as they stand in symbols, and what is below the line beside digits.
-constexpr std::array<std::pair<char32_t, char>, 26> raised_letters{
-    {{U'ᵃ', 'a'}, {U'ᵇ', 'b'}, {U'ᶜ', 'c'}, {U'ᵈ', 'd'}, {U'ᵉ', 'e'}, {U'ᶠ', 'f'}, {U'ᵍ', 'g'}, {U'ʰ', 'h'}, {U'ⁱ', 'i'},
-     {U'ʲ', 'j'}, {U'ᵏ', 'k'}, {U'ˡ', 'l'}, {U'ᵐ', 'm'}, {U'ⁿ', 'n'}, {U'ᵒ', 'o'}, {U'ᵖ', 'p'}, {U'ʳ', 'r'}, {U'ˢ', 's'},
-     {U'ᵗ', 't'}, {U'ᵘ', 'u'}, {U'ᵛ', 'v'}, {U'ʷ', 'w'}, {U'ˣ', 'x'}, {U'ʸ', 'y'}, {U'ᶻ', 'z'}, {U'ᵀ', 'T'}}};
-constexpr std::array<std::pair<char32_t, char>, 17> lowered_letters{{{U'ₐ', 'a'},
-                                                                     {U'ₑ', 'e'},
-                                                                     {U'ₒ', 'o'},
-                                                                     {U'ₓ', 'x'},
-                                                                     {U'ₕ', 'h'},
-                                                                     {U'ₖ', 'k'},
-                                                                     {U'ₗ', 'l'},
-                                                                     {U'ₘ', 'm'},
-                                                                     {U'ₙ', 'n'},
-                                                                     {U'ₚ', 'p'},
-                                                                     {U'ₛ', 's'},
-                                                                     {U'ₜ', 't'},
-                                                                     {U'ᵢ', 'i'},
-                                                                     {U'ⱼ', 'j'},
-                                                                     {U'ᵣ', 'r'},
-                                                                     {U'ᵤ', 'u'},
-                                                                     {U'ᵥ', 'v'}}};
-constexpr std::array<std::pair<char32_t, std::string_view>, 4> accents{
-    {{U'\u0302', "\\hat"}, {U'\u0303', "\\tilde"}, {U'\u0304', "\\bar"}, {U'\u0307', "\\dot"}}};
+constexpr std::array<Command, 59> commands{{{"α", "\\alpha"},
+                                            {"β", "\\beta"},
+                                            {"γ", "\\gamma"},
+                                            {"δ", "\\delta"},
+                                            {"ε", "\\varepsilon"},
+                                            {"ζ", "\\zeta"},
+                                            {"η", "\\eta"},
+                                            {"θ", "\\theta"},
+                                            {"κ", "\\kappa"},
+                                            {"λ", "\\lambda"},
+                                            {"μ", "\\mu"},
+                                            {"ν", "\\nu"},
+                                            {"ξ", "\\xi"},
+                                            {"π", "\\pi"},
+                                            {"ρ", "\\rho"},
+                                            {"σ", "\\sigma"},
+                                            {"τ", "\\tau"},
+                                            {"φ", "\\varphi"},
+                                            {"χ", "\\chi"},
+                                            {"ψ", "\\psi"},
+                                            {"ω", "\\omega"},
+                                            {"Γ", "\\Gamma"},
+                                            {"Δ", "\\Delta"},
+                                            {"Θ", "\\Theta"},
+                                            {"Λ", "\\Lambda"},
+                                            {"Σ", "\\sum"},
+                                            {"∫", "\\int"},
+                                            {"∏", "\\prod"},
+                                            {"Φ", "\\Phi"},
+                                            {"Ψ", "\\Psi"},
+                                            {"Ω", "\\Omega"},
+                                            {"∂", "\\partial"},
+                                            {"∇", "\\nabla"},
+                                            {"·", "\\cdot"},
+                                            {"×", "\\times"},
+                                            {"−", "-"},
+                                            {"±", "\\pm"},
+                                            {"∞", "\\infty"},
+                                            {"←", "\\leftarrow"},
+                                            {"→", "\\rightarrow"},
+                                            {"≤", "\\le"},
+                                            {"≥", "\\ge"},
+                                            {"≈", "\\approx"},
+                                            {"≠", "\\ne"},
+                                            {"∈", "\\in"},
+                                            {"∝", "\\propto"},
+                                            {"…", "\\dots"},
+                                            {"∘", "\\circ"},
+                                            {"°", "^{\\circ}"},
+                                            {"½", "\\tfrac{1}{2}"},
+                                            {"¼", "\\tfrac{1}{4}"},
+                                            {"¾", "\\tfrac{3}{4}"},
+                                            {"⅓", "\\tfrac{1}{3}"},
+                                            {"⅔", "\\tfrac{2}{3}"},
+                                            {"⅙", "\\tfrac{1}{6}"},
+                                            {"⅛", "\\tfrac{1}{8}"},
+                                            {"⅕", "\\tfrac{1}{5}"},
+                                            {"′", "\\prime"},
+                                            {"%", "\\%"}}};
+constexpr std::array<Command, 11> names{{{"asin", "\\arcsin"},
+                                         {"acos", "\\arccos"},
+                                         {"atan", "\\arctan"},
+                                         {"log10", "\\log_{10}"},
+                                         {"atan2", "\\operatorname{atan2}"},
+                                         {"tr", "\\operatorname{tr}"},
+                                         {"div", "\\operatorname{div}"},
+                                         {"grad", "\\operatorname{grad}"},
+                                         {"curl", "\\operatorname{curl}"},
+                                         {"diag", "\\operatorname{diag}"},
+                                         {"floor", "\\operatorname{floor}"}}};
+constexpr std::array<std::string_view, 12> own_names{"sin", "cos", "tan", "sinh", "cosh", "tanh",
+                                                     "exp", "ln",  "log", "min",  "max",  "det"};
+constexpr std::array<Command, 5> accents{{{"^", "\\hat"}, {"~", "\\tilde"}, {"¯", "\\bar"}, {"˙", "\\dot"}, {"¨", "\\ddot"}}};
 
 template <class Table>
-auto looked_up(const Table& table, char32_t c) {
-    const auto found = std::ranges::find(table, c, [](const auto& entry) { return entry.first; });
-    return found == table.end() ? std::nullopt : std::optional(found->second);
+std::string_view looked_up(const Table& table, std::string_view text) {
+    const auto found = std::ranges::find(table, text, &Command::first);
+    return found == table.end() ? std::string_view() : found->second;
 }
 
-// Letters with an accent of their own code point.
-std::string accented(char32_t c) {
-    switch (c) {
-        case U'ũ':
-            return "\\tilde{u}";
-        case U'ñ':
-            return "\\tilde{n}";
-        case U'ã':
-            return "\\tilde{a}";
-        case U'û':
-            return "\\hat{u}";
-        case U'ê':
-            return "\\hat{e}";
-        case U'ŷ':
-            return "\\hat{y}";
-        case U'ū':
-            return "\\bar{u}";
-        default:
-            return "";
-    }
+std::string letters(std::string_view text) {
+    if (text == "″") return "\\prime\\prime";
+    const std::string_view command = looked_up(commands, text);
+    return std::string(command.empty() ? text : command);
 }
 
-struct SymbolWriter {
-    std::string_view symbol;
-    std::string body{}, above{}, below{};
-    std::size_t at = 0;
+std::string name(std::string_view text) {
+    if (const std::string_view command = looked_up(names, text); !command.empty()) return std::string(command);
+    const bool known = std::ranges::find(own_names, text) != own_names.end();
+    return known ? fmt::format("\\{}", text) : fmt::format("\\mathrm{{{}}}", text);
+}
 
-    std::string write() {
-        while (at < symbol.size()) letter();
-        std::string text = body;
-        if (!below.empty()) text += fmt::format("_{{{}}}", below);
-        if (!above.empty()) text += fmt::format("^{{{}}}", above);
-        return text;
-    }
-    // A command is parted from the letter behind it.
-    static void join(std::string& text, std::string_view more) {
-        const bool command = !text.empty() && text.find_last_of('\\') != text.npos &&
-                             std::ranges::all_of(text.substr(text.find_last_of('\\') + 1), [](char c) { return c >= 'A'; }) &&
-                             text.back() != '}';
-        if (command && !more.empty() && ((more[0] >= 'a' && more[0] <= 'z') || (more[0] >= 'A' && more[0] <= 'Z'))) text += ' ';
-        text += more;
-    }
-    void letter() {
-        const CodePoint c = code_point(symbol, at);
-        at += c.bytes;
-        if (c.letter == '_') return index();
-        if (c.letter == '\'' || c.letter == U'′') return join(above, "\\prime");
-        if (const int digit = raised_digit(c.letter); digit >= 0) return join(above, fmt::format("{}", digit));
-        if (const int digit = lowered_digit(c.letter); digit >= 0) return join(below, fmt::format("{}", digit));
-        if (const auto raised = looked_up(raised_letters, c.letter)) return join(above, std::string(1, *raised));
-        if (const auto lowered = looked_up(lowered_letters, c.letter)) return join(below, std::string(1, *lowered));
-        if (const auto accent = looked_up(accents, c.letter)) return put_accent(*accent);
-        if (const std::string known = accented(c.letter); !known.empty()) return join(body, known);
-        if (const auto command = looked_up(latex_letters, c.letter)) return join(body, *command);
-        join(body, symbol.substr(at - c.bytes, c.bytes));
-    }
-    // Over the letter before it.
-    void put_accent(std::string_view accent) {
-        const std::size_t command = body.find_last_of('\\');
-        const bool whole = command != body.npos && body.find(' ', command) == body.npos && command + 1 < body.size();
-        const std::size_t from = whole ? command : body.empty() ? 0 : body.size() - 1;
-        body = fmt::format("{}{}{{{}}}", body.substr(0, from), accent, body.substr(from));
-    }
-    // Everything behind the underscore, up to a prime.
-    void index() {
-        while (at < symbol.size()) {
-            const CodePoint c = code_point(symbol, at);
-            if (c.letter == U'′' || c.letter == '\'' || c.letter == '(' || c.letter == '|' || c.letter == '/') return;
-            at += c.bytes;
-            const auto command = looked_up(latex_letters, c.letter);
-            const int digit = raised_digit(c.letter);
-            if (digit >= 0) {
-                join(above, fmt::format("{}", digit));
-                continue;
-            }
-            join(below, c.letter == '_' ? "," : command ? *command : symbol.substr(at - c.bytes, c.bytes));
-        }
-    }
-};
+// A blank where two pieces would run together, or where the text has one.
+void join(std::string& all, const std::string& more, bool spaced) {
+    const std::size_t command = all.find_last_of('\\');
+    const bool is_command =
+        command != all.npos && command + 1 < all.size() &&
+        std::ranges::all_of(all.substr(command + 1), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+    const bool letter = !more.empty() && ((more[0] >= 'a' && more[0] <= 'z') || (more[0] >= 'A' && more[0] <= 'Z'));
+    if (!all.empty() && (spaced || (is_command && letter))) all += ' ';
+    all += more;
+}
 
-enum Binding { of_sum, of_product, of_power, of_atom };
+std::string row_of(const Notation& row) {
+    std::string all;
+    bool wide = false;
+    for (const Notation& n : row.of) {
+        const bool operation = n.kind == Kind::sign || n.kind == Kind::relation;
+        join(all, latex(n), n.spaced || (operation && n.spaced) || wide);
+        wide = n.kind == Kind::gap;
+    }
+    return all;
+}
 
-struct Piece {
-    std::string text;
-    Binding binding = of_atom;
-};
+std::string scripts(const Notation& n) {
+    std::string text = latex(n.of[0]);
+    const auto put = [&](const char* mark, const Notation& row) {
+        if (!row.of.empty()) text += fmt::format("{}{{{}}}", mark, latex(row));
+    };
+    put("_", n.of[1]), put("^", n.of[2]);
+    return text;
+}
 
-class LatexWriter {
-public:
-    LatexWriter(const Formula& formula, std::span<const std::string> numbers) : formula_(formula), numbers_(numbers) {
-        for (const FormulaNode& n : formula.nodes()) pieces_.push_back(of(n));
-    }
-    std::string whole() const { return pieces_.back().text; }
+std::string fence(const Notation& n) {
+    const bool closed = n.text.size() > 1;
+    const bool norm = n.text.starts_with("‖");
+    const std::string open = norm ? "\\|" : n.text[0] == '{' ? "\\{" : n.text.substr(0, 1);
+    const std::string close = norm ? "\\|" : !closed ? "." : n.text[1] == '}' ? "\\}" : n.text.substr(1);
+    return fmt::format("\\left{}{}\\right{}", open, latex(n.of[0]), close);
+}
 
-private:
-    const Piece& piece(int node) const { return pieces_[static_cast<std::size_t>(node)]; }
-    static std::string in_parentheses(const std::string& text) { return fmt::format("\\left({}\\right)", text); }
-    std::string bound(int node, Binding least) const {
-        const Piece& p = piece(node);
-        return p.binding < least ? in_parentheses(p.text) : p.text;
+std::string grid(const Notation& n) {
+    std::string rows;
+    for (const Notation& row : n.of) {
+        std::string entries;
+        for (const Notation& entry : row.of) entries += (entries.empty() ? "" : " & ") + latex(entry);
+        rows += (rows.empty() ? "" : " \\\\ ") + entries;
     }
-    Piece symbol(const FormulaNode& n) const {
-        const auto k = static_cast<std::size_t>(n.symbol);
-        if (numbers_.empty()) {
-            const std::string text = latex_symbol(formula_.symbols()[k]);
-            return {text, text.find('^') == text.npos ? of_atom : of_power};
-        }
-        const bool signed_number = numbers_[k].starts_with('-');
-        return {numbers_[k], signed_number || numbers_[k].find("\\times") != std::string::npos ? of_sum : of_atom};
-    }
-    Piece product(const FormulaNode& n) const {
-        const std::string a = bound(n.of[0], of_product), b = bound(n.of[1], of_product);
-        const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-        const bool dot = !numbers_.empty() || digit(b[0]) || b[0] == '-';
-        return {fmt::format("{}{}{}", a, dot ? " \\cdot " : " ", b), of_product};
-    }
-    // \sin^{2}\left(x\right): an exponent stands behind the name.
-    Piece call(const FormulaNode& n, const std::string& exponent = "") const {
-        std::string arguments;
-        for (const int k : n.of) arguments += (arguments.empty() ? "" : ", ") + piece(k).text;
-        const std::string_view name = name_of(n.function);
-        const std::string command = n.function == Function::asin    ? "\\arcsin"
-                                    : n.function == Function::acos  ? "\\arccos"
-                                    : n.function == Function::atan  ? "\\arctan"
-                                    : n.function == Function::atan2 ? "\\operatorname{atan2}"
-                                    : n.function == Function::log10 ? "\\log_{10}"
-                                    : n.function == Function::floor ? "\\operatorname{floor}"
-                                                                    : fmt::format("\\{}", name);
-        return {command + exponent + in_parentheses(arguments), of_atom};
-    }
-    Piece power(const FormulaNode& n) const {
-        const std::string exponent = fmt::format("^{{{}}}", piece(n.of[1]).text);
-        const FormulaNode& base = formula_.nodes()[static_cast<std::size_t>(n.of[0])];
-        if (base.operation == Operation::call) return call(base, exponent);
-        const Piece& p = piece(n.of[0]);
-        return {(p.binding < of_atom ? in_parentheses(p.text) : p.text) + exponent, of_power};
-    }
-    static std::string number_text(Real value) {
-        if (value == 0.5 || value == 0.25) return value == 0.5 ? "\\tfrac{1}{2}" : "\\tfrac{1}{4}";
-        return fmt::format("{:.10g}", value);
-    }
-    Piece number(const FormulaNode& n) const {
-        const std::string_view written = std::string_view(formula_.text()).substr(n.begin, n.end - n.begin);
-        if (written == "π") return {"\\pi", of_atom};
-        if (n.of_degrees) return {fmt::format("{:.10g}^{{\\circ}}", n.number), of_power};
-        const CodePoint c = code_point(written, 0);
-        if (is_digit(c.letter) || raised_digit(c.letter) >= 0 || c.letter == U'⁻')
-            return {fmt::format("{:.10g}", n.number), of_atom};
-        return {number_text(n.number), of_atom};
-    }
-    Piece of(const FormulaNode& n) const {
-        switch (n.operation) {
-            case Operation::number:
-                return number(n);
-            case Operation::symbol:
-                return symbol(n);
-            case Operation::negative:
-                return {"-" + bound(n.of[0], of_product), of_sum};
-            case Operation::sum:
-                return {fmt::format("{} + {}", piece(n.of[0]).text, bound_right(n.of[1])), of_sum};
-            case Operation::difference:
-                return {fmt::format("{} - {}", piece(n.of[0]).text, bound_right(n.of[1])), of_sum};
-            case Operation::product:
-                return product(n);
-            case Operation::quotient:
-                return {fmt::format("\\frac{{{}}}{{{}}}", piece(n.of[0]).text, piece(n.of[1]).text), of_product};
-            case Operation::power:
-                return power(n);
-            case Operation::root:
-                return {fmt::format("\\sqrt{{{}}}", piece(n.of[0]).text), of_atom};
-            case Operation::magnitude:
-                return {fmt::format("\\left|{}\\right|", piece(n.of[0]).text), of_atom};
-            case Operation::call:
-                return call(n);
-        }
-        return {};
-    }
-    // A sum on the right of a sign keeps its parentheses.
-    std::string bound_right(int node) const { return bound(node, of_product); }
-
-    const Formula& formula_;
-    std::span<const std::string> numbers_;
-    std::vector<Piece> pieces_;
-};
+    return fmt::format("\\begin{{bmatrix}} {} \\end{{bmatrix}}", rows);
+}
 
 }  // namespace
 
-std::string latex_text(std::string_view text) {
-    std::string latex, words;
-    const auto end_words = [&] {
-        if (!words.empty()) latex += fmt::format("\\text{{ {}}} ", words);
-        words.clear();
-    };
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        const std::string_view token = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const bool word =
-            token.size() > 1 && std::ranges::all_of(token, [](char c) { return (c >= 'a' && c <= 'z') || c == ',' || c == ':'; });
-        if (word)
-            words += std::string(words.empty() ? "" : " ") + std::string(token);
-        else if (!token.empty())
-            end_words(), latex += latex_symbol(token) + " ";
+std::string latex(const Notation& n) {
+    switch (n.kind) {
+        case Kind::row:
+            return row_of(n);
+        case Kind::words:
+            return fmt::format("\\text{{{}}}", n.text);
+        case Kind::name:
+            return name(n.text);
+        case Kind::gap:
+            return "\\quad";
+        case Kind::fraction:
+            return fmt::format("\\frac{{{}}}{{{}}}", latex(n.of[0]), latex(n.of[1]));
+        case Kind::root:
+            return fmt::format("\\sqrt{{{}}}", latex(n.of[0]));
+        case Kind::scripts:
+            return scripts(n);
+        case Kind::accent:
+            return fmt::format("{}{{{}}}", looked_up(accents, n.text), latex(n.of[0]));
+        case Kind::fence:
+            return fence(n);
+        case Kind::grid:
+            return grid(n);
+        case Kind::variable:
+        case Kind::digits:
+        case Kind::sign:
+        case Kind::prefix:
+        case Kind::relation:
+        case Kind::comma:
+        case Kind::large:
+            return letters(n.text);
     }
-    end_words();
-    while (latex.ends_with(' ')) latex.pop_back();
-    return latex;
+    return "";
 }
 
-std::string latex_symbol(std::string_view symbol) {
-    // Bars around a symbol are part of it.
-    if (symbol.size() > 2 && symbol.front() == '|' && symbol.back() == '|')
-        return fmt::format("\\left|{}\\right|", latex_symbol(symbol.substr(1, symbol.size() - 2)));
-    return SymbolWriter{symbol}.write();
-}
+std::string latex(std::string_view text) { return latex(notation(text)); }
 
-std::string Formula::latex(std::span<const std::string> numbers) const {
-    const std::string whole = LatexWriter(*this, numbers).whole();
-    return left().empty() ? whole : fmt::format("{} = {}", latex_symbol(left()), whole);
-}
+std::string Formula::latex() const { return pliant::latex(std::string_view(text_).substr(0, right_end_)); }
 
 }  // namespace pliant

@@ -24,4 +24,8 @@ int raised_digit(char32_t c);
 // The same of "₀" to "₉".
 int lowered_digit(char32_t c);
 
+// What a small letter above or below the line stands for: "T" of "ᵀ", "−" of "⁻", "j" of "ⱼ"; "" for all others.
+std::string_view raised(char32_t c);
+std::string_view lowered(char32_t c);
+
 }  // namespace pliant

@@ -142,4 +142,12 @@ std::string Unit::text() const {
     return divisors > 1 ? fmt::format("{}/({})", above, below) : fmt::format("{}/{}", above, below);
 }
 
+bool is_unit(std::string_view text) {
+    try {
+        return Unit(text), true;
+    } catch (const Refused&) {
+        return false;
+    }
+}
+
 }  // namespace pliant

@@ -37,4 +37,7 @@ private:
     friend class UnitReader;
 };
 
+// Whether Unit can read it.
+bool is_unit(std::string_view text);
+
 }  // namespace pliant

@@ -1,4 +1,5 @@
 #include <pliant/formula/formula.h>
+#include <pliant/formula/notation.h>
 #include <pliant/run/evaluation.h>
 
 #include <fmt/format.h>
@@ -107,7 +108,7 @@ void evaluate_terms(Answer& a, Making making, std::span<const Real> values) {
     const std::size_t factors = factors_of(making);
     a.evaluated = sum_of_terms(making, values);
     take_sensitivities(a, gradient_of_terms(values, factors));
-    a.latex = latex_text(a.formula);
+    a.latex = latex(a.formula);
     a.as_data = true;
     a.unit_check = unit_check_of_terms(a, factors);
 }
@@ -117,7 +118,7 @@ void evaluate_formula(Answer& a, const Explanation& e, std::vector<Real>& values
     a.evaluated = e.evaluate ? e.evaluate(values) : formula->evaluate(values);
     a.as_data = formula && (!e.evaluate || same(formula->evaluate(values), a.evaluated));
     take_sensitivities(a, a.as_data ? gradient_of(*formula, a, values) : gradient_by_differences(e.evaluate, a, values));
-    a.latex = a.as_data ? formula->latex() : latex_text(e.formula);
+    a.latex = a.as_data ? formula->latex() : latex(e.formula);
     if (a.as_data && formula->has_units()) a.unit_check = unit_check(*formula, a);
 }
 

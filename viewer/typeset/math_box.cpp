@@ -1,0 +1,387 @@
+#include "typeset/math_box.h"
+
+#include <pliant/formula/unicode.h>
+
+#include "typeset/math_letters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace pliant::viewer {
+namespace {
+
+using Kind = Notation::Kind;
+
+// Lengths in heights of a line of type, after the look of the face.
+constexpr float script_size = 0.72f, smallest_script = 0.55f, fraction_size = 0.92f;
+constexpr float around_sign = 0.20f, around_relation = 0.25f, after_comma = 0.22f, between_formulas = 1.1f, beside_words = 0.24f,
+                between_factors = 0.13f, after_name = 0.14f;
+constexpr float fraction_gap = 0.10f, rule = 0.055f, line_gap = 0.30f, indent = 1.2f;
+
+// The layout of one formula at one size.
+class Setter {
+public:
+    Setter(const MathMetrics& metrics, float size, float whole) : metrics_(metrics), size_(size), whole_(whole) {}
+
+    MathBox lines(const Notation& row, float width) const;
+
+private:
+    Setter smaller(float factor) const { return {metrics_, std::max(size_ * factor, whole_ * smallest_script), whole_}; }
+    bool is_script() const { return size_ < 0.8f * whole_; }
+    float thickness() const { return std::max(1.f, std::round(size_ * rule)); }
+    // Of the line on which fractions and signs are centred.
+    float axis() const {
+        const LetterBounds minus = metrics_.bounds(U'−', MathFace::signs, size_);
+        return (minus.top + minus.bottom) / 2;
+    }
+
+    MathBox letters(std::string_view text, LetterShape shape, MathFace face = MathFace::signs) const;
+    MathBox stretched(char32_t letter, float top, float bottom) const;
+    MathBox piece(const Notation& n) const;
+    MathBox row(const Notation& n) const;
+    MathBox fraction(const Notation& n) const;
+    MathBox root(const Notation& n) const;
+    MathBox scripts(const Notation& n) const;
+    MathBox limits(const Notation& n) const;
+    MathBox accent(const Notation& n) const;
+    MathBox fence(const Notation& n) const;
+    MathBox grid(const Notation& n) const;
+    float gap_between(const Notation* before, const Notation& next) const;
+
+    const MathMetrics& metrics_;
+    float size_, whole_;
+};
+
+MathBox Setter::letters(std::string_view text, LetterShape shape, MathFace face) const {
+    MathBox box;
+    for (std::size_t at = 0; at < text.size();) {
+        const CodePoint c = code_point(text, at);
+        at += c.bytes;
+        const char32_t letter = face == MathFace::words ? c.letter : shaped(c.letter, shape);
+        const LetterBounds b = metrics_.bounds(letter, face, size_);
+        box.letters.push_back({.letter = letter, .face = face, .size = size_, .x = box.width});
+        box.width += b.advance;
+        box.above = std::max(box.above, -b.top), box.below = std::max(box.below, b.bottom);
+        // A slanted letter leans over its advance.
+        if (at == text.size() && shape == LetterShape::slanted) box.width = std::max(box.width, box.width - b.advance + b.right);
+    }
+    return box;
+}
+
+// One letter as high as from top to bottom, or higher.
+MathBox Setter::stretched(char32_t letter, float top, float bottom) const {
+    const LetterBounds b = metrics_.bounds(letter, MathFace::signs, size_);
+    const float middle = (b.top + b.bottom) / 2, height = std::max(b.bottom - b.top, 1.f);
+    const float stretch = std::max(1.f, (bottom - top) / height), half = height * stretch / 2;
+    const float centre = stretch > 1 ? (top + bottom) / 2 : middle;
+    MathBox box{.width = b.advance, .above = half - centre, .below = half + centre};
+    box.letters.push_back({.letter = letter, .size = size_, .y = centre - middle, .stretch = stretch, .middle = centre});
+    return box;
+}
+
+float Setter::gap_between(const Notation* before, const Notation& next) const {
+    if (!before) return 0;
+    const auto is = [](const Notation* n, Kind kind) { return n->kind == kind; };
+    if (is(before, Kind::gap) || next.kind == Kind::gap) return size_ * between_formulas / 2;
+    if (next.kind == Kind::comma) return 0;
+    if (is(before, Kind::comma)) return size_ * after_comma;
+    if (is(before, Kind::words) || next.kind == Kind::words) return size_ * beside_words;
+    if (is_script()) return 0;
+    const bool relation = is(before, Kind::relation) || next.kind == Kind::relation;
+    if (relation) return size_ * around_relation;
+    const bool sign = is(before, Kind::sign) || next.kind == Kind::sign;
+    if (sign) return size_ * (next.spaced ? around_sign : 0.04f);
+    if (is(before, Kind::name) && next.kind != Kind::fence) return size_ * after_name;
+    if (is(before, Kind::large) || (is(before, Kind::scripts) && is(&before->of[0], Kind::large))) return size_ * after_name;
+    if (is(before, Kind::prefix)) return 0;
+    return next.spaced ? size_ * between_factors : 0;
+}
+
+MathBox Setter::row(const Notation& n) const {
+    MathBox box;
+    const Notation* before = nullptr;
+    for (const Notation& part : n.of) {
+        const float x = box.width + gap_between(before, part);
+        box.put(piece(part), x, 0);
+        before = &part;
+    }
+    return box;
+}
+
+MathBox Setter::piece(const Notation& n) const {
+    switch (n.kind) {
+        case Kind::row:
+            return row(n);
+        case Kind::variable:
+            return letters(n.text, LetterShape::slanted);
+        case Kind::words:
+            return letters(n.text, LetterShape::upright, MathFace::words);
+        case Kind::gap:
+            return {};
+        case Kind::fraction:
+            return fraction(n);
+        case Kind::root:
+            return root(n);
+        case Kind::scripts:
+            return n.of[0].kind == Kind::large ? limits(n) : scripts(n);
+        case Kind::accent:
+            return accent(n);
+        case Kind::fence:
+            return fence(n);
+        case Kind::grid:
+            return grid(n);
+        case Kind::large: {
+            const MathBox sign = smaller(1).letters(n.text, LetterShape::upright);
+            const float more = is_script() ? 1.f : 1.25f;
+            return stretched(sign.letters[0].letter, axis() - more * (sign.height() / 2), axis() + more * (sign.height() / 2));
+        }
+        default:
+            return letters(n.text, LetterShape::upright);
+    }
+}
+
+MathBox Setter::fraction(const Notation& n) const {
+    const Setter inner = smaller(fraction_size);
+    MathBox above = inner.row(n.of[0]), below = inner.row(n.of[1]);
+    const float y = axis(), line = thickness(), gap = size_ * fraction_gap, side = size_ * 0.06f;
+    MathBox box;
+    const float width = std::max(above.width, below.width) + 2 * side;
+    const float up = y - line / 2 - gap - above.below, down = y + line / 2 + gap + below.above;
+    box.put(above, (width - above.width) / 2, up);
+    box.put(below, (width - below.width) / 2, down);
+    box.rules.push_back({0, std::round(y - line / 2), width, std::round(y - line / 2) + line});
+    box.width = width + side;
+    return box;
+}
+
+MathBox Setter::root(const Notation& n) const {
+    MathBox under = row(n.of[0]);
+    const float line = thickness(), gap = size_ * 0.08f;
+    const float top = -std::max(under.above, size_ * 0.5f) - gap - line, bottom = std::max(under.below, size_ * 0.05f);
+    MathBox box = stretched(U'√', top, bottom);
+    const float x = box.width, ceiling = std::round(-box.above);
+    box.put(under, x, 0);
+    box.rules.push_back({x - 1, ceiling, box.width + size_ * 0.05f, ceiling + line});
+    box.width += size_ * 0.08f;
+    return box;
+}
+
+MathBox Setter::scripts(const Notation& n) const {
+    MathBox box = piece(n.of[0]);
+    const Setter inner = smaller(script_size);
+    const bool tall = n.of[0].kind == Kind::fence || n.of[0].kind == Kind::grid || n.of[0].kind == Kind::fraction;
+    const float x = box.width + size_ * 0.03f;
+    float width = box.width;
+    if (!n.of[2].of.empty()) {
+        MathBox above = inner.row(n.of[2]);
+        const float raise = std::max(size_ * 0.32f, tall ? box.above - size_ * 0.18f : 0);
+        width = std::max(width, x + above.width);
+        box.put(std::move(above), x, -raise);
+    }
+    if (!n.of[1].of.empty()) {
+        MathBox below = inner.row(n.of[1]);
+        const float drop = std::max(size_ * 0.16f, tall ? box.below - size_ * 0.05f : 0);
+        width = std::max(width, x + below.width);
+        box.put(std::move(below), x, drop);
+    }
+    box.width = width;
+    return box;
+}
+
+// Of a sum: its indices under and over it.
+MathBox Setter::limits(const Notation& n) const {
+    MathBox box = piece(n.of[0]);
+    const Setter inner = smaller(script_size * 0.95f);
+    const float gap = size_ * 0.06f, middle = box.width / 2, sign_above = box.above, sign_below = box.below;
+    MathBox below = inner.row(n.of[1]), above = inner.row(n.of[2]);
+    const float shift = std::max({0.f, below.width / 2 - middle, above.width / 2 - middle});
+    box.move(shift, 0);
+    if (below.width > 0) box.put(below, shift + middle - below.width / 2, sign_below + gap + below.above);
+    if (above.width > 0) box.put(above, shift + middle - above.width / 2, -sign_above - gap - above.below);
+    return box;
+}
+
+MathBox Setter::accent(const Notation& n) const {
+    MathBox box = piece(n.of[0]);
+    const char32_t mark = code_point(n.text, 0).letter;
+    const char32_t letter = mark == '~' ? U'\u02dc' : mark == '^' ? U'\u02c6' : mark;
+    const LetterBounds b = metrics_.bounds(letter, MathFace::signs, size_);
+    const float height = std::max(b.bottom - b.top, 1.f), lean = size_ * 0.05f;
+    const float x = box.width / 2 - (b.left + b.right) / 2 + lean;
+    const float y = -box.above - size_ * 0.07f - b.bottom;
+    box.letters.push_back({.letter = letter, .size = size_, .x = x, .y = y});
+    box.above += size_ * 0.07f + height;
+    return box;
+}
+
+MathBox Setter::fence(const Notation& n) const {
+    MathBox inner = row(n.of[0]);
+    const char32_t open = code_point(n.text, 0).letter;
+    const std::size_t second = code_point(n.text, 0).bytes;
+    const float margin = size_ * 0.06f;
+    const float top = -inner.above - margin, bottom = inner.below + margin;
+    MathBox box = stretched(open, top, bottom);
+    const float pad = open == '|' || open == U'‖' ? size_ * 0.04f : 0;
+    box.put(inner, box.width + pad, 0);
+    if (second < n.text.size()) box.put(stretched(code_point(n.text, second).letter, top, bottom), box.width + pad, 0);
+    return box;
+}
+
+MathBox Setter::grid(const Notation& n) const {
+    std::vector<std::vector<MathBox>> cells;
+    std::vector<float> widths(n.of[0].of.size(), 0), above, below;
+    for (const Notation& r : n.of) {
+        cells.emplace_back(), above.push_back(size_ * 0.5f), below.push_back(size_ * 0.15f);
+        for (std::size_t k = 0; k < r.of.size(); ++k) {
+            MathBox cell = row(r.of[k]);
+            widths[k] = std::max(widths[k], cell.width);
+            above.back() = std::max(above.back(), cell.above), below.back() = std::max(below.back(), cell.below);
+            cells.back().push_back(std::move(cell));
+        }
+    }
+    MathBox inner;
+    float height = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) height += above[i] + below[i] + (i ? size_ * 0.25f : 0);
+    float y = axis() - height / 2;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        y += above[i];
+        float x = 0;
+        for (std::size_t k = 0; k < cells[i].size(); ++k) {
+            inner.put(cells[i][k], x + (widths[k] - cells[i][k].width) / 2, y);
+            x += widths[k] + size_ * 0.6f;
+        }
+        inner.width = x - size_ * 0.6f;
+        y += below[i] + size_ * 0.25f;
+    }
+    const float top = -inner.above - size_ * 0.05f, bottom = inner.below + size_ * 0.05f;
+    MathBox box = stretched('[', top, bottom);
+    box.put(std::move(inner), box.width, 0);
+    box.put(stretched(']', top, bottom), box.width, 0);
+    return box;
+}
+
+bool may_break_before(const Notation* before, const Notation& next) {
+    if (!before) return false;
+    if (before->kind == Kind::gap || before->kind == Kind::comma || before->kind == Kind::words) return true;
+    return next.kind == Kind::relation || next.kind == Kind::words || (next.kind == Kind::sign && next.spaced);
+}
+
+// Words one by one, so that a line can end between them.
+Notation with_single_words(const Notation& row) {
+    Notation all;
+    for (const Notation& n : row.of) {
+        if (n.kind != Kind::words) {
+            all.of.push_back(n);
+            continue;
+        }
+        std::string_view rest = n.text;
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find(' '), rest.size());
+            all.of.push_back({.kind = Kind::words, .text = std::string(rest.substr(0, end)), .spaced = true});
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    }
+    return all;
+}
+
+// Greedy: a line takes what it can. The lines behind the first are indented.
+MathBox Setter::lines(const Notation& row, float width) const {
+    MathBox whole, line;
+    bool first = true;
+    const auto finish = [&] {
+        if (line.letters.empty()) return;
+        const float y = first ? 0 : whole.below + size_ * line_gap + std::max(line.above, size_ * 0.5f);
+        whole.put(std::exchange(line, {}), first ? 0 : size_ * indent, y);
+        first = false;
+    };
+    const Notation* before = nullptr;
+    for (std::size_t k = 0; k < row.of.size();) {
+        // What stays together, up to the next place for a break.
+        MathBox chunk;
+        const Notation* last = before;
+        std::size_t end = k;
+        do {
+            const float gap = end == k ? 0 : gap_between(last, row.of[end]);
+            const float x = chunk.width + gap;
+            chunk.put(piece(row.of[end]), x, 0);
+            last = &row.of[end++];
+        } while (end < row.of.size() && !may_break_before(last, row.of[end]));
+        const float gap = line.letters.empty() ? 0 : gap_between(before, row.of[k]);
+        const float room = width - (first ? 0 : size_ * indent);
+        if (width > 0 && !line.letters.empty() && line.width + gap + chunk.width > room) finish();
+        const float x = line.letters.empty() ? 0 : line.width + gap;
+        line.put(std::move(chunk), x, 0);
+        before = last, k = end;
+    }
+    finish();
+    return whole;
+}
+
+// With fractions and parentheses in the line, so that it can be broken within them.
+void append_in_line(const Notation& n, Notation& out);
+
+void append_group(const Notation& row, bool spaced, Notation& out) {
+    const std::size_t first = out.of.size();
+    const bool one = row.of.size() == 1 && row.of[0].kind != Kind::fraction && row.of[0].kind != Kind::fence;
+    if (!one) out.of.push_back({.kind = Kind::digits, .text = "("});
+    for (const Notation& part : row.of) append_in_line(part, out);
+    if (!one) out.of.push_back({.kind = Kind::digits, .text = ")"});
+    if (first < out.of.size()) out.of[first].spaced = spaced;
+    if (!one && first + 1 < out.of.size()) out.of[first + 1].spaced = false;
+}
+
+void append_in_line(const Notation& n, Notation& out) {
+    if (n.kind == Kind::fraction) {
+        append_group(n.of[0], n.spaced, out);
+        out.of.push_back({.kind = Kind::sign, .text = "/", .spaced = true});
+        append_group(n.of[1], true, out);
+    } else if (n.kind == Kind::fence && n.text == "()") {
+        append_group(n.of[0], n.spaced, out);
+    } else if (n.kind == Kind::scripts && n.of[0].kind == Kind::fence && n.of[0].text == "()") {
+        append_group(n.of[0].of[0], n.spaced, out);
+        Notation close{.kind = Kind::scripts, .of = {std::move(out.of.back()), n.of[1], n.of[2]}};
+        out.of.back() = std::move(close);
+    } else {
+        out.of.push_back(n);
+    }
+}
+
+}  // namespace
+
+void MathBox::move(float dx, float dy) {
+    for (PlacedLetter& l : letters) l.x += dx, l.y += dy, l.middle += dy;
+    for (PlacedRule& r : rules) r.x0 += dx, r.x1 += dx, r.y0 += dy, r.y1 += dy;
+    width += dx, above -= dy, below += dy;
+}
+
+void MathBox::put(MathBox other, float dx, float dy) {
+    other.move(dx, dy);
+    width = std::max(width, other.width);
+    above = std::max(above, other.above), below = std::max(below, other.below);
+    letters.insert(letters.end(), other.letters.begin(), other.letters.end());
+    rules.insert(rules.end(), other.rules.begin(), other.rules.end());
+}
+
+MathBox set_formula(const Notation& formula, const MathMetrics& metrics, float size, float width) {
+    const Setter setter(metrics, size, size);
+    MathBox box = setter.lines(with_single_words(formula), width);
+    if (width <= 0 || box.width <= width) return box;
+    Notation in_line;
+    for (const Notation& part : with_single_words(formula).of) append_in_line(part, in_line);
+    MathBox second = setter.lines(in_line, width);
+    return second.width < box.width ? second : box;
+}
+
+MathBox fitted_formula(const Notation& formula, const MathMetrics& metrics, float largest, float smallest, float width,
+                       float height) {
+    for (float size = largest; size > smallest; size -= std::max(0.5f, largest / 24)) {
+        MathBox box = set_formula(formula, metrics, size, width);
+        if (box.width <= width && box.height() <= height) return box;
+    }
+    return set_formula(formula, metrics, smallest, width);
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,73 @@
+#include "typeset/math_type.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pliant::viewer {
+namespace {
+
+// So that the words' small letters are as high as those of the mathematical face.
+constexpr float word_scale = 1.06f;
+
+void sort_by_height(std::vector<ImFont*>& fonts) {
+    std::ranges::sort(fonts, {}, [](const ImFont* f) { return f->FontSize; });
+}
+
+const ImFontGlyph* glyph_of(const ImFont& font, char32_t letter) {
+    return const_cast<ImFont&>(font).FindGlyph(static_cast<ImWchar>(letter));
+}
+
+}  // namespace
+
+MathType::MathType(std::vector<ImFont*> signs, std::vector<ImFont*> words) : signs_(std::move(signs)), words_(std::move(words)) {
+    sort_by_height(signs_), sort_by_height(words_);
+}
+
+// The lowest that need not be enlarged by more than a tenth.
+MathType::Sized MathType::sized(MathFace face, float size) const {
+    const auto& fonts = face == MathFace::words ? words_ : signs_;
+    if (face == MathFace::words) size *= word_scale;
+    const auto found = std::ranges::find_if(fonts, [&](const ImFont* f) { return 1.1f * f->FontSize >= size; });
+    const ImFont* font = found == fonts.end() ? fonts.back() : *found;
+    return {font, size / font->FontSize};
+}
+
+LetterBounds MathType::bounds(char32_t letter, MathFace face, float size) const {
+    const auto [font, scale] = sized(face, size);
+    const ImFontGlyph* g = glyph_of(*font, letter);
+    if (!g) return {};
+    return {g->AdvanceX * scale, g->X0 * scale, (g->Y0 - font->Ascent) * scale, g->X1 * scale, (g->Y1 - font->Ascent) * scale};
+}
+
+void MathType::draw(ImDrawList& list, const MathBox& box, const ImVec2& at, unsigned colour) const {
+    for (const PlacedLetter& l : box.letters) {
+        const auto [font, scale] = sized(l.face, l.size);
+        const ImFontGlyph* g = glyph_of(*font, l.letter);
+        if (!g || !g->Visible) continue;
+        // Drawn at its own height it stands on whole pixels, where it is sharp.
+        const bool sharp = scale == 1 && l.stretch == 1;
+        const float x = sharp ? std::round(at.x + l.x) : at.x + l.x, base = sharp ? std::round(at.y + l.y) : at.y + l.y;
+        const float top = base + (g->Y0 - font->Ascent) * scale, bottom = base + (g->Y1 - font->Ascent) * scale;
+        const float middle = (top + bottom) / 2, half = (bottom - top) / 2 * l.stretch;
+        list.PrimReserve(6, 4);
+        list.PrimRectUV({x + g->X0 * scale, middle - half}, {x + g->X1 * scale, middle + half}, {g->U0, g->V0}, {g->U1, g->V1},
+                        colour);
+    }
+    for (const PlacedRule& r : box.rules)
+        list.AddRectFilled({at.x + r.x0, std::round(at.y + r.y0)}, {at.x + r.x1, std::round(at.y + r.y0) + r.y1 - r.y0}, colour);
+}
+
+void draw_item(const MathType& type, const MathBox& box, unsigned colour) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    type.draw(*ImGui::GetWindowDrawList(), box, {at.x, at.y + box.above}, colour);
+    ImGui::Dummy({box.width, box.height()});
+}
+
+void formula_item(const MathType& type, std::string_view text, float size, float width) {
+    draw_item(type, set_formula(notation(text), type, size, width), ImGui::GetColorU32(ImGuiCol_Text));
+}
+
+}  // namespace pliant::viewer
