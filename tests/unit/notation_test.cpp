@@ -16,6 +16,7 @@ using Kind = Notation::Kind;
 
 // The letters that are left when all structure is taken away, without blanks.
 std::string letters_of(const Notation& n) {
+    if (n.kind == Kind::fraction && !n.text.empty()) return n.text;
     std::string all = n.kind == Kind::fence || n.kind == Kind::accent ? "" : n.text;
     for (const Notation& part : n.of) all += letters_of(part);
     return all;
@@ -79,13 +80,15 @@ TEST_CASE("notation: words stand upright, letters side by side do not") {
     CHECK(latex("dx ≈ F dX") == "dx \\approx F dX");
     CHECK(latex("ε:ε") == "\\varepsilon:\\varepsilon");
     CHECK(latex("explicit: x′ = x") == "\\text{explicit}: x^{\\prime} = x");
+    CHECK(count(notation("at a node + k"), Kind::prefix) == 0);
+    CHECK(count(notation("by −k"), Kind::prefix) == 1);
     CHECK(latex("−0.5 + 1e-05") == "-0.5 + 1e-05");
 }
 
 TEST_CASE("notation: whatever the text, no letter of it is lost") {
     const std::string text =
-        GENERATE("", ")", "((", "|", "a |", "/", "a /", "a / ", "_", "x_", "x^", "√", "√(", "Σ", "a_b_c_d", "]x[", "½½", "‖a",
-                 "a|b|c|", "x ∈ ℝ", "\xff\xfe", "a ^ b", "1.2.3", "{a; b}", "[a; b c]", "(a]", "≤≥", "𝜓", "f(", "−−−", "a , ; b");
+        GENERATE("", ")", "((", "|", "a |", "/", "a /", "a / ", "_", "x_", "x^", "√", "√(", "Σ", "a_b_c_d", "]x[", "‖a", "a|b|c|",
+                 "x ∈ ℝ", "½½⅓", "\xff\xfe", "a ^ b", "1.2.3", "{a; b}", "[a; b c]", "(a]", "≤≥", "𝜓", "f(", "−−−", "a , ; b");
     const Notation n = notation(text);
     std::string expected;
     for (const char c : text)
@@ -105,4 +108,14 @@ TEST_CASE("notation: sums are large, remarks stand apart") {
     CHECK(count(notation("f_a − Σ_b K_ab u_b"), Kind::large) == 1);
     CHECK(latex("Σ_b K_ab") == "\\sum_{b} K_{ab}");
     CHECK(count(notation("x = φ(X),  dX = Q − P"), Kind::gap) == 1);
+}
+
+TEST_CASE("notation: units behind numbers stand upright where a text has quantities") {
+    const auto upright = [](std::string_view text) { return count(notation(text, Numbers::with_units), Kind::name); };
+    CHECK(upright("k = 200 N/m") == 1);
+    CHECK(upright("L = 200 mm, 3 kg m") == 2);
+    CHECK(upright("10³ mm/s") == 1);
+    CHECK(upright("16.7 ms") == 1);
+    CHECK(upright("k m x") == 0);
+    CHECK(count(notation("2 m g"), Kind::name) == 0);
 }

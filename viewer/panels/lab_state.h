@@ -189,7 +189,7 @@ std::string words(std::string_view key);
 // The words with the symbol behind them; the symbol alone where it says the same: det F, P₁₁.
 std::string name_with_symbol(std::string_view key, std::string_view symbol, std::string_view gap);
 
-inline constexpr float stage_height = 60, least_stage_width = 104, stage_scrollbar = 9;  // px at scale 1
+inline constexpr float stage_height = 74, least_stage_width = 104, most_stage_width = 320, stage_scrollbar = 9;  // px at scale 1
 
 // Measures key numbers and lights anew, if the run has moved.
 void measure_held_numbers(LabState& lab);

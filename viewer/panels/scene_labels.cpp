@@ -1,9 +1,9 @@
 // Words over the picture.
 #include "panels/scene_view.h"
-#include "platform/index_letters.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -20,16 +20,21 @@ ImFont* font_of(const LabState& lab, const LabelMark& label, ImFont* font) {
 }
 
 struct PlacedLabel {
-    std::vector<std::string> lines;
+    MathBox words;
     ImVec2 at, size;
+
+    bool empty() const { return words.letters.empty(); }
 };
 
 // Where a label stands in the picture, in the present type.
 PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark& l, const Eigen::Vector3f& p, float scale) {
-    const std::string text = with_index_letters(l.text);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float type = ImGui::GetFontSize();
     // One that is wider than the picture stands above its place, in lines.
-    const float more_lines = size.x > view.label_width - 8 ? std::floor(size.x / (view.label_width - 8)) * size.y : 0;
+    MathBox words =
+        set_formula(notation(l.text, Numbers::with_units), lab.fonts.mathematics, type, view.label_width - 8, Fractions::in_line);
+    words.above = std::max(words.above, 0.75f * type), words.below = std::max(words.below, 0.2f * type);
+    const ImVec2 size{words.width, std::min(words.height(), ImGui::GetTextLineHeight())};
+    const float more_lines = words.height() - size.y;
     Eigen::Vector2f beyond(0, 0);
     if (l.away_from) {
         const Eigen::Vector2f d = (p - view.projection.pixel(*l.away_from)).head<2>().normalized();
@@ -40,7 +45,7 @@ PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark&
         std::clamp(p.x() + beyond.x() + offset * l.offset_x - size.x / 2, 4.f, std::max(4.f, view.label_width - size.x - 4));
     const float y = std::clamp(p.y() + beyond.y() + offset * l.offset_y - size.y / 2 - more_lines, 2.f,
                                std::max(2.f, view.size.y - size.y - 2));
-    return {broken_lines(text, view.label_width - 8), {x, y}, {size.x, size.y + more_lines}};
+    return {std::move(words), {x, y}, {size.x, size.y + more_lines}};
 }
 
 // Those that are in front of the eye; empty ones stand for the others.
@@ -63,7 +68,7 @@ std::size_t overlaps(const std::vector<PlacedLabel>& labels) {
         for (std::size_t j = 0; j < i; ++j) {
             const PlacedLabel &a = labels[i], &b = labels[j];
             // The space between lines may be shared.
-            count += !a.lines.empty() && !b.lines.empty() && !apart(a.at.x, a.size.x, b.at.x, b.size.x) &&
+            count += !a.empty() && !b.empty() && !apart(a.at.x, a.size.x, b.at.x, b.size.x) &&
                      !apart(a.at.y, 0.8f * a.size.y, b.at.y, 0.8f * b.size.y);
         }
     return count;
@@ -87,7 +92,7 @@ void draw_plates(LabState& lab, const View& view, const std::vector<PlacedLabel>
     const unsigned plate = packed(palette(lab.theme).background, 0.68f);
     const float pad = lab.px(3);
     for (const PlacedLabel& l : labels) {
-        if (l.lines.empty()) continue;
+        if (l.empty()) continue;
         const ImVec2 from{view.origin.x + l.at.x, view.origin.y + l.at.y};
         ImGui::GetWindowDrawList()->AddRectFilled({from.x - pad, from.y}, {from.x + l.size.x + pad, from.y + l.size.y}, plate,
                                                   pad);
@@ -107,13 +112,9 @@ void draw_labels(LabState& lab, const View& view) {
     draw_plates(lab, view, placed);
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const LabelMark& label = view.picture->scene.labels[i];
-        ImGui::PushFont(font_of(lab, label, font));
-        float y = view.origin.y + placed[i].at.y;
-        for (const std::string& line : placed[i].lines) {
-            ImGui::GetWindowDrawList()->AddText({view.origin.x + placed[i].at.x, y}, lab.ink(label.ink), line.c_str());
-            y += ImGui::GetTextLineHeight();
-        }
-        ImGui::PopFont();
+        const PlacedLabel& l = placed[i];
+        lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), l.words,
+                                   {view.origin.x + l.at.x, view.origin.y + l.at.y + l.words.above}, lab.ink(label.ink));
     }
 }
 

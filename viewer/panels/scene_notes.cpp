@@ -1,12 +1,10 @@
 // Notes, in a strip above the picture that they are about.
-#include "panels/flowing_text.h"
 #include "panels/scene_view.h"
-#include "platform/index_letters.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
-#include <sstream>
+#include <string_view>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -14,22 +12,22 @@ namespace {
 constexpr float most_of_room = 1 / 3.f, most_in_normal_type = 0.2f;  // of the height of the panel
 
 struct NoteLine {
-    ImFont* font;
+    MathBox words;
     Ink ink;
-    std::string text;
-    float height() const { return 1.25f * font->FontSize; }
+    float space;  // below it, px
+    float height() const { return words.height() + space; }
 };
 
 std::vector<NoteLine> note_lines(LabState& lab, const Notes& notes, bool small, float width) {
     std::vector<NoteLine> lines;
-    const auto add = [&](ImFont* font, Ink ink, const std::string& text) {
-        const std::string words = with_index_letters(text);
-        const float room = width - lab.px(20);
-        const bool fits = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.c_str()).x <= room;
-        std::istringstream parts(fits ? words : flowing_text(words, font, room));
-        for (std::string line; std::getline(parts, line);) lines.push_back({font, ink, line});
+    const auto add = [&](const ImFont* font, Ink ink, std::string_view text) {
+        const float type = font->FontSize;
+        MathBox words =
+            set_formula(notation(text, Numbers::with_units), lab.fonts.mathematics, type, width - lab.px(20), Fractions::in_line);
+        words.above = std::max(words.above, 0.75f * type), words.below = std::max(words.below, 0.2f * type);
+        lines.push_back({std::move(words), ink, 0.28f * type});
     };
-    if (!notes.heading.empty()) add(small ? lab.fonts.normal : lab.fonts.medium, Ink::accent, std::string(notes.heading));
+    if (!notes.heading.empty()) add(small ? lab.fonts.normal : lab.fonts.medium, Ink::accent, notes.heading);
     for (const std::string& note : *notes.lines) add(small ? lab.fonts.small : lab.fonts.normal, Ink::text, note);
     return lines;
 }
@@ -78,9 +76,9 @@ void draw_notes(LabState& lab, const View& view) {
         note_lines(lab, {view.heading, &view.picture->scene.notes}, lab.notes_strip.small, view.size.x);
     float y = view.origin.y - view.above + lab.px(8);
     for (const NoteLine& line : lines) {
-        if (y + line.font->FontSize > view.origin.y) return;
-        ImGui::GetWindowDrawList()->AddText(line.font, line.font->FontSize, {view.origin.x + lab.px(10), y}, lab.ink(line.ink),
-                                            line.text.c_str());
+        if (y + line.words.height() > view.origin.y) return;
+        lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), line.words, {view.origin.x + lab.px(10), y + line.words.above},
+                                   lab.ink(line.ink));
         y += line.height();
     }
 }

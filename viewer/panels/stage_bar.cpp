@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace pliant::viewer {
 namespace {
@@ -89,6 +91,29 @@ bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, floa
     return pressed;
 }
 
+float stage_pad(const LabState& lab) { return lab.px(6); }
+// The room below the name of a stage.
+float formula_height(const LabState& lab) {
+    return lab.px(stage_height) - 1.4f * stage_pad(lab) - 1.25f * lab.fonts.small->FontSize;
+}
+
+constexpr float most_unbroken = 200;  // px at scale 1
+
+// In which its formula can be read.
+float stage_width(const LabState& lab, std::string_view formula) {
+    const Notation text = notation(formula);
+    const float type = 0.95f * lab.fonts.normal->FontSize;
+    // One that is not too wide is not broken.
+    const float whole = (set_formula(text, lab.fonts.mathematics, type).width + 2 * stage_pad(lab)) / lab.scale;
+    float width = whole < most_unbroken ? std::max(least_stage_width, std::ceil(whole)) : most_unbroken;
+    for (; width < most_stage_width; width += 24) {
+        const float room = lab.px(width) - 2 * stage_pad(lab);
+        const MathBox box = set_formula(text, lab.fonts.mathematics, type, room);
+        if (box.width <= room && box.height() <= formula_height(lab)) break;
+    }
+    return lab.px(width);
+}
+
 // In the largest type in which it fits; what does not even fit in the smallest fades out at the end of the box.
 void draw_formula(LabState& lab, std::string_view formula, ImVec2 at, ImVec2 room) {
     const MathBox box = fitted_formula(notation(formula), lab.fonts.mathematics, 1.15f * lab.fonts.normal->FontSize,
@@ -111,7 +136,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     if (next) draw->AddRect(at, {at.x + width, at.y + height}, lab.ink(Ink::accent), lab.px(4), 0, line);
 
     draw->PushClipRect(at, {at.x + width, at.y + height}, true);
-    const float pad = lab.px(6);
+    const float pad = stage_pad(lab);
     std::string name = fmt::format("{} {}", i + 1, words(stage.name));
     if (next && runner.passes_in_stage() > 0) name += fmt::format(" · pass {}", runner.passes_in_stage());
     const float dot = ImGui::GetTextLineHeight() * 0.5f;
@@ -123,7 +148,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
     ImGui::TextDisabled("%s", ms.c_str());
     const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
-    draw_formula(lab, stage.formula, formula, {width - 2 * pad, at.y + height - formula.y - 0.4f * pad});
+    draw_formula(lab, stage.formula, formula, {width - 2 * pad, formula_height(lab)});
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({at.x + 2 * pad + dot, at.y + pad * 0.4f});
     const float room = width - ms_width - 4 * pad - dot;
@@ -191,21 +216,26 @@ void draw_stage_bar(LabState& lab) {
     const Runner& runner = lab.session.runner();
     const auto& stages = runner.stages();
     if (stages.empty()) return;
-    // Where they would be too narrow to read, they are looked through sideways, and the one that is done stays in sight.
+    // Where they take more room than there is, they are looked through sideways, and the one that is done stays in sight.
     const auto count = static_cast<float>(stages.size());
-    const float gap = lab.px(5), share = (ImGui::GetContentRegionAvail().x - gap * (count - 1)) / count,
-                width = std::max(share, lab.px(least_stage_width));
-    const bool scrolls = width > share;
+    const float gap = lab.px(5);
+    std::vector<float> widths;
+    for (const Stage* stage : stages) widths.push_back(stage_width(lab, stage->formula));
+    const float spare = ImGui::GetContentRegionAvail().x - gap * (count - 1) - std::accumulate(widths.begin(), widths.end(), 0.f);
+    if (spare > 0)
+        for (float& width : widths) width += spare / count;
+    const bool scrolls = spare < 0;
     lab.stages_scroll = scrolls;
     ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, lab.px(stage_scrollbar));
     ImGui::BeginChild("stages", {0, lab.px(stage_height + (scrolls ? stage_scrollbar : 0))}, ImGuiChildFlags_None,
                       ImGuiWindowFlags_NavFlattened | (scrolls ? ImGuiWindowFlags_AlwaysHorizontalScrollbar : 0));
     const auto seen = runner.inside_step() ? runner.last_stage() : std::optional<std::size_t>(0);
     if (scrolls && seen && seen != std::exchange(lab.stage_in_sight, seen))
-        ImGui::SetScrollX((static_cast<float>(*seen) - 0.5f) * (width + gap));
+        ImGui::SetScrollX(std::accumulate(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(*seen), 0.f) +
+                          gap * static_cast<float>(*seen) - lab.px(least_stage_width) / 2);
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i) ImGui::SameLine(0, gap);
-        stage_box(lab, *stages[i], runner.cost(*stages[i]), i, width, lab.px(stage_height));
+        stage_box(lab, *stages[i], runner.cost(*stages[i]), i, widths[i], lab.px(stage_height));
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -26,10 +26,17 @@ class Setter {
 public:
     Setter(const MathMetrics& metrics, float size, float whole) : metrics_(metrics), size_(size), whole_(whole) {}
 
+    // In the face of the words: of a sentence that has numbers but no symbols.
+    void set_prose() { prose_ = true; }
+
     MathBox lines(const Notation& row, float width) const;
 
 private:
-    Setter smaller(float factor) const { return {metrics_, std::max(size_ * factor, whole_ * smallest_script), whole_}; }
+    Setter smaller(float factor) const {
+        Setter inner(metrics_, std::max(size_ * factor, whole_ * smallest_script), whole_);
+        inner.prose_ = prose_;
+        return inner;
+    }
     bool is_script() const { return size_ < 0.8f * whole_; }
     float thickness() const { return std::max(1.f, std::round(size_ * rule)); }
     // Of the line on which fractions and signs are centred.
@@ -53,10 +60,21 @@ private:
 
     const MathMetrics& metrics_;
     float size_, whole_;
+    bool prose_ = false;
 };
+
+// Neither symbols nor relations stand in it.
+bool is_prose(const Notation& row) {
+    return std::ranges::none_of(row.of, [](const Notation& n) {
+        return n.kind == Kind::variable || n.kind == Kind::relation || n.kind == Kind::accent || n.kind == Kind::large ||
+               (n.kind == Kind::fraction && n.text.empty()) || (!n.of.empty() && n.text.empty() && !is_prose(n)) ||
+               (n.kind == Kind::fence && !is_prose(n.of[0]));
+    });
+}
 
 MathBox Setter::letters(std::string_view text, LetterShape shape, MathFace face) const {
     MathBox box;
+    if (prose_) face = MathFace::words;
     for (std::size_t at = 0; at < text.size();) {
         const CodePoint c = code_point(text, at);
         at += c.bytes;
@@ -144,7 +162,7 @@ MathBox Setter::piece(const Notation& n) const {
 }
 
 MathBox Setter::fraction(const Notation& n) const {
-    const Setter inner = smaller(fraction_size);
+    const Setter inner = smaller(n.text.empty() ? fraction_size : script_size);
     MathBox above = inner.row(n.of[0]), below = inner.row(n.of[1]);
     const float y = axis(), line = thickness(), gap = size_ * fraction_gap, side = size_ * 0.06f;
     MathBox box;
@@ -263,6 +281,16 @@ MathBox Setter::grid(const Notation& n) const {
     return box;
 }
 
+std::vector<Notation> formulas_of(const Notation& row) {
+    std::vector<Notation> all(1);
+    for (const Notation& n : row.of)
+        if (n.kind == Kind::gap)
+            all.emplace_back();
+        else
+            all.back().of.push_back(n);
+    return all;
+}
+
 bool may_break_before(const Notation* before, const Notation& next) {
     if (!before) return false;
     if (before->kind == Kind::gap || before->kind == Kind::comma || before->kind == Kind::words) return true;
@@ -287,61 +315,84 @@ Notation with_single_words(const Notation& row) {
     return all;
 }
 
-// Greedy: a line takes what it can. The lines behind the first are indented.
+// Greedy: a line takes what it can, first whole formulas, then what stays together in one that is too wide. The lines of a
+// formula behind its first are indented.
 MathBox Setter::lines(const Notation& row, float width) const {
     MathBox whole, line;
-    bool first = true;
-    const auto finish = [&] {
-        if (line.letters.empty()) return;
-        const float y = first ? 0 : whole.below + size_ * line_gap + std::max(line.above, size_ * 0.5f);
-        whole.put(std::exchange(line, {}), first ? 0 : size_ * indent, y);
-        first = false;
+    float left = 0;  // of the present line
+    const auto finish = [&](float next_left) {
+        if (!line.letters.empty()) {
+            const bool first = whole.letters.empty();
+            const float y = first ? 0 : whole.below + size_ * line_gap + std::max(line.above, size_ * 0.5f);
+            whole.put(std::exchange(line, {}), left, y);
+        }
+        left = next_left;
     };
-    const Notation* before = nullptr;
-    for (std::size_t k = 0; k < row.of.size();) {
-        // What stays together, up to the next place for a break.
-        MathBox chunk;
-        const Notation* last = before;
-        std::size_t end = k;
-        do {
-            const float gap = end == k ? 0 : gap_between(last, row.of[end]);
-            const float x = chunk.width + gap;
-            chunk.put(piece(row.of[end]), x, 0);
-            last = &row.of[end++];
-        } while (end < row.of.size() && !may_break_before(last, row.of[end]));
-        const float gap = line.letters.empty() ? 0 : gap_between(before, row.of[k]);
-        const float room = width - (first ? 0 : size_ * indent);
-        if (width > 0 && !line.letters.empty() && line.width + gap + chunk.width > room) finish();
+    const auto put = [&](MathBox box, float gap) {
         const float x = line.letters.empty() ? 0 : line.width + gap;
-        line.put(std::move(chunk), x, 0);
-        before = last, k = end;
+        line.put(std::move(box), x, 0);
+    };
+    const auto fits = [&](const MathBox& box, float gap) {
+        return width <= 0 || left + line.width + (line.letters.empty() ? 0 : gap) + box.width <= width;
+    };
+    for (const Notation& formula : formulas_of(row)) {
+        MathBox box = this->row(formula);
+        const float gap = size_ * between_formulas;
+        if (!fits(box, gap)) finish(0);
+        if (fits(box, gap)) {
+            put(std::move(box), gap);
+            continue;
+        }
+        const Notation* before = nullptr;
+        for (std::size_t k = 0; k < formula.of.size();) {
+            std::size_t end = k + 1;
+            while (end < formula.of.size() && !may_break_before(&formula.of[end - 1], formula.of[end])) ++end;
+            const Notation together{.of = {formula.of.begin() + static_cast<std::ptrdiff_t>(k),
+                                           formula.of.begin() + static_cast<std::ptrdiff_t>(end)}};
+            const float space = gap_between(before, formula.of[k]);
+            MathBox chunk = this->row(together);
+            if (!fits(chunk, space)) finish(k ? size_ * indent : 0);
+            put(std::move(chunk), space);
+            before = &formula.of[end - 1], k = end;
+        }
     }
-    finish();
+    finish(0);
     return whole;
 }
 
 // With fractions and parentheses in the line, so that it can be broken within them.
 void append_in_line(const Notation& n, Notation& out);
 
-void append_group(const Notation& row, bool spaced, Notation& out) {
+void append_fenced(const Notation& row, bool spaced, Notation& out) {
+    out.of.push_back({.kind = Kind::digits, .text = "(", .spaced = spaced});
     const std::size_t first = out.of.size();
-    const bool one = row.of.size() == 1 && row.of[0].kind != Kind::fraction && row.of[0].kind != Kind::fence;
-    if (!one) out.of.push_back({.kind = Kind::digits, .text = "("});
     for (const Notation& part : row.of) append_in_line(part, out);
-    if (!one) out.of.push_back({.kind = Kind::digits, .text = ")"});
+    if (first < out.of.size()) out.of[first].spaced = false;
+    out.of.push_back({.kind = Kind::digits, .text = ")"});
+}
+
+// below: the line, where more than one factor needs parentheses.
+void append_group(const Notation& row, bool spaced, bool below, Notation& out) {
+    const std::size_t first = out.of.size();
+    const auto stands_alone = [](const Notation& n) { return n.kind != Kind::prefix; };
+    const bool factors = below && std::ranges::count_if(row.of, stands_alone) > 1;
+    const bool one = !factors && std::ranges::none_of(row.of, [](const Notation& n) {
+        return n.kind == Kind::sign || n.kind == Kind::relation || (n.kind == Kind::fraction && n.text.empty());
+    });
+    if (!one) return append_fenced(row, spaced, out);
+    for (const Notation& part : row.of) append_in_line(part, out);
     if (first < out.of.size()) out.of[first].spaced = spaced;
-    if (!one && first + 1 < out.of.size()) out.of[first + 1].spaced = false;
 }
 
 void append_in_line(const Notation& n, Notation& out) {
-    if (n.kind == Kind::fraction) {
-        append_group(n.of[0], n.spaced, out);
-        out.of.push_back({.kind = Kind::sign, .text = "/", .spaced = true});
-        append_group(n.of[1], true, out);
+    if (n.kind == Kind::fraction && n.text.empty()) {
+        append_group(n.of[0], n.spaced, false, out);
+        out.of.push_back({.kind = Kind::sign, .text = "/"});
+        append_group(n.of[1], false, true, out);
     } else if (n.kind == Kind::fence && n.text == "()") {
-        append_group(n.of[0], n.spaced, out);
+        append_fenced(n.of[0], n.spaced, out);
     } else if (n.kind == Kind::scripts && n.of[0].kind == Kind::fence && n.of[0].text == "()") {
-        append_group(n.of[0].of[0], n.spaced, out);
+        append_fenced(n.of[0].of[0], n.spaced, out);
         Notation close{.kind = Kind::scripts, .of = {std::move(out.of.back()), n.of[1], n.of[2]}};
         out.of.back() = std::move(close);
     } else {
@@ -365,14 +416,17 @@ void MathBox::put(MathBox other, float dx, float dy) {
     rules.insert(rules.end(), other.rules.begin(), other.rules.end());
 }
 
-MathBox set_formula(const Notation& formula, const MathMetrics& metrics, float size, float width) {
-    const Setter setter(metrics, size, size);
-    MathBox box = setter.lines(with_single_words(formula), width);
-    if (width <= 0 || box.width <= width) return box;
+MathBox set_formula(const Notation& formula, const MathMetrics& metrics, float size, float width, Fractions fractions) {
+    Setter setter(metrics, size, size);
+    if (is_prose(formula)) setter.set_prose();
+    const Notation words = with_single_words(formula);
+    const bool stacked = fractions == Fractions::stacked;
+    MathBox box = stacked ? setter.lines(words, width) : MathBox{};
+    if (stacked && (width <= 0 || box.width <= width)) return box;
     Notation in_line;
-    for (const Notation& part : with_single_words(formula).of) append_in_line(part, in_line);
+    for (const Notation& part : words.of) append_in_line(part, in_line);
     MathBox second = setter.lines(in_line, width);
-    return second.width < box.width ? second : box;
+    return !stacked || second.width < box.width ? second : box;
 }
 
 MathBox fitted_formula(const Notation& formula, const MathMetrics& metrics, float largest, float smallest, float width,

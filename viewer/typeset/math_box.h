@@ -45,10 +45,16 @@ struct MathBox {
     void put(MathBox other, float dx, float dy);
 };
 
-// The formula in type of this size, in lines of at most `width` where there are places to break it: between formulas, at commas,
-// before relations and signs. What is still too wide is set once more with its fractions and parentheses in the line, where it
-// breaks within them. `width` ≤ 0: one line.
-MathBox set_formula(const Notation& formula, const MathMetrics& metrics, float size, float width = 0);
+enum class Fractions {
+    stacked,
+    in_line  // with a slash, where lines have to stay low
+};
+
+// The formula in type of this size, in lines of at most `width` where there are places to break it: between formulas, else at
+// commas, before relations and signs, between words. What is still too wide is set once more with its fractions and parentheses
+// in the line, where it breaks within them. `width` ≤ 0: one line.
+MathBox set_formula(const Notation& formula, const MathMetrics& metrics, float size, float width = 0,
+                    Fractions fractions = Fractions::stacked);
 
 // The largest of the sizes from `largest` down to `smallest` (px) with which it fits into width × height, else the smallest.
 MathBox fitted_formula(const Notation& formula, const MathMetrics& metrics, float largest, float smallest, float width,

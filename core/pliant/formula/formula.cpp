@@ -12,7 +12,7 @@ namespace {
 constexpr Real radians_of_degree = std::numbers::pi / 180;
 
 // A whole power by products, so that x² has the bits of x · x.
-Real raised(Real base, Real exponent) {
+Real power_of(Real base, Real exponent) {
     if (exponent == 2) return base * base;
     if (exponent == 3) return base * base * base;
     if (exponent == 1) return base;
@@ -127,7 +127,7 @@ std::vector<Real> Formula::values_of_nodes(std::span<const Real> values) const {
                 v[k] = operand(0) / operand(1);
                 break;
             case Operation::power:
-                v[k] = raised(operand(0), operand(1));
+                v[k] = power_of(operand(0), operand(1));
                 break;
             case Operation::root:
                 v[k] = std::sqrt(operand(0));
@@ -181,7 +181,7 @@ std::vector<Real> Formula::gradient(std::span<const Real> values) const {
                 pass_on(0, 1 / operand(1)), pass_on(1, -v[k] / operand(1));
                 break;
             case Operation::power:
-                if (operand(1) != 0) pass_on(0, operand(1) * raised(operand(0), operand(1) - 1));
+                if (operand(1) != 0) pass_on(0, operand(1) * power_of(operand(0), operand(1) - 1));
                 if (nodes_[static_cast<std::size_t>(n.of[1])].operation != Operation::number && operand(0) > 0)
                     pass_on(1, v[k] * std::log(operand(0)));
                 break;

@@ -47,6 +47,9 @@ constexpr std::array<AccentedLetter, 13> accented_letters{{{U'ũ', "u", "~"},
                                                            {U'ẋ', "x", "˙"},
                                                            {U'ẍ', "x", "¨"},
                                                            {U'ẏ', "y", "˙"}}};
+// "½" and its like, with the digits above and below the line.
+constexpr std::array<std::pair<char32_t, std::string_view>, 8> small_fractions{
+    {{U'½', "12"}, {U'¼', "14"}, {U'¾', "34"}, {U'⅓', "13"}, {U'⅔', "23"}, {U'⅙', "16"}, {U'⅛', "18"}, {U'⅕', "15"}}};
 constexpr std::array<std::pair<char32_t, std::string_view>, 5> combining_accents{
     {{U'\u0302', "^"}, {U'\u0303', "~"}, {U'\u0304', "¯"}, {U'\u0307', "˙"}, {U'\u0308', "¨"}}};
 
@@ -126,7 +129,7 @@ private:
         if (numbers_ == Numbers::plain || blanks != 1 || all.of.empty()) return false;
         const Notation& last = all.of.back().kind == Kind::scripts ? all.of.back().of[0] : all.of.back();
         const std::string_view token = text_.substr(at_, token_end() - at_);
-        return last.kind == Kind::digits && !token.empty() && is_unit(token);
+        return last.kind == Kind::digits && !token.empty() && is_prefixed_unit(token);
     }
     Notation unit() {
         const std::size_t from = at_;
@@ -178,6 +181,9 @@ private:
         if (c == U'√') return root();
         if (is_latin(c)) return letters(before);
         if (is_large(c)) return {.kind = Kind::large, .text = std::string(take_letter())};
+        if (const auto f = std::ranges::find(small_fractions, c, [](const auto& s) { return s.first; });
+            f != small_fractions.end())
+            return small_fraction(f->second);
         if (is_relation(c)) return relation();
         if (is_sign(c)) return sign(before);
         if (c == ',' || c == ';') return {.kind = Kind::comma, .text = std::string(take_letter())};
@@ -198,6 +204,13 @@ private:
         if (accent.empty()) return base;
         take_letter();
         return accented(std::move(base), accent);
+    }
+
+    Notation small_fraction(std::string_view digits) {
+        const auto digit = [&](std::size_t k) {
+            return Notation{.of = {{.kind = Kind::digits, .text = std::string(digits.substr(k, 1))}}};
+        };
+        return {.kind = Kind::fraction, .text = std::string(take_letter()), .of = {digit(0), digit(1)}};
     }
 
     Notation fenced(char32_t open) {
@@ -282,10 +295,11 @@ private:
         std::string text(take_letter());
         if (text == "-") text = "−";
         if (here() == '=' && (text == "+" || text == "−")) return ++at_, Notation{.kind = Kind::relation, .text = text + "="};
-        const bool first = before.of.empty() || before.of.back().kind == Kind::sign || before.of.back().kind == Kind::relation ||
-                           before.of.back().kind == Kind::comma || before.of.back().kind == Kind::gap ||
-                           before.of.back().kind == Kind::words || before.of.back().kind == Kind::large;
-        if (text == ":" && (before.of.empty() || here() == ' ')) return {.kind = Kind::comma, .text = ":"};
+        const Kind last = before.of.empty() ? Kind::gap : before.of.back().kind;
+        const bool first = last == Kind::gap || last == Kind::sign || last == Kind::relation || last == Kind::comma ||
+                           last == Kind::large || (last == Kind::words && here() != ' ');
+        const bool apart = at_ > 1 && text_[at_ - 2] == ' ';
+        if (text == ":" && (before.of.empty() || (here() == ' ' && !apart))) return {.kind = Kind::comma, .text = ":"};
         return {.kind = first && text != "·" ? Kind::prefix : Kind::sign, .text = std::move(text)};
     }
 

@@ -21,7 +21,7 @@ struct Notation {
         comma,     // and semicolon
         large,     // Σ ∫: takes its indices above and below
         gap,       // between formulas of one line
-        fraction,  // of[0] over of[1]
+        fraction,  // of[0] over of[1]; text: "½" of one that is a single letter
         root,      // of[0]
         scripts,   // of[0] with of[1] below and of[2] above; rows, which may be empty
         accent,    // text over of[0]: "~", "^", "¯", "˙"

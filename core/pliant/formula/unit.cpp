@@ -150,4 +150,11 @@ bool is_unit(std::string_view text) {
     }
 }
 
+bool is_prefixed_unit(std::string_view text) {
+    if (is_unit(text)) return true;
+    for (const std::string_view prefix : {"p", "n", "µ", "μ", "m", "c", "k", "M", "G", "T"})
+        if (text.starts_with(prefix) && text.size() > prefix.size() && is_unit(text.substr(prefix.size()))) return true;
+    return false;
+}
+
 }  // namespace pliant

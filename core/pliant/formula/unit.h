@@ -39,5 +39,7 @@ private:
 
 // Whether Unit can read it.
 bool is_unit(std::string_view text);
+// The same with a prefix before it, "mm/s", "kPa", as quantities are written.
+bool is_prefixed_unit(std::string_view text);
 
 }  // namespace pliant

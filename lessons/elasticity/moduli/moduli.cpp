@@ -131,7 +131,7 @@ void ModuliLesson::declare_stages() {
                .writes = {"load"},
                .explain = [this](const Question& q) { return why_load(q.index, q.component); }},
               {.name = "solve",
-               .formula = "K u = f:  u ← u + α p,  α = r·z / p·Kp",
+               .formula = "K u = f:  u ← u + α p,  α = r·z / (p·Kp)",
                .source = "conjugate gradients, preconditioned with incomplete Cholesky [Shewchuk1994 §B3]",
                .run = [this] { solve_pass(); },
                .reads = {"load", "displacement"},

@@ -61,7 +61,7 @@ void ClothLesson::declare_stages() {
          .writes = {"spring_force", "strain", "stretch", "bending"},
          .explain = [this](const Question& q) { return why_spring_stage(q); }},
         {.name = "damping_forces",
-         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / xᵢⱼ·xᵢⱼ) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
+         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
          .source = "lecture: mass–spring system; [Nealen2006 §3]",
          .run = [this] { damping_stage(); },
          .reads = {"position", "velocity"},

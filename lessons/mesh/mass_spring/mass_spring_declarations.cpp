@@ -53,7 +53,7 @@ void MassSpringLesson::declare_stages() {
          .active = [this] { return !tested(); },
          .explain = [this](const Question& q) { return why_spring_stage(q); }},
         {.name = "damping_forces",
-         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / xᵢⱼ·xᵢⱼ) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
+         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
          .source = "lecture: mass–spring system; [Nealen2006 §3]",
          .run = [this] { damping_stage(); },
          .reads = {"position", "velocity"},
