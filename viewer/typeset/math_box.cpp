@@ -19,6 +19,7 @@ using Kind = Notation::Kind;
 constexpr float script_size = 0.72f, smallest_script = 0.55f, fraction_size = 0.92f;
 constexpr float around_sign = 0.20f, around_relation = 0.25f, after_comma = 0.22f, between_formulas = 1.1f, beside_words = 0.24f,
                 between_factors = 0.13f, after_name = 0.14f;
+constexpr float least_before_breaking = 0.7f;
 constexpr float fraction_gap = 0.10f, rule = 0.055f, line_gap = 0.30f, indent = 1.2f;
 
 // The layout of one formula at one size.
@@ -431,10 +432,18 @@ MathBox set_formula(const Notation& formula, const MathMetrics& metrics, float s
 
 MathBox fitted_formula(const Notation& formula, const MathMetrics& metrics, float largest, float smallest, float width,
                        float height) {
-    for (float size = largest; size > smallest; size -= std::max(0.5f, largest / 24)) {
-        MathBox box = set_formula(formula, metrics, size, width);
-        if (box.width <= width && box.height() <= height) return box;
-    }
+    const float step = std::max(0.5f, largest / 24);
+    const auto broken = [&](float size) {
+        return std::ranges::any_of(formulas_of(formula),
+                                   [&](const Notation& part) { return set_formula(part, metrics, size).width > width; });
+    };
+    // Somewhat smaller before a formula is broken.
+    for (const bool whole : {true, false})
+        for (float size = largest; size > std::max(smallest, whole ? least_before_breaking * largest : 0.f); size -= step) {
+            if (whole && broken(size)) continue;
+            MathBox box = set_formula(formula, metrics, size, width);
+            if (box.width <= width && box.height() <= height) return box;
+        }
     return set_formula(formula, metrics, smallest, width);
 }
 

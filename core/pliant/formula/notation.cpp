@@ -131,10 +131,16 @@ private:
         const std::string_view token = text_.substr(at_, token_end() - at_);
         return last.kind == Kind::digits && !token.empty() && is_prefixed_unit(token);
     }
+    // "kg m²/s²" up to a blank: upright letters, with their exponents.
     Notation unit() {
-        const std::size_t from = at_;
-        at_ = token_end();
-        return {.kind = Kind::name, .text = slice(from)};
+        Notation all;
+        const std::size_t end = token_end();
+        while (at_ < end) {
+            Notation name{.kind = Kind::name};
+            while (at_ < end && raised(here()).empty()) name.text += take_letter();
+            all.of.push_back(with_scripts(std::move(name)));
+        }
+        return all;
     }
 
     // Behind the slash: what stands before it in the row goes above the line.
@@ -152,6 +158,13 @@ private:
         Notation below;
         do below.of.push_back(piece(below));
         while (at_ < text_.size() && begins_tight_factor());
+        if (here() == ' ' && here(1) != ' ') {
+            ++at_;
+            if (unit_follows(below, 1))
+                below.of.push_back(unit()), below.of.back().spaced = true;
+            else
+                --at_;
+        }
         return {.kind = Kind::fraction,
                 .of = {without_parentheses({.of = std::move(above)}), without_parentheses(std::move(below))},
                 .spaced = first_spaced};
