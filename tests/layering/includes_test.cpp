@@ -37,7 +37,8 @@ const std::map<std::string, Names> allowed_folders{
     {"core/pliant/document", {"math", "text", "formula", "lesson", "run"}},
     {"core/pliant/study", {"math", "text", "formula", "lesson", "run", "document"}},
     {"lessons",
-     {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "text", "formula", "lesson", "run", "study"}},
+     {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "text", "formula", "lesson", "run", "document",
+      "study"}},
     {"viewer", {"math", "text", "formula", "lesson", "run", "document", "study"}},
 };
 

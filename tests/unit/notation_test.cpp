@@ -69,6 +69,7 @@ TEST_CASE("notation: parentheses, bars, norms and matrices") {
     CHECK(latex("‖r‖") == "\\left\\|r\\right\\|");
     CHECK(latex("F = [1 γ; 0 1]") == "F = \\begin{bmatrix} 1 & \\gamma \\\\ 0 & 1 \\end{bmatrix}");
     CHECK(latex("M = [a + b c; d e]") == "M = \\begin{bmatrix} a + b & c \\\\ d & e \\end{bmatrix}");
+    CHECK(latex("F = [1.04   −0.2;   0   1]") == "F = \\begin{bmatrix} 1.04 & -0.2 \\\\ 0 & 1 \\end{bmatrix}");
     CHECK(latex("A = [c −s; s c]") == "A = \\begin{bmatrix} c & -s \\\\ s & c \\end{bmatrix}");
 }
 

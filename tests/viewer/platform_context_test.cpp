@@ -41,7 +41,7 @@ void clear(float red, float green, float blue) {
 // A page with type, curves and a heat map, after the frames that ImGui needs to settle.
 Image page(Context& context) {
     Gui gui(context);
-    add_fonts(std::array{15.f}, std::array{15.f});
+    add_fonts(std::array{15.f});
     std::vector<Real> xs, ys, cells;
     for (int i = 0; i < 300; ++i) {
         xs.push_back(0.01 * i);

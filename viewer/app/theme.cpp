@@ -67,8 +67,7 @@ void projector_colours(ImVec4* c) {
 Fonts load_fonts(float scale) {
     ImGui::GetIO().Fonts->Clear();
     const std::array heights{15 * scale, 12.5f * scale, 19 * scale, 24 * scale, 29 * scale, 34 * scale};
-    const std::array math_heights{11 * scale, 15 * scale, 20 * scale, 29 * scale};
-    const LoadedFonts loaded = add_fonts(heights, math_heights);
+    const LoadedFonts loaded = add_fonts(heights);
     const std::vector<ImFont*>& all = loaded.words;
     return {.normal = all[0],
             .small = all[1],

@@ -28,7 +28,7 @@ float gap(const LabState& lab) { return lab.px(9); }
 // In the largest type in which it needs no more lines than it has equations.
 Paragraph formula(const LabState& lab, const std::string& line, float width) {
     const Notation text = notation(line);
-    const float largest = 1.2f * lab.fonts.larger->FontSize, smallest = lab.fonts.large->FontSize;
+    const float largest = lab.fonts.huge->FontSize, smallest = lab.fonts.large->FontSize;
     const float room = 1.2f * set_formula(text, lab.fonts.mathematics, largest).height();
     return {line, lab.fonts.large, lab.ink(Ink::velocity),
             fitted_formula(text, lab.fonts.mathematics, largest, smallest, width, room)};

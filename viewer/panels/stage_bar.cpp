@@ -114,13 +114,55 @@ float stage_width(const LabState& lab, std::string_view formula) {
     return lab.px(width);
 }
 
-// In the largest type in which it fits; what does not even fit in the smallest fades out at the end of the box.
+// What each asks for where there is room for all, and a share of what is spare; narrower ones down to the least where that keeps
+// all in sight.
+std::vector<float> stage_widths(const LabState& lab, const std::vector<const Stage*>& stages, float room) {
+    std::vector<float> widths;
+    for (const Stage* stage : stages) widths.push_back(stage_width(lab, stage->formula_now()));
+    const auto count = static_cast<float>(stages.size());
+    const float least = lab.px(least_stage_width), spare = room - std::accumulate(widths.begin(), widths.end(), 0.f);
+    if (spare >= 0 || least * count > room) {
+        for (float& width : widths) width += std::max(spare, 0.f) / count;
+        return widths;
+    }
+    // All give up the same part of what they have beyond the least.
+    const float part = (room - least * count) / (room - spare - least * count);
+    for (float& width : widths) width = least + part * (width - least);
+    return widths;
+}
+
+// In the largest type in which it fits; what does not even fit in the smallest ends with an ellipsis;
+// the tooltip has it whole.
 void draw_formula(LabState& lab, std::string_view formula, ImVec2 at, ImVec2 room) {
     const MathBox box = fitted_formula(notation(formula), lab.fonts.mathematics, 1.15f * lab.fonts.normal->FontSize,
                                        0.8f * lab.fonts.normal->FontSize, room.x, room.y);
     const float spare = std::max(0.f, room.y - box.height());
     lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), box, {at.x, at.y + box.above + 0.35f * spare},
                                ImGui::GetColorU32(ImGuiCol_Text));
+    if (box.width <= room.x && box.height() <= room.y) return;
+    const ImVec2 corner{at.x + room.x, at.y + room.y}, size = ImGui::CalcTextSize("…");
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled({corner.x - size.x - lab.px(4), corner.y - size.y}, {corner.x + stage_pad(lab), corner.y},
+                        ImGui::GetColorU32(ImGuiCol_FrameBg));
+    draw->AddText({corner.x - size.x, corner.y - size.y}, ImGui::GetColorU32(ImGuiCol_Text), "…");
+}
+
+// Of the last item: the whole formula, where it is from, what it took, and what a click does.
+void stage_tooltip(LabState& lab, const Stage& stage, const StageCost& cost) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) return;
+    std::string more = fmt::format("Source: {}\nReads {}; writes {}.", stage.source, fmt::join(stage.reads, ", "),
+                                   fmt::join(stage.writes, ", "));
+    if (cost.runs)
+        more += fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} passes in {} runs.", cost.last_ms, cost.total_ms, cost.passes,
+                            cost.runs);
+    more += "\nClick: run to the end of this stage. Right click: compare before and after.";
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(words(stage.name).c_str());
+    formula_item(lab.fonts.mathematics, stage.formula, lab.fonts.medium->FontSize, lab.px(420));
+    ImGui::PushTextWrapPos(lab.px(420));
+    ImGui::TextUnformatted(more.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 // The name with its milliseconds, where there is room for both, then the formula; the tooltip has it whole.
@@ -148,7 +190,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::SetCursorScreenPos({at.x + width - ms_width - pad, at.y + pad * 0.7f});
     ImGui::TextDisabled("%s", ms.c_str());
     const ImVec2 formula{at.x + pad, at.y + pad + ImGui::GetTextLineHeight() * 1.25f};
-    draw_formula(lab, stage.formula, formula, {width - 2 * pad, formula_height(lab)});
+    draw_formula(lab, stage.formula_now(), formula, {width - 2 * pad, formula_height(lab)});
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({at.x + 2 * pad + dot, at.y + pad * 0.4f});
     const float room = width - ms_width - 4 * pad - dot;
@@ -161,13 +203,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
     ImGui::SetNextItemAllowOverlap();
     const bool clicked = ImGui::InvisibleButton(fmt::format("stage {}", i).c_str(), {width, height});
     lab.note_control(fmt::format("stage {}", stage.name));
-    std::string more = fmt::format("{}\n{}\nSource: {}\nReads {}; writes {}.", words(stage.name), stage.formula, stage.source,
-                                   fmt::join(stage.reads, ", "), fmt::join(stage.writes, ", "));
-    if (cost.runs)
-        more += fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} passes in {} runs.", cost.last_ms, cost.total_ms, cost.passes,
-                            cost.runs);
-    more += "\nClick: run to the end of this stage. Right click: compare before and after.";
-    tooltip(more, lab.scale);
+    stage_tooltip(lab, stage, cost);
     const bool looked = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     const bool toggled = break_dot(lab, stage, i, {at.x + pad, at.y + pad * 0.4f}, dot);
     // The box is what the next one stands beside.
@@ -216,15 +252,10 @@ void draw_stage_bar(LabState& lab) {
     const Runner& runner = lab.session.runner();
     const auto& stages = runner.stages();
     if (stages.empty()) return;
-    // Where they take more room than there is, they are looked through sideways, and the one that is done stays in sight.
-    const auto count = static_cast<float>(stages.size());
-    const float gap = lab.px(5);
-    std::vector<float> widths;
-    for (const Stage* stage : stages) widths.push_back(stage_width(lab, stage->formula));
-    const float spare = ImGui::GetContentRegionAvail().x - gap * (count - 1) - std::accumulate(widths.begin(), widths.end(), 0.f);
-    if (spare > 0)
-        for (float& width : widths) width += spare / count;
-    const bool scrolls = spare < 0;
+    const float gap = lab.px(5), room = ImGui::GetContentRegionAvail().x - gap * static_cast<float>(stages.size() - 1);
+    const std::vector<float> widths = stage_widths(lab, stages, room);
+    // Where they would be too narrow to read, they are looked through sideways, and the one that is done stays in sight.
+    const bool scrolls = std::accumulate(widths.begin(), widths.end(), 0.f) > room + 1;
     lab.stages_scroll = scrolls;
     ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, lab.px(stage_scrollbar));
     ImGui::BeginChild("stages", {0, lab.px(stage_height + (scrolls ? stage_scrollbar : 0))}, ImGuiChildFlags_None,

@@ -15,7 +15,7 @@ void formula(LabState& lab, const Block& block) {
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::velocity));
     ImGui::Indent(lab.px(12));
     for (const std::string& line : block.lines)
-        formula_item(lab.fonts.mathematics, line, 1.2f * lab.fonts.normal->FontSize, ImGui::GetContentRegionAvail().x);
+        formula_item(lab.fonts.mathematics, line, lab.fonts.medium->FontSize, ImGui::GetContentRegionAvail().x);
     ImGui::Unindent(lab.px(12));
     ImGui::PopStyleColor();
     ImGui::Spacing();

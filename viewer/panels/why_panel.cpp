@@ -37,7 +37,7 @@ void wrapped(const std::string& text) {
 
 void formula_block(LabState& lab, const Answer& a) {
     if (a.formula.empty()) return;
-    const float size = 1.2f * lab.fonts.normal->FontSize, width = ImGui::GetContentRegionAvail().x;
+    const float size = lab.fonts.medium->FontSize, width = ImGui::GetContentRegionAvail().x;
     formula_item(lab.fonts.mathematics, a.formula, size, width);
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
     formula_item(lab.fonts.mathematics, a.substituted, size, width);

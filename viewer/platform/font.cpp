@@ -82,15 +82,15 @@ std::filesystem::path find_math_font() {
     return find_typeface("PLIANT_MATH_FONT", "DejaVuMathTeXGyre.ttf", "DejaVu Math TeX Gyre", "fonts-dejavu-extra");
 }
 
-LoadedFonts add_fonts(std::span<const float> word_heights, std::span<const float> math_heights) {
+LoadedFonts add_fonts(std::span<const float> heights) {
     const auto file = find_font(), math_file = find_math_font();
     LoadedFonts fonts;
     std::vector<ImFont*> small;
-    for (const float height : word_heights) {
+    for (const float height : heights) {
         fonts.words.push_back(add_font(file, height, glyph_ranges));
         small.push_back(add_font(file, index_size * height, index_ranges));
     }
-    for (const float height : math_heights) fonts.mathematics.push_back(add_font(math_file, height, math_ranges));
+    for (const float height : heights) fonts.mathematics.push_back(add_font(math_file, height, math_ranges));
     ImGui::GetIO().Fonts->Build();
     for (std::size_t i = 0; i < small.size(); ++i) add_index_letters(*fonts.words[i], *small[i]);
     return fonts;

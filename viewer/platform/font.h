@@ -18,8 +18,8 @@ struct LoadedFonts {
     std::vector<ImFont*> words{}, mathematics{};  // in the order of the heights
 };
 
-// Adds the typefaces to ImGui's atlas at heights in px (of a line of type, not of a letter), that of words with letters for
+// Adds both typefaces to ImGui's atlas at heights in px (of a line of type, not of a letter), that of words with letters for
 // indices and exponents, and builds the atlas. Call between frames. Throws MachineLacks.
-LoadedFonts add_fonts(std::span<const float> word_heights, std::span<const float> math_heights);
+LoadedFonts add_fonts(std::span<const float> heights);
 
 }  // namespace pliant::viewer

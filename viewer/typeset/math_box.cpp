@@ -196,7 +196,7 @@ MathBox Setter::scripts(const Notation& n) const {
     float width = box.width;
     if (!n.of[2].of.empty()) {
         MathBox above = inner.row(n.of[2]);
-        const float raise = std::max(size_ * 0.32f, tall ? box.above - size_ * 0.18f : 0);
+        const float raise = std::max(size_ * 0.32f, tall ? box.above - size_ * 0.35f : 0);
         width = std::max(width, x + above.width);
         box.put(std::move(above), x, -raise);
     }

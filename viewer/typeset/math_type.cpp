@@ -9,9 +9,6 @@
 namespace pliant::viewer {
 namespace {
 
-// So that the words' small letters are as high as those of the mathematical face.
-constexpr float word_scale = 1.06f;
-
 void sort_by_height(std::vector<ImFont*>& fonts) {
     std::ranges::sort(fonts, {}, [](const ImFont* f) { return f->FontSize; });
 }
@@ -29,7 +26,6 @@ MathType::MathType(std::vector<ImFont*> signs, std::vector<ImFont*> words) : sig
 // The lowest that need not be enlarged by more than a tenth.
 MathType::Sized MathType::sized(MathFace face, float size) const {
     const auto& fonts = face == MathFace::words ? words_ : signs_;
-    if (face == MathFace::words) size *= word_scale;
     const auto found = std::ranges::find_if(fonts, [&](const ImFont* f) { return 1.1f * f->FontSize >= size; });
     const ImFont* font = found == fonts.end() ? fonts.back() : *found;
     return {font, size / font->FontSize};

@@ -242,6 +242,7 @@ private:
     // "[a b; c d]": rows of equal length, their entries parted by blanks.
     static std::optional<Notation> grid_of(const Notation& inner) {
         Notation rows{.kind = Kind::grid, .of = {Notation{}}};
+        bool after_gap = false;  // which has begun an entry
         for (std::size_t k = 0; k < inner.of.size(); ++k) {
             Notation n = inner.of[k];
             if (n.kind == Kind::comma && n.text == ",") return std::nullopt;
@@ -249,11 +250,16 @@ private:
                 rows.of.emplace_back();
                 continue;
             }
+            if (n.kind == Kind::gap) {
+                if (!rows.of.back().of.empty()) rows.of.back().of.emplace_back(), after_gap = true;
+                continue;
+            }
             // "c −s" are two entries, "c − s" is one.
             if (n.kind == Kind::sign && n.spaced && k + 1 < inner.of.size() && !inner.of[k + 1].spaced) n.kind = Kind::prefix;
             auto& entries = rows.of.back().of;
             const bool operand = !entries.empty() && !entries.back().of.empty() && entries.back().of.back().kind == Kind::sign;
-            if (entries.empty() || (n.spaced && n.kind != Kind::sign && !operand)) entries.emplace_back();
+            if (entries.empty() || (n.spaced && n.kind != Kind::sign && !operand && !after_gap)) entries.emplace_back();
+            after_gap = false;
             entries.back().of.push_back(std::move(n));
         }
         const std::size_t columns = rows.of[0].of.size();

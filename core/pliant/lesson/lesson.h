@@ -27,7 +27,9 @@ namespace pliant {
 struct Stage {
     std::string_view name;          // key: "advection"
     std::string_view formula = "";  // what it evaluates, in symbols
-    std::string_view source = "";   // lecture, paper, section, equation
+    // The part of it that holds as the parameters are, where it says several things; empty: the whole.
+    std::function<std::string_view()> formula_in_force{};
+    std::string_view source = "";  // lecture, paper, section, equation
     std::function<void()> run;
     std::vector<std::string_view> reads{}, writes{};  // names of fields, or of probes that a stage measures
     std::function<bool()> active{};                   // a term that the scene lacks is not run; always active when empty
@@ -39,6 +41,7 @@ struct Stage {
     std::function<std::optional<Explanation>(const Question&)> explain{};
 
     bool in_use() const { return !active || active(); }
+    std::string_view formula_now() const { return formula_in_force ? formula_in_force() : formula; }
 };
 
 // A number to watch. `value` is empty where the quantity is not defined (a slope through one point). `exact` is the closed form

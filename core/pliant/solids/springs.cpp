@@ -175,6 +175,18 @@ Real spring_energy(const Springs& springs, PointsIn<Dim> x) {
     return energy;
 }
 
+std::string_view formula_of(SpringDamping mode) {
+    switch (mode) {
+        case SpringDamping::naive:
+            return "fᵢ = kᵈ vᵢⱼ,  vᵢⱼ = vⱼ − vᵢ";
+        case SpringDamping::projected:
+            return "fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ";
+        case SpringDamping::none:
+            break;
+    }
+    return "";
+}
+
 template <int Dim>
 void add_damping_forces(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, PointsIn<Dim> v, PointsOut<Dim> f) {
     if (mode == SpringDamping::none) return;

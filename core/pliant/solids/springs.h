@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace pliant {
@@ -64,6 +65,8 @@ enum class SpringDamping {
     naive,     // f_i = k_d v_ij: damps every relative motion, rigid rotation too
     projected  // f_i = k_d (v_ij . x_ij / x_ij . x_ij) x_ij: damps only the change of length
 };
+// In symbols; "" of none.
+std::string_view formula_of(SpringDamping mode);
 
 // f_i += k (|x_ij| - l) x_ij / |x_ij|, f_j -= the same, N [Nealen2006 §3].
 template <int Dim>

@@ -24,14 +24,17 @@ constexpr std::array<NystromRow, 5> runge_kutta_4_rows{{{0, {}, {}},
 
 const std::array<SchemeInfo, 8>& schemes() {
     static const std::array<SchemeInfo, 8> all{{
-        {Scheme::explicit_euler, "explicit_euler", "explicit Euler", 1, false, 1},
-        {Scheme::semi_implicit_euler, "semi_implicit_euler", "semi-implicit Euler", 1, false, 1},
-        {Scheme::implicit_euler, "implicit_euler", "implicit Euler", 1, true, 0},
-        {Scheme::velocity_verlet, "velocity_verlet", "velocity Verlet", 2, false, 2},
-        {Scheme::runge_kutta_4, "runge_kutta_4", "Runge–Kutta 4", 4, false, 4},
-        {Scheme::implicit_midpoint, "implicit_midpoint", "implicit midpoint", 2, true, 0},
-        {Scheme::newmark, "newmark", "Newmark (β = ¼, γ = ½)", 2, true, 0},
-        {Scheme::bdf2, "bdf2", "BDF2", 2, true, 0},
+        {Scheme::explicit_euler, "explicit_euler", "explicit Euler", 1, false, 1, "x′ = x + Δt v,  v′ = v + Δt f/m"},
+        {Scheme::semi_implicit_euler, "semi_implicit_euler", "semi-implicit Euler", 1, false, 1,
+         "v′ = v + Δt f/m,  x′ = x + Δt v′"},
+        {Scheme::implicit_euler, "implicit_euler", "implicit Euler", 1, true, 0, "m (v′ − v) = Δt f(x′, v′),  x′ = x + Δt v′"},
+        {Scheme::velocity_verlet, "velocity_verlet", "velocity Verlet", 2, false, 2,
+         "x′ = x + Δt v + ½ Δt² a,  v′ = v + ½ Δt (a + a′)"},
+        {Scheme::runge_kutta_4, "runge_kutta_4", "Runge–Kutta 4", 4, false, 4, "y′ = y + Δt (k₁ + 2 k₂ + 2 k₃ + k₄) / 6"},
+        {Scheme::implicit_midpoint, "implicit_midpoint", "implicit midpoint", 2, true, 0, "y′ = y + Δt F(½ (y + y′))"},
+        {Scheme::newmark, "newmark", "Newmark (β = ¼, γ = ½)", 2, true, 0,
+         "x′ = x + Δt v + ¼ Δt² (a + a′),  v′ = v + ½ Δt (a + a′)"},
+        {Scheme::bdf2, "bdf2", "BDF2", 2, true, 0, "y′ = (4 y − y_old + 2 Δt F(y′)) / 3"},
     }};
     return all;
 }

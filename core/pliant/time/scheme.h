@@ -21,11 +21,12 @@ enum class Scheme {
 
 struct SchemeInfo {
     Scheme scheme;
-    std::string_view key;   // in scene files: "semi_implicit_euler"
-    std::string_view name;  // "semi-implicit Euler"
-    int order;              // p where the error of the state at a fixed time falls as dt^p
-    bool implicit;          // solves for the end of the step by Newton's method
-    int force_evaluations;  // per step, of an explicit scheme; 0 for implicit ones, whose number depends on Newton's method
+    std::string_view key;      // in scene files: "semi_implicit_euler"
+    std::string_view name;     // "semi-implicit Euler"
+    int order;                 // p where the error of the state at a fixed time falls as dt^p
+    bool implicit;             // solves for the end of the step by Newton's method
+    int force_evaluations;     // per step, of an explicit scheme; 0 for implicit ones, whose number depends on Newton's method
+    std::string_view formula;  // of a step, with a = f/m, and y = (x, v) with y′ = F(y) where both are treated alike
 };
 
 // In the order of the enumeration: the lecture's three, then the others.

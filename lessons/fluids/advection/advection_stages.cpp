@@ -21,6 +21,9 @@ void AdvectionLesson::declare_stages() {
                    }},
               {.name = "back_trace",
                .formula = "midpoint: x_m = x − ½Δt u(x),  x_d = x − Δt u(x_m);   Euler: x_d = x − Δt u(x)",
+               .formula_in_force = [this]() -> std::string_view {
+                   return back_trace == BackTrace::midpoint ? "x_m = x − ½Δt u(x),  x_d = x − Δt u(x_m)" : "x_d = x − Δt u(x)";
+               },
                .source = "Utrecht slides: semi-Lagrangian technique; Stam1999 §2.2; Bridson2007 §3.2",
                .run = [this] { trace_back(); },
                .reads = {"velocity", "u_on_faces", "v_on_faces"},

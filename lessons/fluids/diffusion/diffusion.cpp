@@ -200,37 +200,43 @@ VecX DiffusionLesson::starting_values() const {
 // ------------------------------------------------------------------------------------------------------------- the stages
 
 void DiffusionLesson::declare_stages() {
-    stages = {{.name = "neighbours",
-               .formula = "1D: s = u_left + u_right − 2u;   2D: s = u_left + u_right + u_below + u_above − 4u;   ∇²u ≈ s/Δx²",
-               .source = "Utrecht slides, viscosity: 2-neighbour and 4-neighbour stencil",
-               .run = [this] { look_at_neighbours(); },
-               .reads = {"u"},
-               .writes = {"u_before", "stencil", "laplacian"},
-               .active = [this] { return is_explicit(); },
-               .explain = [this](const Question& q) { return why_neighbourhood(q); }},
-              {.name = "update",
-               .formula = "u ← u + (νΔt/Δx²) s;   as on the slide: u ← νΔt s",
-               .source = "Utrecht slides, viscosity, with the old value and the 1/Δx² that they leave out",
-               .run =
-                   [this] {
-                       update();
-                       end_step();
-                   },
-               .reads = {"u", "stencil"},
-               .writes = {"u"},
-               .active = [this] { return is_explicit(); },
-               .explain = [this](const Question& q) { return std::optional(why_updated(q.index)); }},
-              {.name = "solve",
-               .formula = "u′ − (νΔt/Δx²) s(u′) = u, by conjugate gradients: one iteration a pass",
-               .source = "Stam1999 §2.2; Shewchuk1994",
-               .run = [this] { solve_pass(); },
-               .reads = {"u"},
-               .writes = {"u_before", "u", "residual"},
-               .active = [this] { return !is_explicit(); },
-               .again = [this] { return !diffusion_->converged(); },
-               .begin = [this] { begin_solve(); },
-               .end = [this] { end_step(); },
-               .explain = [this](const Question& q) { return why_solved(q); }}};
+    stages = {
+        {.name = "neighbours",
+         .formula = "1D: s = u_left + u_right − 2u;   2D: s = u_left + u_right + u_below + u_above − 4u;   ∇²u ≈ s/Δx²",
+         .formula_in_force = [this]() -> std::string_view {
+             return dimensions == Dimensions::one ? "s = u_left + u_right − 2u,   ∇²u ≈ s/Δx²"
+                                                  : "s = u_left + u_right + u_below + u_above − 4u,   ∇²u ≈ s/Δx²";
+         },
+         .source = "Utrecht slides, viscosity: 2-neighbour and 4-neighbour stencil",
+         .run = [this] { look_at_neighbours(); },
+         .reads = {"u"},
+         .writes = {"u_before", "stencil", "laplacian"},
+         .active = [this] { return is_explicit(); },
+         .explain = [this](const Question& q) { return why_neighbourhood(q); }},
+        {.name = "update",
+         .formula = "u ← u + (νΔt/Δx²) s;   as on the slide: u ← νΔt s",
+         .formula_in_force = [this]() -> std::string_view { return form == Form::lecture ? "u ← νΔt s" : "u ← u + (νΔt/Δx²) s"; },
+         .source = "Utrecht slides, viscosity, with the old value and the 1/Δx² that they leave out",
+         .run =
+             [this] {
+                 update();
+                 end_step();
+             },
+         .reads = {"u", "stencil"},
+         .writes = {"u"},
+         .active = [this] { return is_explicit(); },
+         .explain = [this](const Question& q) { return std::optional(why_updated(q.index)); }},
+        {.name = "solve",
+         .formula = "u′ − (νΔt/Δx²) s(u′) = u, by conjugate gradients: one iteration a pass",
+         .source = "Stam1999 §2.2; Shewchuk1994",
+         .run = [this] { solve_pass(); },
+         .reads = {"u"},
+         .writes = {"u_before", "u", "residual"},
+         .active = [this] { return !is_explicit(); },
+         .again = [this] { return !diffusion_->converged(); },
+         .begin = [this] { begin_solve(); },
+         .end = [this] { end_step(); },
+         .explain = [this](const Question& q) { return why_solved(q); }}};
 }
 
 void DiffusionLesson::look_at_neighbours() {

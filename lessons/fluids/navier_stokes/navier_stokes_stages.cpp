@@ -37,6 +37,9 @@ void NavierStokes::declare_stages() {
          .explain = [this](const Question& q) { return why_advected().velocity(flow::axis_of(q.field), q.index); }},
         {.name = "viscosity",
          .formula = "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
+         .formula_in_force = [this]() -> std::string_view {
+             return scheme == Scheme::implicit_euler ? "ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ_old" : "ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)";
+         },
          .source = "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §2.2",
          .run = [this] { diffuse(); },
          .reads = {"velocity"},

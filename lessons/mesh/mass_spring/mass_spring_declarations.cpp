@@ -54,6 +54,7 @@ void MassSpringLesson::declare_stages() {
          .explain = [this](const Question& q) { return why_spring_stage(q); }},
         {.name = "damping_forces",
          .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
+         .formula_in_force = [this] { return formula_of(damping_mode); },
          .source = "lecture: mass–spring system; [Nealen2006 §3]",
          .run = [this] { damping_stage(); },
          .reads = {"position", "velocity"},
@@ -71,6 +72,7 @@ void MassSpringLesson::declare_stages() {
         {.name = "integrate",
          .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
                     "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method;  others: their table or form",
+         .formula_in_force = [this] { return info_of(integrator).formula; },
          .source = "lecture: time integration; [Baraff1998], [Nocedal2006], [Hairer2006]",
          .run = [this] { integrate(); },
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},

@@ -147,6 +147,7 @@ void RodLesson::declare_stages() {
          .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
         {.name = "integrate",
          .formula = "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",
+         .formula_in_force = [this] { return info_of(scheme).formula; },
          .source = "lecture C: d²xᵢ/dt² = −mᵢ⁻¹ ∂U/∂xᵢ; [Hairer2006]",
          .run = [this] { integrate(); },
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},

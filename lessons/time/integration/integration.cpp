@@ -159,6 +159,11 @@ void IntegrationLesson::declare_fields() {
 void IntegrationLesson::declare_stages() {
     stages = {{.name = "force",
                .formula = "spring: f = −ω²x − 2ζωv;  pendulum: −g sin(x/l) − 2ζωv;  pair: −Kx − Cv",
+               .formula_in_force = [this]() -> std::string_view {
+                   return system == System::oscillator ? "f = −ω²x − 2ζωv"
+                          : system == System::pendulum ? "f = −g sin(x/l) − 2ζωv"
+                                                       : "f = −Kx − Cv";
+               },
                .source = "lecture S: time integration, F(v(t), x(t), t)",
                .run = [this] { force_stage(); },
                .reads = {"position", "velocity"},
@@ -168,6 +173,9 @@ void IntegrationLesson::declare_stages() {
                }},
               {.name = "predict",
                .formula = "explicit: X = x, V = v;  implicit: a first guess, X = x + Δt v or X = x",
+               .formula_in_force = [this]() -> std::string_view {
+                   return is_implicit(scheme) ? "a first guess, X = x + Δt v or X = x" : "X = x,  V = v";
+               },
                .source = "Hairer1993 §II.14; Baraff1998",
                .run = [this] { predict(); },
                .reads = {"position", "velocity"},
@@ -175,6 +183,9 @@ void IntegrationLesson::declare_stages() {
                .explain = [this](const Question& q) { return why_predicted(q); }},
               {.name = "passes",
                .formula = "explicit: f_k at X, V, then the next X, V;  implicit, Newton: X ← X − r/H",
+               .formula_in_force = [this]() -> std::string_view {
+                   return is_implicit(scheme) ? "Newton: X ← X − r/H" : "f_k at X, V, then the next X, V";
+               },
                .source = "lecture S: time integration; Hairer1993 §II.14; Nocedal2006",
                .run = [this] { pass(); },
                .reads = {"position", "velocity", "force"},
@@ -183,6 +194,7 @@ void IntegrationLesson::declare_stages() {
                .explain = [this](const Question& q) { return why_pass(q); }},
               {.name = "advance",
                .formula = "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  semi-implicit: x + Δt v′;  implicit: f(x′, v′)",
+               .formula_in_force = [this] { return info_of(scheme).formula; },
                .source = "lecture S: time integration",
                .run = [this] { advance(); },
                .reads = {"trial_position", "trial_velocity"},
