@@ -98,7 +98,7 @@ std::vector<Golden> goldens() {
          "viscosity=0.005"},
         {"navier_stokes_karman", {"fluids/navier_stokes", {"scene=karman", "resolution=48"}, 300, medium}, "reynolds=40"},
         {"navier_stokes_smoke", {"fluids/navier_stokes", {"scene=smoke", "resolution=32"}, 80, bright}, "buoyancy=1"},
-        {"projection", {"fluids/projection", {"resolution=16"}, {}, large}, "field=jet"},
+        {"projection", {"fluids/projection", {"resolution=16"}, {}, medium}, "field=jet"},
         {"projection_collocated",
          {"fluids/projection", {"grid=collocated", "boundary=periodic", "field=checkerboard", "resolution=8"}, {}, full},
          "grid=staggered"},

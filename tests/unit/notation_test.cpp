@@ -82,6 +82,7 @@ TEST_CASE("notation: words stand upright, letters side by side do not") {
     CHECK(latex("ε:ε") == "\\varepsilon:\\varepsilon");
     CHECK(latex("explicit: x′ = x") == "\\text{explicit}: x^{\\prime} = x");
     CHECK(count(notation("at a node + k"), Kind::prefix) == 0);
+    CHECK(count(notation("Σ − 2u"), Kind::prefix) == 0);
     CHECK(count(notation("by −k"), Kind::prefix) == 1);
     CHECK(latex("−0.5 + 1e-05") == "-0.5 + 1e-05");
 }

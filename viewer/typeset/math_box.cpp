@@ -107,6 +107,8 @@ float Setter::gap_between(const Notation* before, const Notation& next) const {
     if (is(before, Kind::gap) || next.kind == Kind::gap) return size_ * between_formulas / 2;
     if (next.kind == Kind::comma) return 0;
     if (is(before, Kind::comma)) return size_ * after_comma;
+    // Parentheses that stand in the line.
+    if (before->text == "(" || next.text == ")") return 0;
     if (is(before, Kind::words) || next.kind == Kind::words) return size_ * beside_words;
     if (is_script()) return 0;
     const bool relation = is(before, Kind::relation) || next.kind == Kind::relation;

@@ -316,7 +316,7 @@ private:
         if (here() == '=' && (text == "+" || text == "−")) return ++at_, Notation{.kind = Kind::relation, .text = text + "="};
         const Kind last = before.of.empty() ? Kind::gap : before.of.back().kind;
         const bool first = last == Kind::gap || last == Kind::sign || last == Kind::relation || last == Kind::comma ||
-                           last == Kind::large || (last == Kind::words && here() != ' ');
+                           ((last == Kind::words || last == Kind::large) && here() != ' ');
         const bool apart = at_ > 1 && text_[at_ - 2] == ' ';
         if (text == ":" && (before.of.empty() || (here() == ' ' && !apart))) return {.kind = Kind::comma, .text = ":"};
         return {.kind = first && text != "·" ? Kind::prefix : Kind::sign, .text = std::move(text)};
