@@ -163,3 +163,10 @@ TEST_CASE("formula: sine takes degrees where the angle is given in degrees") {
     CHECK(unit_of("y = φ π / 180°", {{"φ", 30, "°/m"}}) == "1/m");
     CHECK_THAT(unit_of("y = φ + 1", {{"φ", 30, "°"}}), ContainsSubstring("° and a number"));
 }
+
+TEST_CASE("formula: a unit is written as people write it") {
+    CHECK(Unit("kg/s²").usual_text() == "N/m");
+    CHECK(Unit("kg m²/s²").usual_text() == "J");
+    CHECK(Unit("m/s²").usual_text() == Unit("m/s²").text());
+    CHECK(Unit("cells").usual_text().empty());
+}

@@ -142,6 +142,13 @@ std::string Unit::text() const {
     return divisors > 1 ? fmt::format("{}/({})", above, below) : fmt::format("{}/{}", above, below);
 }
 
+std::string Unit::usual_text() const {
+    if (is_number()) return "";
+    for (const char* usual : {"N", "N/m", "Pa", "J", "W", "N s/m", "Pa s"})
+        if (Unit(usual) == *this) return usual;
+    return text();
+}
+
 bool is_unit(std::string_view text) {
     try {
         return Unit(text), true;

@@ -28,6 +28,8 @@ public:
 
     // "kg m²/s²", in base units; "1" for a number.
     std::string text() const;
+    // As people write it, "N/m" for kg/s²; "" for a number.
+    std::string usual_text() const;
 
 private:
     static constexpr int whole = 12;            // a power of 1

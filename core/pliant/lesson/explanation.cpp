@@ -12,42 +12,48 @@
 
 namespace pliant {
 
-Input Input::of(const Parameter& parameter) { return of(parameter, std::string(parameter.info.symbol)); }
+Input::Input(From from_, std::string symbol_, std::string name_, std::string unit_)
+    : from(from_), symbol(std::move(symbol_)), name(std::move(name_)), unit(std::move(unit_)) {}
+
+Input::Input(const Parameter& parameter) : Input(of(parameter, std::string(parameter.info.symbol))) {}
 
 Input Input::of(const Parameter& parameter, std::string symbol) {
-    return {.from = From::parameter,
-            .symbol = std::move(symbol),
-            .name = std::string(parameter.info.key),
-            .value = parameter.value(),
-            .unit = std::string(parameter.info.unit)};
+    Input in(From::parameter, std::move(symbol), std::string(parameter.info.key), std::string(parameter.info.unit));
+    in.value = parameter.value();
+    return in;
 }
 
 Input Input::constant(std::string symbol, Real value, std::string unit, std::string meaning) {
-    return {
-        .from = From::constant, .symbol = std::move(symbol), .name = std::move(meaning), .value = value, .unit = std::move(unit)};
+    Input in(From::constant, std::move(symbol), std::move(meaning), std::move(unit));
+    in.value = value;
+    return in;
 }
-
-namespace {
-Input of_field(Input::From from, std::string symbol, std::string_view field, Index index, int component) {
-    return {.from = from, .symbol = std::move(symbol), .name = std::string(field), .index = index, .component = component};
-}
-}  // namespace
 
 Input Input::now(std::string symbol, std::string_view field, Index index, int component) {
-    return of_field(From::now, std::move(symbol), field, index, component);
+    Input in(From::now, std::move(symbol), std::string(field), "");
+    in.index = index, in.component = component;
+    return in;
 }
 Input Input::before(std::string symbol, std::string_view field, Index index, int component) {
-    return of_field(From::before, std::move(symbol), field, index, component);
+    Input in = now(std::move(symbol), field, index, component);
+    in.from = From::before;
+    return in;
 }
 Input Input::earlier(std::string symbol, std::string_view field, Index index, int component) {
-    return of_field(From::earlier, std::move(symbol), field, index, component);
+    Input in = now(std::move(symbol), field, index, component);
+    in.from = From::earlier;
+    return in;
 }
 
 Input Input::part(std::string symbol, std::string unit, Explanation why) {
-    return {.from = From::part,
-            .symbol = std::move(symbol),
-            .unit = std::move(unit),
-            .why = std::make_shared<const Explanation>(std::move(why))};
+    Input in(From::part, std::move(symbol), "", std::move(unit));
+    in.why = std::make_shared<const Explanation>(std::move(why));
+    return in;
+}
+
+Input part(std::string formula, std::vector<Input> inputs) {
+    std::string symbol = formula.substr(0, formula.find(" = "));
+    return Input::part(std::move(symbol), unit_from_formula, {std::move(formula), std::move(inputs)});
 }
 
 // --------------------------------------------------------------------------------------------------------------- sums

@@ -24,6 +24,9 @@ struct Question {
 
 struct Explanation;
 
+// In place of the unit of a part: what its formula gives.
+inline constexpr const char* unit_from_formula = "?";
+
 // A number that a formula takes.
 struct Input {
     enum class From {
@@ -39,17 +42,22 @@ struct Input {
     std::string name{};  // of the parameter or field; what a constant means
     Index index = 0;
     int component = 0;
-    Real value = 0;  // of a constant; looked up for all others
-    std::string unit{};
+    Real value = 0;                            // of a constant; looked up for all others
+    std::string unit{};                        // of a part may be unit_from_formula
     std::shared_ptr<const Explanation> why{};  // of a part
 
-    static Input of(const Parameter& parameter);
+    Input() = default;
+    Input(const Parameter& parameter);  // under its own symbol: "{length, segments}" are two inputs
+    static Input of(const Parameter& parameter) { return parameter; }
     static Input of(const Parameter& parameter, std::string symbol);
     static Input constant(std::string symbol, Real value, std::string unit, std::string meaning);
     static Input now(std::string symbol, std::string_view field, Index index, int component = 0);
     static Input before(std::string symbol, std::string_view field, Index index, int component = 0);
     static Input earlier(std::string symbol, std::string_view field, Index index, int component = 0);
     static Input part(std::string symbol, std::string unit, Explanation why);
+
+private:
+    Input(From from, std::string symbol, std::string name, std::string unit);
 };
 
 // How the inputs make the value.
@@ -73,6 +81,10 @@ struct Explanation {
     Making making = Making::formula;
     bool wrong_unit = false;  // on purpose: the slide's formula, which a lesson shows to be so
 };
+
+// An intermediate result: its symbol is the left side of its formula, and its unit follows from those of its inputs,
+// part("Δs = L / N", {length, segments}).
+Input part(std::string formula, std::vector<Input> inputs);
 
 // Σ w q: pairs of a weight and a quantity, after `head` inputs that `evaluate` of the caller may need. formula: "u = Σ w u_k".
 // Terms of weight 0 are left out.

@@ -64,6 +64,32 @@ std::string Interval::text() const {
     return fmt::format("{}{}, {}{}", open_min ? '(' : '[', format_exact(min), format_exact(max), open_max ? ')' : ']');
 }
 
+ParameterInfo quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
+                       std::string_view help) {
+    return {.key = key, .symbol = symbol, .unit = unit, .help = help, .initial = initial, .useful = useful};
+}
+
+ParameterInfo ParameterInfo::log() const {
+    ParameterInfo info = *this;
+    info.scale = Scale::log;
+    return info;
+}
+ParameterInfo ParameterInfo::accepts(Interval interval) const {
+    ParameterInfo info = *this;
+    info.accepted = interval;
+    return info;
+}
+ParameterInfo ParameterInfo::rebuilds() const {
+    ParameterInfo info = *this;
+    info.effect = Effect::rebuild;
+    return info;
+}
+ParameterInfo ParameterInfo::when(std::function<bool()> uses) const {
+    ParameterInfo info = *this;
+    info.used = std::move(uses);
+    return info;
+}
+
 Parameter::Parameter(Lesson& owner, ParameterInfo given) : info(std::move(given)), value_(info.initial) {
     owner.parameters.push_back(this);
 }

@@ -40,7 +40,22 @@ struct ParameterInfo {
     std::function<bool()> used{};  // does the present scene use it? always, when empty
     Kind kind = Kind::number;
     std::vector<Option> options{};
+
+    // For declarations of a line or two: quantity(…).log().accepts({1e-6, 1e6}).rebuilds().when([this] { return hangs(); })
+    ParameterInfo log() const;
+    ParameterInfo accepts(Interval interval) const;
+    ParameterInfo rebuilds() const;
+    ParameterInfo when(std::function<bool()> uses) const;
 };
+
+// A number with its unit: where it starts, what its slider spans, what it means.
+ParameterInfo quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
+                       std::string_view help);
+// A choice or a switch; initial: the option that it starts with, 0 or 1.
+template <class Initial = int>
+ParameterInfo setting_of(std::string_view key, std::string_view help, Initial initial = {}) {
+    return {.key = key, .help = help, .initial = static_cast<Real>(static_cast<int>(initial))};
+}
 
 class Parameter {
 public:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 namespace pliant {
 namespace {
@@ -87,6 +88,13 @@ std::string unit_check(const Formula& formula, const Answer& a) {
     return found.mismatch.empty() ? compared(Unit(a.unit), found.unit) : found.mismatch;
 }
 
+// Of a part that does not say its unit.
+std::string unit_of(const std::optional<Formula>& formula, const Explanation& e) {
+    if (formula && formula->has_units())
+        if (const auto unit = formula->check_units().unit) return unit->usual_text();
+    throw std::logic_error(fmt::format("the unit of \"{}\" does not follow from its inputs: give it by Input::part", e.formula));
+}
+
 std::vector<Real> gradient_of_terms(std::span<const Real> values, std::size_t factors) {
     std::vector<Real> gradient(values.size(), 1);
     for (std::size_t k = 0; factors == 2 && k + 1 < values.size(); k += 2)
@@ -119,6 +127,7 @@ void evaluate_formula(Answer& a, const Explanation& e, std::vector<Real>& values
     a.as_data = formula && (!e.evaluate || same(formula->evaluate(values), a.evaluated));
     take_sensitivities(a, a.as_data ? gradient_of(*formula, a, values) : gradient_by_differences(e.evaluate, a, values));
     a.latex = a.as_data ? formula->latex() : latex(e.formula);
+    if (a.unit == unit_from_formula) a.unit = unit_of(formula, e);
     if (a.as_data && formula->has_units()) a.unit_check = unit_check(*formula, a);
 }
 

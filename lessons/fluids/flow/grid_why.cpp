@@ -13,7 +13,9 @@ using Values = std::span<const Real>;
 }  // namespace
 
 Input sample(std::string symbol, Input::From from, std::string_view field, Index index) {
-    return {.from = from, .symbol = std::move(symbol), .name = std::string(field), .index = index};
+    Input in = Input::now(std::move(symbol), field, index);
+    in.from = from;
+    return in;
 }
 
 Input sample(std::string symbol, Input::From from, std::string_view field, const SampleBeyond& s) {

@@ -26,20 +26,18 @@ Input length_between(Index j, Index i) {
 
 }  // namespace
 
-Input RodLesson::why_segment() const { return Input::part("Δs", "m", {"Δs = L / N", {Input::of(length), Input::of(segments)}}); }
+Input RodLesson::why_segment() const { return part("Δs = L / N", {length, segments}); }
 
-Input RodLesson::why_node_mass() const {
-    return Input::part("m", "kg", {"m = M / N", {Input::of(total_mass), Input::of(segments)}});
-}
+Input RodLesson::why_node_mass() const { return part("m = M / N", {total_mass, segments}); }
 
 Input RodLesson::why_stiffness() const {
     if (by_hand()) return Input::of(picked_stiffness, "k");
-    return Input::part("k", "N/m", {"k = EA / Δs", {Input::of(axial_stiffness), why_segment()}});
+    return part("k = EA / Δs", {axial_stiffness, why_segment()});
 }
 
 Input RodLesson::why_axial_stiffness() const {
     if (!by_hand()) return Input::of(axial_stiffness);
-    return Input::part("EA", "N", {"EA = k₀ Δs", {Input::of(picked_stiffness), why_segment()}});
+    return part("EA = k₀ Δs", {picked_stiffness, why_segment()});
 }
 
 // ---------------------------------------------------------------------------------------------- from positions to energy
