@@ -120,6 +120,16 @@ TEST_CASE("notation: units behind numbers stand upright where a text has quantit
     CHECK(upright("16.7 ms") == 1);
     CHECK(upright("20 N / 100 mm = 3 m²") == 3);
     CHECK(latex(notation("A = 3 m²/s", Numbers::with_units)) == "A = 3 \\mathrm{m}^{2}\\mathrm{/s}");
+    CHECK(upright("Stress σ [kPa]") == 1);
     CHECK(upright("k m x") == 0);
     CHECK(count(notation("2 m g"), Kind::name) == 0);
+}
+
+TEST_CASE("notation: in the line, and what is prose") {
+    CHECK(latex(in_line(notation("a b / (c d) + (e + f)/2"))) == "a b/(c d) + (e + f)/2");
+    CHECK(is_prose(notation("12 × 12 cells, 3.5 mm/s", Numbers::with_units)));
+    CHECK(latex(in_line(notation("20 N / 100 mm", Numbers::with_units))) == "20 \\mathrm{N}/100 \\mathrm{mm}");
+    CHECK(is_prose(notation("StVK")));
+    CHECK_FALSE(is_prose(notation("N = 10")));
+    CHECK_FALSE(is_prose(notation("derived k")));
 }

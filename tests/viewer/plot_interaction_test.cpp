@@ -250,7 +250,7 @@ TEST_CASE("The menu hands out the plot as SVG, and where it stands for a picture
     hand.key(ImGuiKey_UpArrow);
     hand.key(ImGuiKey_Enter);
     CHECK_THAT(hand.svg, StartsWith("<svg "));
-    CHECK_THAT(hand.svg, ContainsSubstring("force f [N]"));
+    CHECK_THAT(hand.svg, ContainsSubstring("force <tspan font-style=\"italic\">f</tspan> [N]"));
 
     hand.click(hand.middle(), 1);
     hand.key(ImGuiKey_Home);

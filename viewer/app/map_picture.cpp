@@ -78,7 +78,7 @@ Image map_image(const StabilityMap& map, Size size, Theme theme, float ui_scale)
         clear(style.background);
         gui.begin_frame(1.0 / 60);
         ImGui::PushFont(fonts.normal);
-        ImguiCanvas canvas(*ImGui::GetBackgroundDrawList());
+        ImguiCanvas canvas(*ImGui::GetBackgroundDrawList(), &fonts.mathematics);
         draw_page(canvas, size, map, style, fonts);
         ImGui::PopFont();
         gui.end_frame();

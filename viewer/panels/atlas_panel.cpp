@@ -97,8 +97,8 @@ void draw_picture(LabState& lab) {
     const float height = std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(240), 1.5f * room.x);
     const bool pressed = ImGui::InvisibleButton("map", {room.x, height});
     lab.note_control("atlas map");
-    ImguiCanvas canvas(*ImGui::GetWindowDrawList());
-    const PlotStyle style = plot_style(plot_theme(lab.theme), lab.scale);
+    const PlotStyle style = style_of_plots(lab);
+    ImguiCanvas canvas(*ImGui::GetWindowDrawList(), style.mathematics);
     const MapPlaces places = draw_map(canvas, {{at.x, at.y}, {at.x + room.x, at.y + height}}, picture, style, false);
     lab.controls["atlas area"] = {places.area.min.x, places.area.min.y, places.area.width(), places.area.height()};
     lab.atlas_cell.reset();

@@ -272,7 +272,7 @@ PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dar
 void draw_plots(LabState& lab) {
     begin_plots(lab);
     if (lab.layout == Layout::lab) choice_menu(lab);
-    Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
+    Plot plot(lab.plots.memory, style_of_plots(lab), lab.plots.hooks);
     if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
     std::vector<std::string> shown = shown_plots(lab);
     if (shown.empty()) return table_below(lab);
@@ -292,9 +292,15 @@ void draw_plots(LabState& lab) {
     table_below(lab);
 }
 
+PlotStyle style_of_plots(const LabState& lab) {
+    PlotStyle style = plot_style(plot_theme(lab.theme), lab.scale);
+    style.mathematics = &lab.fonts.mathematics;
+    return style;
+}
+
 void draw_plots_in_row(LabState& lab) {
     begin_plots(lab);
-    Plot plot(lab.plots.memory, plot_style(plot_theme(lab.theme), lab.scale), lab.plots.hooks);
+    Plot plot(lab.plots.memory, style_of_plots(lab), lab.plots.hooks);
     const std::vector<std::string> shown = shown_plots(lab);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x, count = static_cast<float>(std::max<std::size_t>(shown.size(), 1));

@@ -13,7 +13,11 @@
 
 namespace pliant::viewer {
 
+struct LabState;
+
 PlotTheme plot_theme(Theme theme);
+// As the lab draws plots now, with its typefaces.
+PlotStyle style_of_plots(const LabState& lab);
 
 struct PlotPanelState {
     PlotState memory;

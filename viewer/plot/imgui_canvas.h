@@ -6,9 +6,12 @@ struct ImDrawList;
 
 namespace pliant::viewer {
 
+class MathType;
+
 class ImguiCanvas final : public Canvas {
 public:
-    explicit ImguiCanvas(ImDrawList& list) : list_(list) {}
+    // mathematics: for words that have symbols; without it these are in the face of the words.
+    explicit ImguiCanvas(ImDrawList& list, const MathType* mathematics = nullptr) : list_(list), mathematics_(mathematics) {}
 
     void fill(Box box, Rgba8 colour) override;
     void line(std::span<const Point> points, Rgba8 colour, float width) override;
@@ -20,6 +23,7 @@ public:
 
 private:
     ImDrawList& list_;
+    const MathType* mathematics_;
 };
 
 }  // namespace pliant::viewer

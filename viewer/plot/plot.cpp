@@ -100,7 +100,7 @@ void Plot::heat_map(HeatMap heat) {
 void Plot::end() {
     if (!open_) throw std::logic_error("Plot::end was called without begin");
     open_ = false;
-    ImguiCanvas canvas(*ImGui::GetWindowDrawList());
+    ImguiCanvas canvas(*ImGui::GetWindowDrawList(), style_.mathematics);
     PlotRecord& record = state_.of(id_);
 
     // What is to be seen, before and after the hand has moved it.

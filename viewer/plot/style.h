@@ -9,6 +9,8 @@
 
 namespace pliant::viewer {
 
+class MathType;
+
 enum class Dash { solid, dashed, dotted };
 enum class Marker { none, circle, square, triangle, diamond, cross, plus };
 
@@ -28,6 +30,7 @@ struct PlotStyle {
     Rgba8 reference;  // exact and published curves
     Rgba8 plate;      // behind words that lie over the picture
     std::span<const Rgba8> palette;
+    const MathType* mathematics = nullptr;  // for names with symbols in them; without it they are words
 
     float px(float length) const { return length * scale; }
     float width(float length) const { return px(length) > least_width ? px(length) : least_width; }

@@ -1,6 +1,10 @@
 #include "plot/svg_canvas.h"
 
+#include <pliant/formula/notation.h>
+
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -19,6 +23,78 @@ std::string escaped(std::string_view words) {
     }
     return text;
 }
+
+// Symbols slanted, indices and exponents small and off the line; whatever the typeface is.
+class SvgWords {
+public:
+    explicit SvgWords(float size) : size_(size) {}
+
+    std::string of(const Notation& row) {
+        put(row, 0, size_);
+        return std::move(text_);
+    }
+
+private:
+    using Kind = Notation::Kind;
+
+    // A blank before what the formula sets apart.
+    static bool apart(const Notation& n) {
+        return n.spaced || n.kind == Kind::relation || n.kind == Kind::gap ||
+               (n.kind == Kind::sign && n.text != "·" && n.text != "/");
+    }
+    void leaf(std::string_view text, float raise, float size, bool slanted) {
+        std::string attributes;
+        if (raise != raise_) attributes += fmt::format(" dy=\"{:.2f}\"", raise_ - raise);
+        if (size != size_) attributes += fmt::format(" font-size=\"{:.3g}\"", size);
+        if (slanted) attributes += " font-style=\"italic\"";
+        raise_ = raise;
+        text_ += attributes.empty() ? escaped(text) : fmt::format("<tspan{}>{}</tspan>", attributes, escaped(text));
+    }
+    void put(const Notation& n, float raise, float size) {
+        switch (n.kind) {
+            case Kind::row:
+            case Kind::grid:
+                for (std::size_t k = 0; k < n.of.size(); ++k) {
+                    if (k > 0 && (apart(n.of[k]) || n.of[k - 1].kind == Kind::relation)) leaf(" ", raise, size, false);
+                    put(n.of[k], raise, size);
+                }
+                break;
+            case Kind::scripts:
+                put(n.of[0], raise, size);
+                put(n.of[1], raise - 0.2f * size, 0.72f * size);
+                put(n.of[2], raise + 0.35f * size, 0.72f * size);
+                break;
+            case Kind::fraction:
+                leaf(n.text, raise, size, false);
+                break;
+            case Kind::root:
+                leaf("√", raise, size, false), put(n.of[0], raise, size);
+                break;
+            case Kind::accent:
+                put(n.of[0], raise, size), leaf(combining(n.text), raise, size, false);
+                break;
+            case Kind::fence: {
+                const std::size_t open = n.text.size() > 2 ? n.text.size() / 2 : 1;
+                leaf(n.text.substr(0, open), raise, size, false);
+                put(n.of[0], raise, size);
+                leaf(n.text.substr(open), raise, size, false);
+                break;
+            }
+            default:
+                leaf(n.text, raise, size, n.kind == Kind::variable);
+        }
+    }
+    static std::string_view combining(std::string_view accent) {
+        return accent == "~"   ? "\u0303"
+               : accent == "^" ? "\u0302"
+               : accent == "¯" ? "\u0304"
+               : accent == "˙" ? "\u0307"
+                               : "\u0308";
+    }
+
+    float size_, raise_ = 0;
+    std::string text_;
+};
 
 // fill="#rrggbb" or stroke="#rrggbb", with an opacity where it is not full.
 std::string paint(const char* what, Rgba8 colour) {
@@ -60,7 +136,8 @@ void SvgCanvas::text(Point top_left, Rgba8 colour, std::string_view words) {
     body_ += fmt::format(
         "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.3g}\" textLength=\"{:.2f}\" lengthAdjust=\"spacingAndGlyphs\" "
         "{}>{}</text>\n",
-        top_left.x, top_left.y + 0.8f * size.y, 0.86f * size.y, size.x, paint("fill", colour), escaped(words));
+        top_left.x, top_left.y + 0.8f * size.y, 0.86f * size.y, size.x, paint("fill", colour),
+        SvgWords(0.86f * size.y).of(in_line(notation(words, Numbers::with_units))));
 }
 
 void SvgCanvas::push_clip(Box box) {

@@ -64,15 +64,6 @@ private:
     bool prose_ = false;
 };
 
-// Neither symbols nor relations stand in it.
-bool is_prose(const Notation& row) {
-    return std::ranges::none_of(row.of, [](const Notation& n) {
-        return n.kind == Kind::variable || n.kind == Kind::relation || n.kind == Kind::accent || n.kind == Kind::large ||
-               (n.kind == Kind::fraction && n.text.empty()) || (!n.of.empty() && n.text.empty() && !is_prose(n)) ||
-               (n.kind == Kind::fence && !is_prose(n.of[0]));
-    });
-}
-
 MathBox Setter::letters(std::string_view text, LetterShape shape, MathFace face) const {
     MathBox box;
     if (prose_) face = MathFace::words;
@@ -115,7 +106,7 @@ float Setter::gap_between(const Notation* before, const Notation& next) const {
     if (relation) return size_ * around_relation;
     const bool sign = is(before, Kind::sign) || next.kind == Kind::sign;
     if (sign) return size_ * (next.spaced ? around_sign : 0.04f);
-    if (is(before, Kind::name) && next.kind != Kind::fence) return size_ * after_name;
+    if (is(before, Kind::name) && next.kind != Kind::fence && next.text != "(") return size_ * after_name;
     if (is(before, Kind::large) || (is(before, Kind::scripts) && is(&before->of[0], Kind::large))) return size_ * after_name;
     if (is(before, Kind::prefix)) return 0;
     return next.spaced ? size_ * between_factors : 0;
@@ -363,46 +354,6 @@ MathBox Setter::lines(const Notation& row, float width) const {
     return whole;
 }
 
-// With fractions and parentheses in the line, so that it can be broken within them.
-void append_in_line(const Notation& n, Notation& out);
-
-void append_fenced(const Notation& row, bool spaced, Notation& out) {
-    out.of.push_back({.kind = Kind::digits, .text = "(", .spaced = spaced});
-    const std::size_t first = out.of.size();
-    for (const Notation& part : row.of) append_in_line(part, out);
-    if (first < out.of.size()) out.of[first].spaced = false;
-    out.of.push_back({.kind = Kind::digits, .text = ")"});
-}
-
-// below: the line, where more than one factor needs parentheses.
-void append_group(const Notation& row, bool spaced, bool below, Notation& out) {
-    const std::size_t first = out.of.size();
-    const auto stands_alone = [](const Notation& n) { return n.kind != Kind::prefix; };
-    const bool factors = below && std::ranges::count_if(row.of, stands_alone) > 1;
-    const bool one = !factors && std::ranges::none_of(row.of, [](const Notation& n) {
-        return n.kind == Kind::sign || n.kind == Kind::relation || (n.kind == Kind::fraction && n.text.empty());
-    });
-    if (!one) return append_fenced(row, spaced, out);
-    for (const Notation& part : row.of) append_in_line(part, out);
-    if (first < out.of.size()) out.of[first].spaced = spaced;
-}
-
-void append_in_line(const Notation& n, Notation& out) {
-    if (n.kind == Kind::fraction && n.text.empty()) {
-        append_group(n.of[0], n.spaced, false, out);
-        out.of.push_back({.kind = Kind::sign, .text = "/"});
-        append_group(n.of[1], false, true, out);
-    } else if (n.kind == Kind::fence && n.text == "()") {
-        append_fenced(n.of[0], n.spaced, out);
-    } else if (n.kind == Kind::scripts && n.of[0].kind == Kind::fence && n.of[0].text == "()") {
-        append_fenced(n.of[0].of[0], n.spaced, out);
-        Notation close{.kind = Kind::scripts, .of = {std::move(out.of.back()), n.of[1], n.of[2]}};
-        out.of.back() = std::move(close);
-    } else {
-        out.of.push_back(n);
-    }
-}
-
 }  // namespace
 
 void MathBox::move(float dx, float dy) {
@@ -426,9 +377,7 @@ MathBox set_formula(const Notation& formula, const MathMetrics& metrics, float s
     const bool stacked = fractions == Fractions::stacked;
     MathBox box = stacked ? setter.lines(words, width) : MathBox{};
     if (stacked && (width <= 0 || box.width <= width)) return box;
-    Notation in_line;
-    for (const Notation& part : words.of) append_in_line(part, in_line);
-    MathBox second = setter.lines(in_line, width);
+    MathBox second = setter.lines(in_line(words), width);
     return !stacked || second.width < box.width ? second : box;
 }
 

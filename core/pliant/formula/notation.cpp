@@ -16,8 +16,9 @@ using Kind = Notation::Kind;
 constexpr std::array<std::string_view, 24> upright_names{"sin",  "cos",  "tan", "asin", "acos",  "atan",  "atan2", "sinh",
                                                          "cosh", "tanh", "exp", "ln",   "log10", "log",   "min",   "max",
                                                          "det",  "tr",   "div", "diag", "sign",  "floor", "curl",  "grad"};
-constexpr std::array<std::string_view, 24> short_words{"in", "at", "by", "of", "or", "is", "to", "as", "on", "an", "it", "so",
-                                                       "be", "no", "if", "up", "we", "do", "1D", "2D", "3D", "vs", "go", "Its"};
+constexpr std::array<std::string_view, 30> known_words{
+    "in", "at", "by", "of", "or", "is",   "to",  "as",  "on",  "an",  "it",  "so", "be",  "no",         "if",
+    "up", "we", "do", "go", "vs", "StVK", "CFL", "RMS", "FEM", "PDE", "SVD", "CG", "BDF", "MacCormack", "SPH"};
 
 template <class Letters>
 bool is_one_of(char32_t c, const Letters& letters) {
@@ -226,7 +227,18 @@ private:
         return {.kind = Kind::fraction, .text = std::string(take_letter()), .of = {digit(0), digit(1)}};
     }
 
+    // "[J]" behind the name of an axis.
+    bool unit_in_brackets() const {
+        const std::size_t end = text_.find(']', at_);
+        return numbers_ == Numbers::with_units && end != text_.npos && is_prefixed_unit(text_.substr(at_ + 1, end - at_ - 1));
+    }
+
     Notation fenced(char32_t open) {
+        if (open == '[' && unit_in_brackets()) {
+            const std::size_t from = at_;
+            at_ = text_.find(']', at_) + 1;
+            return {.kind = Kind::name, .text = slice(from)};
+        }
         const char32_t close = open == '(' ? ')' : open == '[' ? ']' : '}';
         ++at_;
         const char32_t outer = std::exchange(closes_, U'\0');
@@ -331,7 +343,7 @@ private:
         const std::string_view run = text_.substr(from, end - from);
         const char32_t after = end < text_.size() ? code_point(text_, end).letter : U' ';
         if (after == '_' || lowered_digit(after) >= 0 || raised_digit(after) >= 0 || after == '(') return false;
-        if (std::ranges::find(short_words, run) != short_words.end()) return true;
+        if (std::ranges::find(known_words, run) != known_words.end()) return true;
         return run.size() > 2 && std::ranges::all_of(run.substr(1), [](char c) { return c >= 'a' && c <= 'z'; });
     }
     Notation letters(const Notation& before) {

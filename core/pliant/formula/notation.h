@@ -41,6 +41,11 @@ struct Notation {
 enum class Numbers { plain, with_units };
 Notation notation(std::string_view text, Numbers numbers = Numbers::plain);
 
+// With its fractions and parentheses in the line, "a b / (c d)", where it can be broken within them.
+Notation in_line(const Notation& row);
+// Neither symbols nor relations stand in it: words, numbers and units alone.
+bool is_prose(const Notation& row);
+
 // The same in LaTeX.
 std::string latex(const Notation& notation);
 std::string latex(std::string_view text);
