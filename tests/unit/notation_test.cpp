@@ -120,6 +120,7 @@ TEST_CASE("notation: units behind numbers stand upright where a text has quantit
     CHECK(upright("16.7 ms") == 1);
     CHECK(upright("20 N / 100 mm = 3 m²") == 3);
     CHECK(latex(notation("A = 3 m²/s", Numbers::with_units)) == "A = 3 \\mathrm{m}^{2}\\mathrm{/s}");
+    CHECK(latex(notation("M = 3.7 N m", Numbers::with_units)) == "M = 3.7 \\mathrm{N m}");
     CHECK(upright("Stress σ [kPa]") == 1);
     CHECK(upright("k m x") == 0);
     CHECK(count(notation("2 m g"), Kind::name) == 0);

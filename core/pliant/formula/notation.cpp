@@ -121,21 +121,25 @@ private:
     }
 
     // Where a blank-free run from here ends.
-    std::size_t token_end() const {
-        std::size_t end = at_;
+    std::size_t token_end(std::size_t from) const {
+        std::size_t end = from;
         while (end < text_.size() && std::string_view(" ,;:()=|").find(text_[end]) == std::string_view::npos) ++end;
         return end;
     }
     bool unit_follows(const Notation& all, std::size_t blanks) const {
         if (numbers_ == Numbers::plain || blanks != 1 || all.of.empty()) return false;
         const Notation& last = all.of.back().kind == Kind::scripts ? all.of.back().of[0] : all.of.back();
-        const std::string_view token = text_.substr(at_, token_end() - at_);
+        const std::string_view token = text_.substr(at_, token_end(at_) - at_);
         return last.kind == Kind::digits && !token.empty() && is_prefixed_unit(token);
     }
     // "kg m²/s²" up to a blank: upright letters, with their exponents.
     Notation unit() {
         Notation all;
-        const std::size_t end = token_end();
+        std::size_t end = token_end(at_);
+        // "N m" has a blank in it.
+        while (end + 1 < text_.size() && text_[end] == ' ' && token_end(end + 1) > end + 1 &&
+               is_prefixed_unit(text_.substr(at_, token_end(end + 1) - at_)))
+            end = token_end(end + 1);
         while (at_ < end) {
             Notation name{.kind = Kind::name};
             while (at_ < end && raised(here()).empty()) name.text += take_letter();
