@@ -1,6 +1,10 @@
 // The ledger of claims: its order, what is asked of it, what an experiment may give, and the reports.
 #include <pliant/math/error.h>
+#include <pliant/study/claims_reader.h>
 #include <pliant/study/claims_report.h>
+#include <pliant/text/texts.h>
+
+#include <fmt/format.h>
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -20,7 +24,7 @@ namespace {
 Finding reproduced(Real figure = 0.25) { return {figure, Verdict::reproduced, "A quarter was measured.", ""}; }
 
 Claim claim_with(std::string_view id, std::function<Finding()> measure, Verdict expected = Verdict::reproduced) {
-    return {.id = id,
+    return {.id = std::string(id),
             .lesson = "time/none",
             .statement = "A statement that is long enough to be wrapped within its column, |v'|² and ẍ included.",
             .source = "U: a slide",
@@ -35,16 +39,27 @@ Claim claim_with(std::string_view id, std::function<Finding()> measure, Verdict 
             .measure = std::move(measure)};
 }
 
-// Out of order, and two lessons.
-const ClaimRegistration f2{claim_with("F2", [] { return reproduced(); })};
-const ClaimRegistration e10{claim_with("E10", [] { return reproduced(); })};
-const ClaimRegistration m1{claim_with("M1", [] { return reproduced(); })};
-const ClaimRegistration e2{claim_with("E2", [] { return reproduced(); })};
-const ClaimRegistration i1{claim_with("I1", [] { return reproduced(); })};
+// A claim as claims.md has it; more entries may follow.
+std::string words_of(std::string_view id, std::string_view more = "") {
+    return fmt::format(
+        "## {}\n\nIt holds,\nas was said.\n\n- source: U: a slide\n- experiment: Something\n  is measured.\n- figure: a share\n"
+        "- criterion: ≤ 0.5\n{}- question: How much?\n  - [ ] little\n  - [x] very\n    much\n\n",
+        id, more);
+}
+
+// Out of order, and in two chapters' order of files.
+const std::string first_words = "# Claims\n\nWords before the first.\n\n" + words_of("F2") + words_of("E10") + words_of("M1"),
+                  other_words = words_of("I1") + words_of("E2");
+const TextRegistration texts{{{"time/none/claims.md", first_words}, {"time/some/claims.md", other_words}}};
+const ClaimRegistration f2{"F2", [] { return reproduced(); }};
+const ClaimRegistration e10{"E10", [] { return reproduced(); }};
+const ClaimRegistration m1{"M1", [] { return reproduced(); }};
+const ClaimRegistration e2{"E2", [] { return reproduced(); }};
+const ClaimRegistration i1{"I1", [] { return reproduced(); }};
 
 std::string ids() {
     std::string text;
-    for (const Claim& c : claims()) text += std::string(c.id) + " ";
+    for (const Claim& c : claims()) text += c.id + " ";
     return text;
 }
 
@@ -64,12 +79,92 @@ TEST_CASE("a claim is found by its id in either case, and an unknown one is refu
     CHECK(find_claim("E10").id == "E10");
     CHECK(&find_claim("e10") == &find_claim("E10"));
     CHECK(chapter_of(find_claim("m1")) == "Mesh-based Lagrangian methods");
-    CHECK(claims_of("time/none").size() == 5);
+    CHECK(claims_of("time/none").size() == 3);
     CHECK(claims_of("time/other").empty());
     for (const char* id : {"E1", "E100", "", "10", "E10 "})
         CHECK_THROWS_WITH(find_claim(id),
                           ContainsSubstring("E2, E10, I1, M1, F2") && ContainsSubstring(std::string("'") + id + "'"));
     CHECK_THROWS_AS(find_claim("X1"), Refused);
+}
+
+TEST_CASE("the words of a claim are read, lines that go on included", "[claims]") {
+    const auto read = read_claims("Words before.\n" +
+                                      words_of("E7",
+                                               "- unit: Pa\n- expected: qualified\n- timed: yes\n"
+                                               "- scene: speed=2\n  load=1e4\n") +
+                                      words_of("E8"),
+                                  "time/none");
+    REQUIRE(read.size() == 2);
+    const Claim& c = read[0];
+    CHECK(c.id == "E7");
+    CHECK(c.lesson == "time/none");
+    CHECK(c.statement == "It holds, as was said.");
+    CHECK(c.source == "U: a slide");
+    CHECK(c.experiment == "Something is measured.");
+    CHECK(c.figure == "a share");
+    CHECK(c.unit == "Pa");
+    CHECK(c.criterion == "≤ 0.5");
+    CHECK(c.question == "How much?");
+    CHECK(c.answers == std::vector<std::string>{"little", "very much"});
+    CHECK(c.right_answer == 1);
+    CHECK(c.scene == std::vector<std::pair<std::string, std::string>>{{"speed", "2"}, {"load", "1e4"}});
+    CHECK(c.expected == Verdict::qualified);
+    CHECK(c.timed);
+    CHECK(read[1].id == "E8");
+    CHECK(read[1].expected == Verdict::reproduced);
+    CHECK_FALSE(read[1].timed);
+    CHECK(read[1].scene.empty());
+    CHECK(read[1].unit.empty());
+}
+
+TEST_CASE("words of a claim that are not whole are refused with their place, and with what to do", "[claims]") {
+    const auto refusal = [](const std::string& text) {
+        try {
+            read_claims(text, "time/none");
+        } catch (const Refused& e) {
+            return std::string(e.what());
+        }
+        return std::string("it was read");
+    };
+    const auto without = [](const std::string& part) {
+        std::string text = words_of("E7");
+        return text.erase(text.find(part), part.size());
+    };
+    CHECK_THAT(refusal(""), ContainsSubstring("time/none/claims.md:0: there is no claim: begin one with '## ID'"));
+    CHECK_THAT(refusal(words_of("E7", "- colour: blue\n")),
+               ContainsSubstring("claims.md:11: 'colour' is no entry of a claim; known: source, experiment"));
+    CHECK_THAT(refusal(words_of("E7", "- timed\n")), ContainsSubstring("'timed' is no entry"));
+    CHECK_THAT(refusal(words_of("E7", "- figure: another\n")), ContainsSubstring("E7 has two entries 'figure'"));
+    CHECK_THAT(refusal(words_of("E7", "- timed: no\n")), ContainsSubstring("'timed' is 'yes', or left out"));
+    CHECK_THAT(refusal(words_of("E7", "- expected: refuted\n")), ContainsSubstring("'refuted' cannot be expected"));
+    CHECK_THAT(refusal(words_of("E7", "- scene: speed\n")), ContainsSubstring("'speed' is not KEY=VALUE"));
+    CHECK_THAT(refusal(words_of("E7", "loose words\n")), ContainsSubstring("'loose words' is neither an entry"));
+    CHECK_THAT(refusal(words_of("E7", "  - [x] early\n")), ContainsSubstring("an answer stands below '- question:'"));
+    CHECK_THAT(refusal(without("It holds,\nas was said.\n")), ContainsSubstring("E7 has no statement"));
+    for (const std::string entry : {"source: U: a slide", "criterion: ≤ 0.5", "figure: a share"})
+        CHECK_THAT(refusal(without("- " + entry + "\n")),
+                   ContainsSubstring("E7 has no " + entry.substr(0, entry.find(':')) + ": give '- "));
+    CHECK_THAT(refusal(without("  - [ ] little\n")), ContainsSubstring("E7 has 1 answers, 1 of them right"));
+    CHECK_THAT(refusal(without("x] very\n    much") + "  - [ ] none\n"), ContainsSubstring("0 of them right"));
+}
+
+TEST_CASE("a claim has words and one measurement, or the ledger is refused", "[claims]") {
+    const auto measure = [] { return reproduced(); };
+    const std::string e7 = words_of("E7"), e8 = words_of("E8"), odd = words_of("X7"), worse = words_of("E7b");
+    const auto joined = joined_claims({{"time/none", e8}, {"time/some", e7}}, {{"E7", measure}, {"E8", measure}});
+    REQUIRE(joined.size() == 2);
+    CHECK(joined[0].id == "E7");
+    CHECK(joined[0].lesson == "time/some");
+    CHECK(joined[0].measure().figure == 0.25);
+    CHECK_THROWS_WITH(joined_claims({{"time/none", e7}}, {}), ContainsSubstring("time/none/claims.md: nothing measures E7"));
+    CHECK_THROWS_WITH(joined_claims({{"time/none", e7}}, {{"E7", measure}, {"E9", measure}}),
+                      ContainsSubstring("E9 is measured, but has no words: give '## E9'"));
+    CHECK_THROWS_WITH(joined_claims({{"time/none", e7}}, {{"E7", measure}, {"E7", measure}}),
+                      ContainsSubstring("E7 is measured by two functions"));
+    CHECK_THROWS_WITH(joined_claims({{"time/none", e7}, {"time/some", e7}}, {{"E7", measure}}),
+                      ContainsSubstring("time/none/claims.md and time/some/claims.md: both have a claim E7"));
+    for (const std::string& text : {odd, worse})
+        CHECK_THROWS_WITH(joined_claims({{"time/none", text}}, {}), ContainsSubstring("is no id of a claim: give the letter"));
 }
 
 TEST_CASE("what an experiment found is told with its time", "[claims]") {

@@ -1,6 +1,7 @@
 #include "command_line/command_line.h"
 
 #include <pliant/math/parallel.h>
+#include <pliant/study/claims.h>
 #include <pliant/text/suggest.h>
 
 #include "command_line/number_options.h"
@@ -183,6 +184,7 @@ void check_command(const CLI::App& app, int argc, const char* const* argv) {
 }
 
 int dispatch(int argc, const char* const* argv) {
+    pliant::claims();  // a ledger that is not whole is refused before anything else
     CLI::App app("Pliant, a laboratory for physically based simulation: stop inside a time step and look at every quantity.",
                  "pliant");
     app.footer(footer);

@@ -127,6 +127,8 @@ public:
     Real step_ms() const { return step_ms_; }                                          // of the latest whole step
     // Empty where undefined. Throws Diverged when it is not finite.
     std::optional<Real> value(const Probe& probe) const;
+    // Of the probe of this name. Throws Refused when there is none, or it has no value now.
+    Real value(std::string_view probe) const;
     std::optional<Real> exact(const Probe& probe) const;
     // Throws Diverged for the first probe, or closed form, that is not finite.
     void check_probes() const;

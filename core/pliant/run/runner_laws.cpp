@@ -1,6 +1,8 @@
 // What a run measures, and whether its conserved quantities hold.
 #include <pliant/run/runner.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,6 +31,11 @@ std::optional<Real> finite(std::optional<Real> value, const Probe& probe, Index 
 }  // namespace
 
 std::optional<Real> Runner::value(const Probe& probe) const { return finite(probe.value(), probe, step_, time()); }
+
+Real Runner::value(std::string_view name) const {
+    if (const auto now = value(lesson_->probe(name))) return *now;
+    throw Refused(fmt::format("the probe '{}' has no value now", name));
+}
 
 std::optional<Real> Runner::exact(const Probe& probe) const {
     return probe.exact ? finite(probe.exact(time()), probe, step_, time()) : std::nullopt;

@@ -1,6 +1,6 @@
-// The ledger of claims: what the lectures say of a method, each as an experiment that measures whether it is so. A claim is
-// declared beside its lesson and registers itself; the command line, the lab, the tests and the page of the documentation follow
-// from it.
+// The ledger of claims: what the lectures say of a method, each as an experiment that measures whether it is so. Its words lie
+// beside the lesson as claims.md (claims_reader.h), and a function that registers itself makes the experiment; the command line,
+// the lab, the tests and the page of the documentation follow from both.
 #pragma once
 #include <pliant/math/types.h>
 
@@ -28,17 +28,17 @@ struct Finding {
 };
 
 struct Claim {
-    std::string_view id;          // "E7": a letter for the chapter, and a number
-    std::string_view lesson;      // "elasticity/poisson"
-    std::string_view statement;   // of the lecture, in our words
-    std::string_view source;      // which lecture, which slide: "U, T: Poisson's ratio"
-    std::string_view experiment;  // what is done, in a sentence
-    std::string_view figure;      // what the number is: "largest |measured − exact| / exact"
-    std::string_view unit = "";
-    std::string_view criterion;  // "≤ 10⁻⁹"
+    std::string id;          // "E7": a letter for the chapter, and a number
+    std::string lesson;      // "elasticity/poisson"
+    std::string statement;   // of the lecture, in our words
+    std::string source;      // which lecture, which slide: "U, T: Poisson's ratio"
+    std::string experiment;  // what is done, in a sentence
+    std::string figure;      // what the number is: "largest |measured − exact| / exact"
+    std::string unit = "";
+    std::string criterion;  // "≤ 10⁻⁹"
     // Asked before it is run: a question, answers to choose from, and the number of the right one, from 0.
-    std::string_view question;
-    std::vector<std::string_view> answers;
+    std::string question;
+    std::vector<std::string> answers;
     int right_answer = 0;
     // Parameters of the lesson that show it.
     std::vector<std::pair<std::string, std::string>> scene;
@@ -47,7 +47,8 @@ struct Claim {
     std::function<Finding()> measure;
 };
 
-// All claims, chapter by chapter in the order of the lectures (E, I, M, P, R, F), then by number.
+// All claims, chapter by chapter in the order of the lectures (E, I, M, P, R, F), then by number. Throws Refused when a text
+// cannot be read, and for words that nothing measures as for an experiment without words; the program asks before anything else.
 const std::vector<Claim>& claims();
 
 // Those of one lesson ("elasticity/moduli"), in the same order.
@@ -59,11 +60,14 @@ const Claim& find_claim(std::string_view id);
 // What the letter of its id stands for: "Elasticity".
 std::string_view chapter_of(const Claim& claim);
 
-void register_claim(const Claim& claim);
-
-// At namespace scope of <lesson>_claims.cpp:  const ClaimRegistration e7{{.id = "E7", ...}};
+// Makes the experiment of a claim. At namespace scope of <lesson>_claims.cpp:  const ClaimRegistration e7{"E7", contraction};
 struct ClaimRegistration {
-    explicit ClaimRegistration(const Claim& claim) { register_claim(claim); }
+    ClaimRegistration(std::string_view id, std::function<Finding()> measure);
 };
+
+// The claims of these texts (lesson and text) with what measures them, in the order of the lectures. Throws as claims() does.
+using ClaimTexts = std::vector<std::pair<std::string_view, std::string_view>>;
+using ClaimMeasures = std::vector<std::pair<std::string_view, std::function<Finding()>>>;
+std::vector<Claim> joined_claims(const ClaimTexts& texts, const ClaimMeasures& measures);
 
 }  // namespace pliant

@@ -99,7 +99,7 @@ Real rounding_of(const Claim& claim) {
     constexpr std::string_view at_most = "≤ 10⁻";
     if (!claim.criterion.starts_with(at_most)) return usual;
     constexpr std::array<std::string_view, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string_view rest = claim.criterion.substr(at_most.size());
+    std::string_view rest = std::string_view(claim.criterion).substr(at_most.size());
     int power = 0;
     for (bool digit = true; digit;) {
         digit = false;

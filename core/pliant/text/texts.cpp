@@ -23,6 +23,14 @@ std::string_view find_text(std::string_view path) {
     return found == all_texts().end() ? std::string_view{} : found->second;
 }
 
+std::vector<std::string_view> texts_called(std::string_view name) {
+    const std::string end = "/" + std::string(name);
+    std::vector<std::string_view> paths;
+    for (const auto& [path, text] : all_texts())
+        if (path.ends_with(end)) paths.push_back(path);
+    return paths;
+}
+
 std::vector<std::string> preset_names(std::string_view lesson_id) {
     const std::string folder = preset_folder(lesson_id);
     std::vector<std::string> names;

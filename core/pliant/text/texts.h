@@ -1,4 +1,4 @@
-// Texts that lie beside the lessons in the sources (walkthroughs, presets), compiled into the program.
+// Texts that lie beside the lessons in the sources (walkthroughs, claims, presets), compiled into the program.
 #pragma once
 #include <string>
 #include <string_view>
@@ -13,6 +13,9 @@ struct TextRegistration {
 
 // "mesh/mass_spring/walkthrough.md"; empty when there is none.
 std::string_view find_text(std::string_view path);
+
+// The paths of all texts of this name, "claims.md", sorted.
+std::vector<std::string_view> texts_called(std::string_view name);
 
 // The names of the presets of a lesson: its files presets/NAME.json.
 std::vector<std::string> preset_names(std::string_view lesson_id);

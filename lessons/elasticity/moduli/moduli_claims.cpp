@@ -37,9 +37,7 @@ Real slope(std::string_view test, const Material& m, const Shape& shape = shapes
                                                      {"width", format_exact(shape.width)},
                                                      {"resolution", "2"}});
     runner.step();
-    const auto measured = runner.value(runner.lesson().probe("measured_modulus"));
-    if (!measured) throw Refused(fmt::format("the {} test of {} has no slope", test, m.name));
-    return *measured;
+    return runner.value("measured_modulus");
 }
 
 // Slopes of every material against a closed form: how far they are off, and what they are.
@@ -72,53 +70,10 @@ Finding measure_young() {
     return f;
 }
 
-const ClaimRegistration e3{
-    {.id = "E3",
-     .lesson = "elasticity/moduli",
-     .statement = "Young's modulus is stress over strain in tension, Y = (F/A)/(ΔL/L), a number of the material alone.",
-     .source = "U, T: Young's modulus",
-     .experiment =
-         "Pull blocks of five materials and of three lengths in the virtual tensile test, and compare the slope of stress over "
-         "strain with the Y that each is made of.",
-     .figure = "largest |slope − Y| / Y",
-     .criterion = "≤ 10⁻⁹",
-     .question = "A block of the same rubber, but twice as long, is pulled with the same force. What does the test give for Y?",
-     .answers = {"half as much, since it stretches twice as far", "the same", "twice as much, since there is more of it"},
-     .right_answer = 1,
-     .scene = {{"test", "tension"}, {"youngs_modulus", "1e6"}, {"poisson_ratio", "0.49"}, {"load", "1e4"}, {"length", "0.4"}},
-     .measure = measure_young}};
-
-const ClaimRegistration e4{
-    {.id = "E4",
-     .lesson = "elasticity/moduli",
-     .statement = "The shear modulus is shear stress over shear strain, and follows from Y and ν: G = Y/(2(1+ν)).",
-     .source = "U, T: shear modulus",
-     .experiment =
-         "Shear blocks of five materials, ν from −0.5 to 0.49, in the virtual shear test, and compare the slope of stress over "
-         "strain with Y/(2(1+ν)).",
-     .figure = "largest |slope − G| / G",
-     .criterion = "≤ 10⁻⁹",
-     .question = "Y stays, and ν is raised from 0 to 0.49. What becomes of the resistance to shear?",
-     .answers = {"it stays, since shear keeps the volume", "it falls by a third", "it grows without limit"},
-     .right_answer = 1,
-     .scene = {{"test", "shear"}, {"youngs_modulus", "1e6"}, {"poisson_ratio", "0.49"}, {"load", "1e4"}},
-     .measure = [] { return compare("shear", "G", [](const Material& m) { return m.Y / (2 * (1 + m.nu)); }); }}};
-
-const ClaimRegistration e5{
-    {.id = "E5",
-     .lesson = "elasticity/moduli",
-     .statement = "The bulk modulus is pressure over loss of volume, B = −ΔP/(ΔV/V), and follows from Y and ν: B = Y/(3(1−2ν)).",
-     .source = "U, T: bulk modulus",
-     .experiment =
-         "Squeeze blocks of five materials, ν from −0.5 to 0.49, from all sides in the virtual pressure test, and compare the "
-         "slope with Y/(3(1−2ν)).",
-     .figure = "largest |slope − B| / B",
-     .criterion = "≤ 10⁻⁹",
-     .question = "Steel has Y = 200 GPa, rubber 1 MPa. Y of rubber stays, and its ν goes to ½. What becomes of its bulk modulus?",
-     .answers = {"it stays below 1 MPa", "it grows without limit, beyond that of steel", "it falls to 0, as in a liquid"},
-     .right_answer = 1,
-     .scene = {{"test", "pressure"}, {"youngs_modulus", "1e6"}, {"poisson_ratio", "0.49"}, {"load", "1e4"}},
-     .measure = [] { return compare("pressure", "B", [](const Material& m) { return m.Y / (3 * (1 - 2 * m.nu)); }); }}};
+const ClaimRegistration e3{"E3", measure_young};
+const ClaimRegistration e4{"E4", [] { return compare("shear", "G", [](const Material& m) { return m.Y / (2 * (1 + m.nu)); }); }};
+const ClaimRegistration e5{"E5",
+                           [] { return compare("pressure", "B", [](const Material& m) { return m.Y / (3 * (1 - 2 * m.nu)); }); }};
 
 }  // namespace
 }  // namespace pliant::moduli

@@ -84,11 +84,8 @@ OneStep one_step(const char* form) {
         runner.step();
         return runner;
     };
-    const auto value = [](const Runner& runner, std::string_view probe) {
-        return runner.value(runner.lesson().probe(probe)).value();
-    };
     const Runner step = after("step"), wave = after("mode");
-    return {value(step, "sum") / 16, value(wave, "factor_measured"), value(wave, "factor_exact")};
+    return {step.value("sum") / 16, wave.value("factor_measured"), wave.value("factor_exact")};
 }
 
 // With the old u but without 1/Δx²: how fast a wave fades, as a share of ν|k|². 32 cells of a row of 1 m, νΔt = 10⁻⁴ m².
@@ -131,24 +128,7 @@ Finding stencil() {
                 1 / fading_without_cell_size())};
 }
 
-const ClaimRegistration f3{
-    {.id = "F3",
-     .lesson = "fluids/diffusion",
-     .statement =
-         "The stencil of a cell and its neighbours tends to ν∇²u; explicit, it is stable for νΔt/Δx² ≤ 1/2 in 1D and 1/4 in 2D.",
-     .source = "U: Navier–Stokes equations, viscosity, 2-neighbour and 4-neighbour stencil (the limits are ours)",
-     .experiment =
-         "The stencil on a smooth u with known ∇²u, on 32 to 256 cells; the r at which random numbers begin to grow, by "
-         "bisection; one step of the formula exactly as on the slide.",
-     .figure = "largest relative difference of the limits found from 1/2 and 1/4",
-     .criterion = "≤ 10⁻⁶, with order 2 ± 0.05 in space",
-     .question =
-         "Every cell takes r = νΔt/Δx² of the difference to each neighbour. From which r on does u grow instead of fading?",
-     .answers = {"never: diffusion only smooths", "1/2 in 1D, 1/4 in 2D", "1 in 1D, 1/2 in 2D", "1/2 in 1D and in 2D"},
-     .right_answer = 1,
-     .scene = {{"start", "random"}, {"diffusion_number", "0.55"}, {"mode", "16"}},
-     .expected = Verdict::qualified,
-     .measure = stencil}};
+const ClaimRegistration f3{"F3", stencil};
 
 }  // namespace
 }  // namespace pliant::diffusion

@@ -18,8 +18,6 @@ constexpr Real U = 0.3;  // of the plate, m/s
 // volume-of-fluid solution that slides along walls.
 constexpr Real filmed_front = 2.29, volume_of_fluid_front = 2.66;
 
-Real measured(const Runner& runner, std::string_view probe) { return *runner.value(runner.lesson().probe(probe)); }
-
 Runner run(const char* preset_name, const Runner::Assignments& more, Index steps) {
     const LessonEntry& entry = find_lesson("fluids/free_surface");
     Runner::Assignments parameters = preset(entry, preset_name).parameters;
@@ -58,13 +56,13 @@ Finding surfaces_and_solids() {
     const Real a = 0.05715;
     const Runner falls = run("dam_break", {}, 54), coarse = run("dam_break", {{"resolution", "48"}}, 54),
                  stands = run("mould", {}, 50);
-    const Real front = measured(falls, "front_position") / a;
+    const Real front = falls.value("front_position") / a;
     // What twice the cells still change is the margin that the front has.
-    const Real margin = std::abs(front - measured(coarse, "front_position") / a);
-    const Real held = std::abs(measured(stands, "front_position") - 0.25);
+    const Real margin = std::abs(front - coarse.value("front_position") / a);
+    const Real held = std::abs(stands.value("front_position") - 0.25);
     const Runner still = run("still_water", {{"column_height", "0.325"}}, 1),
                  off = run("still_water", {{"column_height", "0.325"}, {"surface_condition", "at_cell_centre"}}, 1);
-    const Real right = std::abs(measured(still, "pressure_offset")), wrong = measured(off, "pressure_offset");
+    const Real right = std::abs(still.value("pressure_offset")), wrong = off.value("pressure_offset");
     const AtSolid solid = beside_a_plate();
     const bool so = front > filmed_front && std::abs(front - volume_of_fluid_front) < margin && margin < 0.1 && held < 2e-3 &&
                     right < 1e-4 && solid.across < 1e-12 && solid.along > 0.01;
@@ -80,24 +78,7 @@ Finding surfaces_and_solids() {
                 solid.along)};
 }
 
-const ClaimRegistration f5{
-    {.id = "F5",
-     .lesson = "fluids/free_surface",
-     .statement =
-         "With p = 0 on its surface a fluid can splash into the air. At solids u·n = u_body·n, and along them it flows freely.",
-     .source = "U, T: Navier–Stokes equations, pressure on boundary nodes",
-     .experiment = "A column of water falls with p = 0 on its surface, and with u·n = 0 instead; still water; water pushed by a "
-                   "plate.",
-     .figure = "front of the column at t √(2g/a) = 2, in column widths",
-     .unit = "",
-     .criterion =
-         "beyond the 2.29 of the film, and no farther from 2.66 (volume-of-fluid) than twice the cells change, at most 0.1; "
-         "u·n exact and u·t free at solids",
-     .question = "The surface of a column of water is treated as a wall, u·n = 0. What does the column do?",
-     .answers = {"it falls, a little slower", "it stands still", "it loses water"},
-     .right_answer = 1,
-     .scene = {{"scene", "column"}, {"surface_condition", "closed"}},
-     .measure = surfaces_and_solids}};
+const ClaimRegistration f5{"F5", surfaces_and_solids};
 
 }  // namespace
 }  // namespace pliant::free_surface

@@ -16,8 +16,6 @@ namespace {
 constexpr std::string_view lesson = "fluids/projection";
 constexpr Real tolerance = 1e-6;
 
-Real measured(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-
 // Largest share of the divergence that is left, over all fields, solvers, grids and boundaries.
 struct Left {
     Real largest = 0;
@@ -41,9 +39,8 @@ Left what_is_left() {
                                    {"obstacle", obstacle}});
                     runner.step();
                     ++left.runs;
-                    left.largest =
-                        std::max(left.largest, measured(runner, "max_divergence") / measured(runner, "max_divergence_before"));
-                    const Real growth = measured(runner, "kinetic_energy") / measured(runner, "kinetic_energy_before");
+                    left.largest = std::max(left.largest, runner.value("max_divergence") / runner.value("max_divergence_before"));
+                    const Real growth = runner.value("kinetic_energy") / runner.value("kinetic_energy_before");
                     if (field.key == "through_flow")
                         left.most_growth = std::max(left.most_growth, growth);
                     else
@@ -72,7 +69,7 @@ Real checkerboard_left(const char* grid) {
     Runner runner(find_lesson(lesson),
                   {{"field", "checkerboard"}, {"boundary", "periodic"}, {"resolution", "8"}, {"grid", grid}});
     runner.step();
-    return measured(runner, "energy_left");
+    return runner.value("energy_left");
 }
 
 Finding projection() {
@@ -96,23 +93,7 @@ Finding projection() {
             .condition = {}};
 }
 
-const ClaimRegistration f4{
-    {.id = "F4",
-     .lesson = "fluids/projection",
-     .statement = "Projection makes a velocity free of divergence, to the tolerance of the solver. Velocity belongs on the faces "
-                  "and pressure in the centres of the cells: with both in the centres a checkerboard is not seen.",
-     .source = "U, S, T: Eulerian methods, pressure projection (that a checkerboard is not seen is ours)",
-     .experiment = "Every field, solver and boundary of the lesson is projected; the null spaces of both grids are found by the "
-                   "rank of their matrices; a checkerboard is given to both.",
-     .figure = "null vectors of the collocated operator beyond the staggered one's, periodic 8 × 8",
-     .unit = "",
-     .criterion = "3, with ∇·u ≤ 10⁻⁶ ∇·ũ in every run, all of the checkerboard left on one grid and nothing on the other",
-     .question = "A checkerboard of velocities is given to a staggered and to a collocated grid. What does the projection leave?",
-     .answers = {"nothing, on both", "all of it on the collocated grid, nothing on the staggered one",
-                 "all of it on the staggered grid, nothing on the collocated one"},
-     .right_answer = 1,
-     .scene = {{"field", "checkerboard"}, {"boundary", "periodic"}, {"resolution", "8"}, {"grid", "collocated"}},
-     .measure = projection}};
+const ClaimRegistration f4{"F4", projection};
 
 }  // namespace
 }  // namespace pliant::projection

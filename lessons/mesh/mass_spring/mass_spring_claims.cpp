@@ -14,8 +14,6 @@
 namespace pliant::mass_spring {
 namespace {
 
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-
 // ------------------------------------------------------------------------------------------------------------------- M7
 
 struct Net {
@@ -55,7 +53,7 @@ Real over_solid(const char* test, Index n) {
                                                     {"k_shear", k},
                                                     {"k_bending", "0"}});
     runner.step();
-    return value(runner, "stiffness_ratio");
+    return runner.value("stiffness_ratio");
 }
 
 // Of these ratios at 2, 4 and 8 cells: do both halvings bring them nearer to 1, by a third at least?
@@ -94,23 +92,7 @@ Finding drift() {
                         left[0], left[1], square, triangle, stretched[0], stretched[1], stretched[2], bent[0], bent[1], bent[2])};
 }
 
-const ClaimRegistration m7{
-    {.id = "M7",
-     .lesson = "mesh/mass_spring",
-     .statement =
-         "Mass–spring nets do not converge: their stiffness drifts with the resolution and with the topology of the net.",
-     .source = "U, S, T: mass–spring systems, drawbacks",
-     .experiment =
-         "Young's modulus of one block in space, of two lattices, of 1 to 8 cells per edge with the same springs, by a static "
-         "test between plates; the same of two sheets of 8, 16 and 32 cells; and of blocks whose k shrinks with the edge.",
-     .figure = "smallest growth of E in space from 4 to 8 cells per edge",
-     .criterion = "> 1.5, where a net that converges tends to 1; sheets: each change at most 0.6 of the one before",
-     .question = "A block of springs is cut twice as fine, with the same spring stiffness. What does its Young's modulus do?",
-     .answers = {"it converges to that of the material", "it grows, without an end", "it stays as it is", "it falls to half"},
-     .right_answer = 1,
-     .scene = {{"scene", "stretch_test"}, {"k_shear", "200"}, {"k_bending", "0"}},
-     .expected = Verdict::qualified,
-     .measure = drift}};
+const ClaimRegistration m7{"M7", drift};
 
 // ------------------------------------------------------------------------------------------------------------------- M9
 
@@ -120,9 +102,9 @@ struct Turned {
 
 Turned turned(const char* damping_mode) {
     Runner runner(find_lesson("mesh/mass_spring"), {{"scene", "spin"}, {"damping_mode", damping_mode}, {"damping", "0.05"}});
-    const Real momentum = value(runner, "angular_momentum"), energy = value(runner, "kinetic_energy");
+    const Real momentum = runner.value("angular_momentum"), energy = runner.value("kinetic_energy");
     advance(runner, Until::after_time(0.5));
-    return {value(runner, "angular_momentum") / momentum, value(runner, "kinetic_energy") / energy};
+    return {runner.value("angular_momentum") / momentum, runner.value("kinetic_energy") / energy};
 }
 
 Finding rotation() {
@@ -137,19 +119,7 @@ Finding rotation() {
                 100 * naive.momentum, 100 * naive.energy, steady_figure(off), 100 * projected.energy)};
 }
 
-const ClaimRegistration m9{
-    {.id = "M9",
-     .lesson = "mesh/mass_spring",
-     .statement = "Damping k_d (vⱼ − vᵢ) brakes a rigid rotation; projected onto the spring it does not.",
-     .source = "S: mass–spring systems, damping",
-     .experiment = "A block that spins freely for 0.5 s, with each damper: what is left of its angular momentum.",
-     .figure = "|change| of the angular momentum with projected dampers, as a part of it",
-     .criterion = "≤ 10⁻⁹, while naive dampers take more than half",
-     .question = "A block spins freely in empty space; dampers act between its nodes. Who brakes its rotation?",
-     .answers = {"neither damper: nothing outside acts", "the naive one", "the projected one", "both"},
-     .right_answer = 1,
-     .scene = {{"scene", "spin"}, {"damping_mode", "naive"}, {"damping", "0.01"}},
-     .measure = rotation}};
+const ClaimRegistration m9{"M9", rotation};
 
 // ------------------------------------------------------------------------------------------------------------------ M10
 
@@ -160,7 +130,7 @@ Finding coupling() {
     for (std::size_t t = 0; t < tests.size(); ++t) {
         Runner runner(find_lesson("mesh/mass_spring"), {{"scene", "stretch_test"}, {"test", tests[t]}});
         runner.step();
-        foreign[t] = 1 - value(runner, own[t]);
+        foreign[t] = 1 - runner.value(own[t]);
     }
     const Real most = *std::ranges::max_element(foreign);
     return {.figure = most,
@@ -172,21 +142,7 @@ Finding coupling() {
                 100 * foreign[0], 100 * foreign[1], 100 * foreign[2])};
 }
 
-const ClaimRegistration m10{
-    {.id = "M10",
-     .lesson = "mesh/mass_spring",
-     .statement = "Structural, shear and bending springs cannot be tuned independently of each other.",
-     .source = "S: mass–spring systems, cross-coupling",
-     .experiment =
-         "A block of all three families between two plates, pulled, sheared and bent: which family stores which part of "
-         "the energy.",
-     .figure = "largest part of a stiffness that another family than its own sets",
-     .criterion = "≥ 0.25",
-     .question = "You double the stiffness of the bending springs, and nothing else. What becomes stiffer?",
-     .answers = {"bending alone", "bending and stretching", "nothing: they only work when bent", "bending and shear alone"},
-     .right_answer = 1,
-     .scene = {{"scene", "stretch_test"}, {"test", "bend"}},
-     .measure = coupling}};
+const ClaimRegistration m10{"M10", coupling};
 
 }  // namespace
 }  // namespace pliant::mass_spring

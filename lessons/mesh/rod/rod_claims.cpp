@@ -26,11 +26,8 @@ Measured measured_rod(const char* rule, Index n) {
     Runner hanging(find_lesson("mesh/rod"), rod), swinging(find_lesson("mesh/rod"), rod);
     swinging.assign({{"scene", "wave"}});
     hanging.step();
-    const auto value = [](const Runner& runner, std::string_view probe) {
-        return runner.value(runner.lesson().probe(probe)).value();
-    };
-    return {value(hanging, "tip_displacement"), hanging.exact(hanging.lesson().probe("tip_displacement")).value(),
-            value(swinging, "frequency_chain"), value(swinging, "frequency_continuum")};
+    return {hanging.value("tip_displacement"), hanging.exact(hanging.lesson().probe("tip_displacement")).value(),
+            swinging.value("frequency_chain"), swinging.value("frequency_continuum")};
 }
 
 // d log y/d log N.
@@ -69,23 +66,7 @@ Finding consistency() {
             picked_frequency.front(), picked_frequency.back())};
 }
 
-const ClaimRegistration m8{
-    {.id = "M8",
-     .lesson = "mesh/rod",
-     .statement = "A rod whose springs are derived from the energy ∫ ½kε² ds behaves alike at every number of particles; springs "
-                  "picked by hand do not.",
-     .source = "C: back to the deformable rod, what was the point?",
-     .experiment = "A rod of 5 to 160 segments hangs by its own weight and swings in its lowest mode, with springs k = EA N/L "
-                   "and with springs of 200 N/m, against the continuum in closed form.",
-     .figure = "order in 1/N with which the tip of the derived rod tends to the continuum's",
-     .criterion = "1 ± 0.02, with (N + 1)/N to 10⁻⁹, while picked springs drift tenfold",
-     .question =
-         "A rod of springs hangs by its own weight. Its N springs are replaced by 2N springs of the same k, its mass stays. "
-         "How far does the tip hang down now?",
-     .answers = {"as far as before", "about half as far", "about twice as far", "four times as far"},
-     .right_answer = 2,
-     .scene = {{"segments", "20"}, {"spring_rule", "constant"}},
-     .measure = consistency}};
+const ClaimRegistration m8{"M8", consistency};
 
 }  // namespace
 }  // namespace pliant::rod

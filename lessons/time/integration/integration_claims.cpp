@@ -29,13 +29,11 @@ Settings oscillator(const char* scheme, Real omega, Real zeta, Real dt) {
             {"time_step", format_exact(dt)}};
 }
 
-Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
-
 // By which a step multiplies the motion: from the states that three steps of a run went through.
 Real growth(const char* scheme, Real omega, Real zeta, Real dt) {
     Runner runner = started(oscillator(scheme, omega, zeta, dt));
     for (int k = 0; k < 3; ++k) runner.step();
-    return value(runner, "growth_measured");
+    return runner.value("growth_measured");
 }
 
 // The Δt at which runs begin to grow, by halving an interval that holds it.
@@ -72,20 +70,7 @@ Finding explicit_limit() {
                 "5 · 10⁻⁷ in every step"};
 }
 
-const ClaimRegistration i1{{.id = "I1",
-                            .lesson = "time/integration",
-                            .statement = "Explicit Euler is stable only below a threshold of the time step.",
-                            .source = "S: time integration, explicit Euler",
-                            .experiment = "The Δt at which an oscillator begins to grow, by halving, for five damping ratios; "
-                                          "its growth in a step without damping.",
-                            .figure = "largest relative difference of the limits found from 2ζ/ω",
-                            .criterion = "≤ 10⁻⁶",
-                            .question = "A mass swings on a spring, without any drag. Below which Δt is explicit Euler stable?",
-                            .answers = {"2/ω", "1/ω", "at every Δt", "at no Δt"},
-                            .right_answer = 3,
-                            .scene = {{"scheme", "explicit_euler"}, {"compare", "none"}},
-                            .expected = Verdict::qualified,
-                            .measure = explicit_limit}};
+const ClaimRegistration i1{"I1", explicit_limit};
 
 // ------------------------------------------------------------------------------------------------------------------ I2
 
@@ -99,14 +84,14 @@ Finding implicit_everywhere() {
             Settings settings = motion;
             settings.insert(settings.end(), {{"scheme", "implicit_euler"}, {"time_step", format_exact(dt)}});
             Runner runner = started(settings);
-            const Real before = value(runner, "energy");
+            const Real before = runner.value("energy");
             for (int k = 0; k < 100; ++k) {
                 runner.step();
-                most_energy = std::max(most_energy, value(runner, "energy") / before);
-                most_iterations = std::max(most_iterations, value(runner, "newton_iterations_used"));
+                most_energy = std::max(most_energy, runner.value("energy") / before);
+                most_iterations = std::max(most_iterations, runner.value("newton_iterations_used"));
             }
             if (!motion.empty()) continue;
-            const Real factor = std::sqrt(value(runner, "energy") / before);
+            const Real factor = std::sqrt(runner.value("energy") / before);
             const Real exact = std::pow(std::hypot(1, 2 * dt), -100);
             if (exact > 1e-100) off = std::max(off, std::abs(factor / exact - 1));
             if (dt == 1e-2) kept[0] = factor;
@@ -127,23 +112,7 @@ Finding implicit_everywhere() {
                 100 * kept[0], 100 * kept[1])};
 }
 
-const ClaimRegistration i2{
-    {.id = "I2",
-     .lesson = "time/integration",
-     .statement =
-         "Implicit Euler is unconditionally stable, even for large steps; it solves a system of equations in each of them.",
-     .source = "S: time integration, implicit Euler",
-     .experiment =
-         "Four motions, soft to very stiff, at eight Δt from 10⁻⁶ to 10 s: their energy over 100 steps, the Newton iterations, "
-         "the amplitude that is left.",
-     .figure = "largest energy over that of the start, in all runs",
-     .criterion = "≤ 1 + 10⁻⁶",
-     .question = "A spring swings without drag. Implicit Euler with a very long Δt: what happens to the swing?",
-     .answers = {"it explodes", "it swings on", "it is damped away", "it turns chaotic"},
-     .right_answer = 2,
-     .scene = {{"scheme", "implicit_euler"}, {"time_step", "0.1"}},
-     .expected = Verdict::qualified,
-     .measure = implicit_everywhere}};
+const ClaimRegistration i2{"I2", implicit_everywhere};
 
 // ------------------------------------------------------------------------------------------------------------------ I3
 
@@ -167,13 +136,13 @@ Finding semi_implicit() {
     for (std::size_t k = 0; k < 2; ++k) {
         Runner runner = started(oscillator(lecture_schemes[k], omega, 0, 1e-3));
         for (int n = 0; n < 100; ++n) runner.step();
-        forces[k] = value(runner, "force_evaluations_in_all") / 100;
+        forces[k] = runner.value("force_evaluations_in_all") / 100;
     }
     Runner runner = started(oscillator("semi_implicit_euler", omega, 0, dt));
-    Real least = value(runner, "energy"), most = least;
+    Real least = runner.value("energy"), most = least;
     for (int k = 0; k < 20000; ++k) {
         runner.step();
-        const Real now = value(runner, "energy");
+        const Real now = runner.value("energy");
         least = std::min(least, now), most = std::max(most, now);
     }
     const Real band = (1 + omega * dt / 2) / (1 - omega * dt / 2);
@@ -198,22 +167,7 @@ Finding semi_implicit() {
                                  old_velocity, new_velocity)};
 }
 
-const ClaimRegistration i3{
-    {.id = "I3",
-     .lesson = "time/integration",
-     .statement = "Semi-implicit Euler costs what explicit Euler costs and is more stable: to ωΔt < 2, with a bounded energy.",
-     .source = "S: time integration, semi-implicit Euler (the limit 2 and the bounded energy are ours)",
-     .experiment =
-         "Forces counted for both; the ωΔt at which an undamped oscillator begins to grow, by halving; its energy over 20 000 "
-         "steps; the damping ratio at which both schemes begin to grow at the same Δt.",
-     .figure = "relative difference of the limit found from 2",
-     .criterion = "≤ 10⁻⁶, as many forces, and the energy within (1 + ωΔt/2)/(1 − ωΔt/2); with drag up to a ζ that is found",
-     .question = "Moving with the new velocity instead of the old one: how many more forces does a step need?",
-     .answers = {"none", "one", "twice as many", "as many as Newton iterations"},
-     .right_answer = 0,
-     .scene = {{"scheme", "semi_implicit_euler"}, {"time_step", "0.25"}},
-     .expected = Verdict::qualified,
-     .measure = semi_implicit}};
+const ClaimRegistration i3{"I3", semi_implicit};
 
 // ------------------------------------------------------------------------------------------------------------------ I4
 
@@ -221,7 +175,7 @@ Finding first_order() {
     std::array<Real, 3> slope{};
     Real off = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        slope[k] = value(started({{"scheme", lecture_schemes[k]}, {"damping_ratio", "0.1"}}), "order");
+        slope[k] = started({{"scheme", lecture_schemes[k]}, {"damping_ratio", "0.1"}}).value("order");
         off = std::max(off, std::abs(slope[k] - 1));
     }
     constexpr Real band = 0.1;
@@ -233,19 +187,7 @@ Finding first_order() {
                 slope[0], slope[1], slope[2])};
 }
 
-const ClaimRegistration i4{
-    {.id = "I4",
-     .lesson = "time/integration",
-     .statement = "All three schemes of the lecture are of first order.",
-     .source = "S: time integration (the lecture names no order; the sentence is ours)",
-     .experiment = "Error of place and velocity against the closed form at ωt = 4, with Δt halved seven times.",
-     .figure = "largest |slope − 1|",
-     .criterion = "≤ 0.1",
-     .question = "Half the time step. By how much does the error of the three Euler schemes fall?",
-     .answers = {"it stays", "to a half", "to a quarter", "to a sixteenth"},
-     .right_answer = 1,
-     .scene = {{"scheme", "semi_implicit_euler"}, {"damping_ratio", "0.1"}},
-     .measure = first_order}};
+const ClaimRegistration i4{"I4", first_order};
 
 }  // namespace
 }  // namespace pliant::integration
