@@ -137,7 +137,7 @@ std::string Unit::text() const {
         side += part(b, p > 0 ? p : -p);
         divisors += p < 0;
     }
-    if (above.empty()) above = "1";
+    if (above.empty()) above += '1';
     if (below.empty()) return above;
     return divisors > 1 ? fmt::format("{}/({})", above, below) : fmt::format("{}/{}", above, below);
 }

@@ -111,7 +111,7 @@ void ClothLesson::declare_stages() {
          .end = [this] { note_pace(); },
          .explain = [this](const Question& q) { return why_limited(q); }},
         {.name = "sphere_contact",
-         .formula = "|x − c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = force of the plane that held it, or m |Δv_n| / Δt",
+         .formula = "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = force of the plane that held it, or m |Δv_n| / Δt",
          .source = "[Baraff1998 §5], [Bridson2002]",
          .run = [this] { contact_stage(); },
          .reads = {"position", "velocity"},

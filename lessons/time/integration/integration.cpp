@@ -158,10 +158,10 @@ void IntegrationLesson::declare_fields() {
 
 void IntegrationLesson::declare_stages() {
     stages = {{.name = "force",
-               .formula = "spring: f = −ω²x − 2ζωv;  pendulum: −g sin(x/l) − 2ζωv;  pair: −Kx − Cv",
+               .formula = "spring: f = −m (ω²x + 2ζωv);  pendulum: f = −m (g sin(x/l) + 2ζωv);  pair: f = −Kx − Cv",
                .formula_in_force = [this]() -> std::string_view {
-                   return system == System::oscillator ? "f = −ω²x − 2ζωv"
-                          : system == System::pendulum ? "f = −g sin(x/l) − 2ζωv"
+                   return system == System::oscillator ? "f = −m (ω²x + 2ζωv)"
+                          : system == System::pendulum ? "f = −m (g sin(x/l) + 2ζωv)"
                                                        : "f = −Kx − Cv";
                },
                .source = "lecture S: time integration, F(v(t), x(t), t)",
