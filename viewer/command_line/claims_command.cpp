@@ -42,8 +42,9 @@ private:
 
 }  // namespace
 
-int claims(const ClaimsOptions& o) {
-    const auto list = chosen(o.ids);
+int claims(const ClaimsOptions& o) { return measure_claims(chosen(o.ids), o); }
+
+int measure_claims(const std::vector<const Claim*>& list, const ClaimsOptions& o) {
     const bool table = !o.json && !o.markdown;
     const Progress progress(list.size());
     std::vector<ClaimResult> results;

@@ -14,6 +14,10 @@
 #include <string>
 #include <vector>
 
+namespace pliant {
+struct Claim;
+}
+
 namespace pliant::viewer {
 
 // How to make a run and how far to take it.
@@ -88,6 +92,8 @@ struct ClaimsOptions {
 };
 // Throws CheckFailed when a claim is refuted, or has another verdict than it expects.
 int claims(const ClaimsOptions& options);
+// These, reported as the options say. Throws CheckFailed when one is refuted.
+int measure_claims(const std::vector<const Claim*>& list, const ClaimsOptions& options);
 // A stability map: two knobs, and where to write it.
 struct StudyOptions {
     std::vector<std::string> knobs;  // "time_step=1e-4:0.1:40:log"
