@@ -122,6 +122,9 @@ TEST_CASE("notation: units behind numbers stand upright where a text has quantit
     CHECK(latex(notation("A = 3 m²/s", Numbers::with_units)) == "A = 3 \\mathrm{m}^{2}\\mathrm{/s}");
     CHECK(latex(notation("M = 3.7 N m", Numbers::with_units)) == "M = 3.7 \\mathrm{N m}");
     CHECK(upright("Stress σ [kPa]") == 1);
+    CHECK(latex(notation("ψ [10⁶ J/m³]", Numbers::with_units)) == "\\psi \\left[10^{6} \\mathrm{J/m}^{3}\\right]");
+    CHECK(latex(notation("J [kg m²/s]", Numbers::with_units)) == "J \\left[\\mathrm{kg m}^{2}\\mathrm{/s}\\right]");
+    CHECK(latex(in_line(notation("|a / b| + √(c / d)"))) == "\\left|a/b\\right| + \\sqrt{c/d}");
     CHECK(upright("k m x") == 0);
     CHECK(count(notation("2 m g"), Kind::name) == 0);
 }

@@ -56,6 +56,7 @@ private:
     MathBox limits(const Notation& n) const;
     MathBox accent(const Notation& n) const;
     MathBox fence(const Notation& n) const;
+    float lean(const MathBox& box) const;
     MathBox grid(const Notation& n) const;
     float gap_between(const Notation* before, const Notation& next) const;
 
@@ -75,8 +76,6 @@ MathBox Setter::letters(std::string_view text, LetterShape shape, MathFace face)
         box.letters.push_back({.letter = letter, .face = face, .size = size_, .x = box.width});
         box.width += b.advance;
         box.above = std::max(box.above, -b.top), box.below = std::max(box.below, b.bottom);
-        // A slanted letter leans over its advance.
-        if (at == text.size() && shape == LetterShape::slanted) box.width = std::max(box.width, box.width - b.advance + b.right);
     }
     return box;
 }
@@ -181,20 +180,34 @@ MathBox Setter::root(const Notation& n) const {
     return box;
 }
 
+// Letters with room for an index below their right side.
+bool undercut(const Notation& base) {
+    return base.kind == Kind::variable && base.text.size() == 1 &&
+           std::string_view("fFPTVWY").find(base.text[0]) != std::string_view::npos;
+}
+
+// How far the last letter reaches: a slanted one leans over its advance.
+float Setter::lean(const MathBox& box) const {
+    if (box.letters.empty()) return 0;
+    const PlacedLetter& last = box.letters.back();
+    return last.x + metrics_.bounds(last.letter, last.face, last.size).right;
+}
+
 MathBox Setter::scripts(const Notation& n) const {
     MathBox box = piece(n.of[0]);
     const Setter inner = smaller(script_size);
     const bool tall = n.of[0].kind == Kind::fence || n.of[0].kind == Kind::grid || n.of[0].kind == Kind::fraction;
-    const float x = box.width + size_ * 0.03f;
     float width = box.width;
     if (!n.of[2].of.empty()) {
         MathBox above = inner.row(n.of[2]);
+        const float x = std::max(width, lean(box)) + size_ * 0.03f;
         const float raise = std::max(size_ * 0.32f, tall ? box.above - size_ * 0.35f : 0);
         width = std::max(width, x + above.width);
         box.put(std::move(above), x, -raise);
     }
     if (!n.of[1].of.empty()) {
         MathBox below = inner.row(n.of[1]);
+        const float x = box.width + size_ * (undercut(n.of[0]) ? -0.1f : 0.03f);
         const float drop = std::max(size_ * 0.16f, tall ? box.below - size_ * 0.05f : 0);
         width = std::max(width, x + below.width);
         box.put(std::move(below), x, drop);

@@ -123,7 +123,7 @@ private:
     // Where a blank-free run from here ends.
     std::size_t token_end(std::size_t from) const {
         std::size_t end = from;
-        while (end < text_.size() && std::string_view(" ,;:()=|").find(text_[end]) == std::string_view::npos) ++end;
+        while (end < text_.size() && std::string_view(" ,;:()[]=|").find(text_[end]) == std::string_view::npos) ++end;
         return end;
     }
     bool unit_follows(const Notation& all, std::size_t blanks) const {
@@ -231,18 +231,25 @@ private:
         return {.kind = Kind::fraction, .text = std::string(take_letter()), .of = {digit(0), digit(1)}};
     }
 
-    // "[J]" behind the name of an axis.
-    bool unit_in_brackets() const {
-        const std::size_t end = text_.find(']', at_);
-        return numbers_ == Numbers::with_units && end != text_.npos && is_prefixed_unit(text_.substr(at_ + 1, end - at_ - 1));
+    // "[J]" and "[10⁶ J/m³]" behind the name of an axis.
+    std::optional<Notation> unit_in_brackets() {
+        const std::size_t from = at_, end = text_.find(']', at_);
+        if (numbers_ == Numbers::plain || end == text_.npos) return std::nullopt;
+        Notation inner;
+        ++at_;
+        if (text_.substr(at_, 2) == "10" && text_.find(' ', at_) < end) inner.of.push_back(with_scripts(number())), skip_blanks();
+        if (is_prefixed_unit(text_.substr(at_, end - at_))) {
+            inner.of.push_back(unit());
+            inner.of.back().spaced = true;
+            if (at_ == end) return ++at_, Notation{.kind = Kind::fence, .text = "[]", .of = {std::move(inner)}};
+        }
+        at_ = from;
+        return std::nullopt;
     }
 
     Notation fenced(char32_t open) {
-        if (open == '[' && unit_in_brackets()) {
-            const std::size_t from = at_;
-            at_ = text_.find(']', at_) + 1;
-            return {.kind = Kind::name, .text = slice(from)};
-        }
+        if (open == '[')
+            if (auto bracketed = unit_in_brackets()) return std::move(*bracketed);
         const char32_t close = open == '(' ? ')' : open == '[' ? ']' : '}';
         ++at_;
         const char32_t outer = std::exchange(closes_, U'\0');

@@ -44,7 +44,11 @@ void append_in_line(const Notation& n, Notation& out) {
         Notation close{.kind = Kind::scripts, .of = {std::move(out.of.back()), n.of[1], n.of[2]}};
         out.of.back() = std::move(close);
     } else {
-        out.of.push_back(n);
+        // Within other fences, under roots, in indices.
+        Notation whole = n;
+        for (Notation& part : whole.of)
+            if (part.kind == Kind::row && n.kind != Kind::fraction) part = in_line(part);
+        out.of.push_back(std::move(whole));
     }
 }
 
