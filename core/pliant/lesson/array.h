@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace pliant {
@@ -48,6 +49,12 @@ struct Field {
 
     Index size() const { return static_cast<Index>(view().size()) / components; }
     bool in_use() const { return !used || used(); }
+
+    // For declarations of a line or two: scalar_field(…).stops_at(1e9).when([this] { return staggered(); })
+    Field stops_at(Real magnitude) const;
+    Field stops_at(std::function<Real()> magnitude) const;
+    Field when(std::function<bool()> uses) const;
+    Field follows(std::vector<std::string_view> from, std::function<Explanation(const Question&)> why) const;
 };
 
 // "x", "y" or "z".
@@ -72,14 +79,17 @@ StateArray state_array(std::string_view name, std::string_view unit, Storage& st
     return {name, unit, [&storage] { return std::span<Real>(storage.data(), static_cast<std::size_t>(storage.size())); }};
 }
 
-// A view for a Field over any Eigen matrix or std::vector<Real> that outlives it.
+// A view for a Field over any Eigen matrix or std::vector<Real> that outlives it, or over what a function gives.
 template <class Storage>
 std::function<std::span<const Real>()> view_of(const Storage& storage) {
-    return [&storage] { return std::span<const Real>(storage.data(), static_cast<std::size_t>(storage.size())); };
+    if constexpr (std::is_invocable_v<Storage>)
+        return [storage] { return std::span<const Real>(storage()); };
+    else
+        return [&storage] { return std::span<const Real>(storage.data(), static_cast<std::size_t>(storage.size())); };
 }
 
-// Fields over an array in memory: a number, three components, or 3 × 3 numbers row by row, for each thing of its kind. Whatever
-// else a field declares is set afterwards.
+// Fields over an array in memory, or a function that gives their view: a number, three components, two of them in a plane, or
+// 3 × 3 numbers row by row, for each thing of its kind.
 template <class Storage>
 Field scalar_field(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Storage& numbers,
                    std::string_view help) {
@@ -90,6 +100,13 @@ Field vector_field(std::string_view name, std::string_view symbol, std::string_v
                    std::string_view help) {
     Field f = scalar_field(name, symbol, unit, on, numbers, help);
     f.rank = Rank::vector, f.components = 3;
+    return f;
+}
+template <class Storage>
+Field plane_vector_field(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Storage& numbers,
+                         std::string_view help) {
+    Field f = vector_field(name, symbol, unit, on, numbers, help);
+    f.components = 2;
     return f;
 }
 template <class Storage>

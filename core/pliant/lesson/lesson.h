@@ -42,7 +42,16 @@ struct Stage {
 
     bool in_use() const { return !active || active(); }
     std::string_view formula_now() const { return formula_in_force ? formula_in_force() : formula; }
+
+    // For declarations of a few lines: stage_of(…).maps({"u"}, {"force"}).because(…).when(…)
+    Stage maps(std::vector<std::string_view> from, std::vector<std::string_view> to) const;
+    Stage because(std::function<std::optional<Explanation>(const Question&)> why) const;
+    Stage when(std::function<bool()> runs) const;
+    Stage shows(std::function<std::string_view()> formula_that_holds) const;
+    // One pass of a loop; what runs before the first and after the last one.
+    Stage repeats(std::function<bool()> goes_on, std::function<void()> before = {}, std::function<void()> after = {}) const;
 };
+Stage stage_of(std::string_view name, std::string_view formula, std::string_view source, std::function<void()> run);
 
 // A number to watch. `value` is empty where the quantity is not defined (a slope through one point). `exact` is the closed form
 // at time t, where one exists.
@@ -52,7 +61,13 @@ struct Probe {
     std::function<std::optional<Real>(Real t)> exact{};
     // How it follows from fields and parameters now.
     std::function<Explanation()> explain{};
+
+    // For declarations of a few lines: probe_of(…).exactly(…). Where it is not defined it has neither a value nor a closed form.
+    Probe exactly(std::function<std::optional<Real>(Real t)> closed_form) const;
+    Probe when(std::function<bool()> defined) const;
 };
+Probe probe_of(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
+               std::function<std::optional<Real>()> value, std::function<Explanation()> why = {});
 
 // A curve sampled now: a field along a line, or one measured quantity against another.
 struct Curve {
@@ -80,13 +95,24 @@ struct Line {
     std::vector<CompareCurve> others{};  // drawn beside both
 
     bool in_use() const { return !used || used(); }
+
+    // For declarations of a few lines: line_of(…).against("closed form", …).beside({…}).when(…)
+    Line against(std::string_view what, std::function<void(Curve&)> curve, bool as_points = false) const;
+    Line beside(std::vector<CompareCurve> curves) const;
+    Line measures(std::string_view name_of_values) const;
+    Line on_log_axes() const;
+    Line when(std::function<bool()> uses) const;
 };
+Line line_of(std::string_view name, std::string_view unit, std::string_view position_name, std::string_view position_unit,
+             std::string_view help, std::function<void(Curve&)> sample);
 
 // Parameters that would mend what went wrong, as one button: "Δt = 5 ms".
 struct Fix {
     std::string label;
     std::vector<std::pair<std::string, std::string>> assign;  // key, value as text
 };
+// One parameter at another value, labelled with its symbol.
+Fix fix_by(const Parameter& parameter, Real value);
 
 // A condition under which the model or the method is valid: value ≤ limit. `broken` says what goes wrong beyond the limit.
 struct Assumption {
@@ -97,7 +123,14 @@ struct Assumption {
     std::function<std::optional<Fix>()> fix{};  // asked for when it is broken
 
     bool in_use() const { return !used || used(); }
+
+    // For declarations of a few lines: assumption_of(…).when(…).mended_by(…)
+    Assumption when(std::function<bool()> uses) const;
+    Assumption mended_by(std::function<std::optional<Fix>()> asked) const;
+    Assumption mended_by(Fix always) const;
 };
+Assumption assumption_of(std::string_view name, std::string_view unit, std::function<Real()> value, std::function<Real()> limit,
+                         std::string_view formula, std::string_view broken);
 
 enum class Law { constant, never_grows, zero };
 

@@ -69,6 +69,16 @@ ParameterInfo quantity(std::string_view key, std::string_view symbol, std::strin
     return {.key = key, .symbol = symbol, .unit = unit, .help = help, .initial = initial, .useful = useful};
 }
 
+ParameterInfo quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
+                       Interval accepted, std::string_view help) {
+    return quantity(key, symbol, unit, initial, useful, help).accepts(accepted);
+}
+
+ParameterInfo log_quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
+                           Interval accepted, std::string_view help) {
+    return quantity(key, symbol, unit, initial, useful, accepted, help).log();
+}
+
 ParameterInfo ParameterInfo::log() const {
     ParameterInfo info = *this;
     info.scale = Scale::log;
@@ -90,13 +100,19 @@ ParameterInfo ParameterInfo::when(std::function<bool()> uses) const {
     return info;
 }
 
-Parameter::Parameter(Lesson& owner, ParameterInfo given) : info(std::move(given)), value_(info.initial) {
+Parameter::Parameter(Lesson& owner, ParameterInfo given, std::function<bool()> used)
+    : info(used ? given.when(std::move(used)) : std::move(given)), value_(info.initial) {
     owner.parameters.push_back(this);
 }
 
-Whole::Whole(Lesson& owner, ParameterInfo declared) : Parameter(owner, of_kind(std::move(declared), Kind::whole)) {}
+Number::Number(Lesson& owner, ParameterInfo declared, std::function<bool()> used)
+    : Parameter(owner, std::move(declared), std::move(used)) {}
 
-Switch::Switch(Lesson& owner, ParameterInfo declared) : Parameter(owner, of_kind(std::move(declared), Kind::toggle)) {}
+Whole::Whole(Lesson& owner, ParameterInfo declared, std::function<bool()> used)
+    : Parameter(owner, of_kind(std::move(declared), Kind::whole), std::move(used)) {}
+
+Switch::Switch(Lesson& owner, ParameterInfo declared, std::function<bool()> used)
+    : Parameter(owner, of_kind(std::move(declared), Kind::toggle), std::move(used)) {}
 
 void Parameter::set(Real value) {
     check(value);

@@ -51,6 +51,11 @@ struct ParameterInfo {
 // A number with its unit: where it starts, what its slider spans, what it means.
 ParameterInfo quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
                        std::string_view help);
+// The same with what the solver accepts; its slider linear, or logarithmic.
+ParameterInfo quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
+                       Interval accepted, std::string_view help);
+ParameterInfo log_quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
+                           Interval accepted, std::string_view help);
 // A choice or a switch; initial: the option that it starts with, 0 or 1.
 template <class Initial = int>
 ParameterInfo setting_of(std::string_view key, std::string_view help, Initial initial = {}) {
@@ -59,7 +64,7 @@ ParameterInfo setting_of(std::string_view key, std::string_view help, Initial in
 
 class Parameter {
 public:
-    Parameter(Lesson& owner, ParameterInfo info);
+    Parameter(Lesson& owner, ParameterInfo info, std::function<bool()> used = {});
     Parameter(const Parameter&) = delete;
     Parameter& operator=(const Parameter&) = delete;
 
@@ -87,24 +92,24 @@ private:
     Real value_;
 };
 
-// A real number.
+// A real number. used: does the present scene use it? As its declaration says, when empty; the same of all others.
 class Number : public Parameter {
 public:
-    Number(Lesson& owner, ParameterInfo declared) : Parameter(owner, std::move(declared)) {}
+    Number(Lesson& owner, ParameterInfo declared, std::function<bool()> used = {});
     operator Real() const { return value(); }
 };
 
 // A whole number.
 class Whole : public Parameter {
 public:
-    Whole(Lesson& owner, ParameterInfo declared);
+    Whole(Lesson& owner, ParameterInfo declared, std::function<bool()> used = {});
     operator Index() const { return static_cast<Index>(value()); }
 };
 
 // On or off.
 class Switch : public Parameter {
 public:
-    Switch(Lesson& owner, ParameterInfo declared);
+    Switch(Lesson& owner, ParameterInfo declared, std::function<bool()> used = {});
     operator bool() const { return value() != 0; }
 };
 
@@ -112,8 +117,8 @@ public:
 template <class Enum>
 class Choice : public Parameter {
 public:
-    Choice(Lesson& owner, ParameterInfo declared, std::vector<Option> options)
-        : Parameter(owner, with_options(std::move(declared), std::move(options))) {}
+    Choice(Lesson& owner, ParameterInfo declared, std::vector<Option> options, std::function<bool()> used = {})
+        : Parameter(owner, with_options(std::move(declared), std::move(options)), std::move(used)) {}
     operator Enum() const { return static_cast<Enum>(static_cast<int>(value())); }
 
 private:
