@@ -16,7 +16,7 @@ namespace {
 // Beyond this many unknowns mechanisms are reported, but not counted.
 constexpr Index most_counted = 600;
 
-constexpr int across = 0, along = 1, deep = 2;
+constexpr int axis_across = 0, axis_along = 1, axis_deep = 2;
 
 // Prescribed displacements of a test, and which unknowns they belong to.
 struct Plates {
@@ -33,31 +33,34 @@ void hold_rigid_motions(const SpringLattice& lattice, Plates& plates) {
     const auto& cells = lattice.nodes().cells();
     const Index middle = lattice.nodes().node({cells[0] / 2, 0, cells[2] / 2}),
                 corner = lattice.nodes().node({cells[0], 0, cells[2] / 2});
-    for (const int component : {across, deep}) plates.set(middle, component, 0);
-    plates.set(corner, deep, 0);
+    for (const int component : {axis_across, axis_deep}) plates.set(middle, component, 0);
+    plates.set(corner, axis_deep, 0);
     if (lattice.kind() != LatticeKind::cubic_body) return;
     // Edges and body diagonals let columns slide in turns, u_x = (-1)^(y + z) and u_z = (-1)^(x + y). No load drives these
     // motions; each is held at one more node.
-    plates.set(lattice.nodes().node({cells[0] / 2, 0, cells[2] / 2 + 1}), across, 0);
-    plates.set(lattice.nodes().node({cells[0] / 2, 1, cells[2] / 2}), deep, 0);
+    plates.set(lattice.nodes().node({cells[0] / 2, 0, cells[2] / 2 + 1}), axis_across, 0);
+    plates.set(lattice.nodes().node({cells[0] / 2, 1, cells[2] / 2}), axis_deep, 0);
 }
 
 Plates plates_of(const SpringLattice& lattice, const Points<3>& rest, BlockTest test) {
     Plates plates{Points<3>::Zero(3, rest.cols()), std::vector<char>(static_cast<std::size_t>(3 * rest.cols()))};
     for (const bool last : {false, true})
-        for (const Index n : lattice.layer(along, last)) {
+        for (const Index n : lattice.layer(axis_along, last)) {
             const Real side = last ? 0.5 : -0.5;
-            plates.set(n, along, test == BlockTest::stretch ? side : test == BlockTest::bend ? side * rest(across, n) : 0);
+            plates.set(n, axis_along,
+                       test == BlockTest::stretch ? side
+                       : test == BlockTest::bend  ? side * rest(axis_across, n)
+                                                  : 0);
             if (test != BlockTest::shear) continue;
-            plates.set(n, across, side);
-            plates.set(n, deep, 0);
+            plates.set(n, axis_across, side);
+            plates.set(n, axis_deep, 0);
         }
     if (test != BlockTest::shear) hold_rigid_motions(lattice, plates);
     // Out of its line or plane nothing resists, and nothing is asked.
     const int dimension = dimension_of(lattice.kind());
     for (Index n = 0; n < rest.cols(); ++n) {
-        if (dimension < 3) plates.set(n, deep, 0);
-        if (dimension < 2) plates.set(n, across, 0);
+        if (dimension < 3) plates.set(n, axis_deep, 0);
+        if (dimension < 2) plates.set(n, axis_across, 0);
     }
     return plates;
 }
@@ -100,8 +103,8 @@ Points<3> solve(const SparseMatrix& K, const Plates& plates, const FamilyStiffne
 // Mean of du_x/dx: the slope of the plane that fits u_x best.
 Real mean_strain_across(const Points<3>& rest, const Points<3>& u) {
     const Points<3> x = rest.colwise() - Vec<3>(rest.rowwise().mean());
-    const VecX from_mean = u.row(across).array() - u.row(across).mean();
-    return least_squares(x.transpose(), from_mean, 1e-10)[across];
+    const VecX from_mean = u.row(axis_across).array() - u.row(axis_across).mean();
+    return least_squares(x.transpose(), from_mean, 1e-10)[axis_across];
 }
 
 }  // namespace
@@ -151,8 +154,8 @@ BlockResponse test_block(const SpringLattice& lattice, const FamilyStiffness& st
     if (dimension == 1 && test != BlockTest::stretch)
         throw Refused("a chain can be stretched, but neither sheared nor bent: test = stretch");
     const auto& cells = lattice.nodes().cells();
-    for (const int axis : {along, across, deep})
-        if (cells[axis] < 1 && (axis == along || dimension > (axis == across ? 1 : 2)))
+    for (const int axis : {axis_along, axis_across, axis_deep})
+        if (cells[axis] < 1 && (axis == axis_along || dimension > (axis == axis_across ? 1 : 2)))
             throw Refused(fmt::format("cells[{}]", axis), Real(cells[axis]), "", "at least 1 cell, to have two faces");
 
     const Points<3> rest = lattice.points();
@@ -177,9 +180,9 @@ BlockResponse test_block(const SpringLattice& lattice, const FamilyStiffness& st
     for (Real& part : response.coupling) part = response.stiffness > 0 ? part / response.stiffness : 0;
     if (test == BlockTest::stretch) {
         const Vec<3> length = lattice.lengths();
-        const Real section = (dimension > 1 ? length[across] : 1) * (dimension > 2 ? length[deep] : 1);
-        response.youngs_modulus = response.stiffness * length[along] / section;
-        if (dimension > 1) response.poisson_ratio = -mean_strain_across(rest, u) * length[along];
+        const Real section = (dimension > 1 ? length[axis_across] : 1) * (dimension > 2 ? length[axis_deep] : 1);
+        response.youngs_modulus = response.stiffness * length[axis_along] / section;
+        if (dimension > 1) response.poisson_ratio = -mean_strain_across(rest, u) * length[axis_along];
     }
     return response;
 }

@@ -16,14 +16,7 @@ void declare_point(Lesson& owner, std::deque<Number>& point, const std::array<st
                    const std::array<std::string_view, 3>& symbols, const std::array<Real, 3>& initial, std::string_view help) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Real half = body_size[static_cast<Index>(k)] / 2;
-        point.emplace_back(owner, ParameterInfo{.key = keys[k],
-                                                .symbol = symbols[k],
-                                                .unit = "m",
-                                                .help = help,
-                                                .initial = initial[k],
-                                                .useful = {-half, half},
-                                                .accepted = Interval{-100, 100},
-                                                .effect = Effect::rebuild});
+        point.emplace_back(owner, quantity(keys[k], symbols[k], "m", initial[k], {-half, half}, {-100, 100}, help).rebuilds());
     }
 }
 
@@ -34,13 +27,7 @@ DeformationGradientLesson::DeformationGradientLesson()
     declare_point(*this, P, P_keys, P_symbols, P_initial, "of the material point P at rest; drag P in the picture");
     declare_point(*this, Q, Q_keys, Q_symbols, Q_initial, "of its neighbour Q at rest; drag Q in the picture");
     controls.add_entries(*this);
-    declare_fields();
-    declare_state();
-    declare_stages();
-    declare_probes();
-    explain_probes();
-    declare_lines();
-    declare_checks();
+    declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 }
 
 Vec<3> DeformationGradientLesson::material(Index point) const {
@@ -73,55 +60,35 @@ void DeformationGradientLesson::reset() {
 // ------------------------------------------------------------------------------------------------------------ stages
 
 void DeformationGradientLesson::declare_stages() {
-    stages = {{.name = "map_points",
-               .formula = "x = φ(X),  dX = Q − P",
-               .source = "lecture: continuum mechanics, material coordinates P and Q",
-               .run = [this] { map_points(); },
-               .reads = {},
-               .writes = {"position", "point_position", "rest_vector"},
-               .explain = [this](const Question& q) { return why_map(q); }},
-              {.name = "displacement",
-               .formula = "u = x − X,  du = u(Q) − u(P),  dx = dX + du",
-               .source = "lecture: continuum mechanics, displacement field",
-               .run = [this] { displace(); },
-               .reads = {"position", "point_position", "rest_vector"},
-               .writes = {"displacement", "point_displacement", "relative_displacement", "deformed_vector"},
-               .explain = [this](const Question& q) { return why_displaced(q); }},
-              {.name = "gradient_of_u",
-               .formula = "∇u: row by row the slopes of u, v and w along X, Y and Z",
-               .source = "lecture: continuum mechanics, gradient of the displacement field",
-               .run = [this] { differentiate(); },
-               .reads = {},
-               .writes = {"displacement_gradient", "point_gradient"},
-               .explain = [this](const Question& q) { return why_slope(q); }},
-              {.name = "deformation_gradient",
-               .formula = "F = I + ∇u,  det F = volume now / volume at rest",
-               .source = "lecture: material deformation gradient tensor [Bonet2008 §4.4]",
-               .run = [this] { make_gradient(); },
-               .reads = {"displacement_gradient", "point_gradient"},
-               .writes = {"deformation_gradient", "point_deformation", "volume_ratio"},
-               .explain = [this](const Question& q) { return why_deformation(q); }},
-              {.name = "compare",
-               .formula = "dx ≈ F dX,  error |dx − F dX| ~ |dX|²",
-               .source = "lecture: u(X + dX) ≈ u(X) + ∇u dX, Q very close to P",
-               .run = [this] { compare(); },
-               .reads = {"point_deformation", "rest_vector", "deformed_vector"},
-               .writes = {"mapped_vector", "taylor_gap"},
-               .explain = [this](const Question& q) { return why_compared(q); }},
-              {.name = "polar_decomposition",
-               .formula = "F = R S,  RᵀR = I,  det R = 1,  S = Sᵀ",
-               .source = "rotation and stretch [Bonet2008 §4.6, Lin2022]",
-               .run = [this] { decompose(); },
-               .reads = {"point_deformation"},
-               .writes = {"point_rotation", "point_stretch"},
-               .explain = [this](const Question& q) { return why_polar(q); }},
-              {.name = "strain",
-               .formula = "E = ½ (∇u + ∇uᵀ + ∇uᵀ∇u)",
-               .source = "lecture: Green's strain tensor",
-               .run = [this] { strain(); },
-               .reads = {"displacement_gradient"},
-               .writes = {"green_strain"},
-               .explain = [this](const Question& q) { return why_strain(q); }}};
+    stages = {
+        stage_of("map_points", "x = φ(X),  dX = Q − P", "lecture: continuum mechanics, material coordinates P and Q",
+                 [this] { map_points(); })
+            .maps({}, {"position", "point_position", "rest_vector"})
+            .because([this](const Question& q) { return why_map(q); }),
+        stage_of("displacement", "u = x − X,  du = u(Q) − u(P),  dx = dX + du",
+                 "lecture: continuum mechanics, displacement field", [this] { displace(); })
+            .maps({"position", "point_position", "rest_vector"},
+                  {"displacement", "point_displacement", "relative_displacement", "deformed_vector"})
+            .because([this](const Question& q) { return why_displaced(q); }),
+        stage_of("gradient_of_u", "∇u: row by row the slopes of u, v and w along X, Y and Z",
+                 "lecture: continuum mechanics, gradient of the displacement field", [this] { differentiate(); })
+            .maps({}, {"displacement_gradient", "point_gradient"})
+            .because([this](const Question& q) { return why_slope(q); }),
+        stage_of("deformation_gradient", "F = I + ∇u,  det F = volume now / volume at rest",
+                 "lecture: material deformation gradient tensor [Bonet2008 §4.4]", [this] { make_gradient(); })
+            .maps({"displacement_gradient", "point_gradient"}, {"deformation_gradient", "point_deformation", "volume_ratio"})
+            .because([this](const Question& q) { return why_deformation(q); }),
+        stage_of("compare", "dx ≈ F dX,  error |dx − F dX| ~ |dX|²", "lecture: u(X + dX) ≈ u(X) + ∇u dX, Q very close to P",
+                 [this] { compare(); })
+            .maps({"point_deformation", "rest_vector", "deformed_vector"}, {"mapped_vector", "taylor_gap"})
+            .because([this](const Question& q) { return why_compared(q); }),
+        stage_of("polar_decomposition", "F = R S,  RᵀR = I,  det R = 1,  S = Sᵀ",
+                 "rotation and stretch [Bonet2008 §4.6, Lin2022]", [this] { decompose(); })
+            .maps({"point_deformation"}, {"point_rotation", "point_stretch"})
+            .because([this](const Question& q) { return why_polar(q); }),
+        stage_of("strain", "E = ½ (∇u + ∇uᵀ + ∇uᵀ∇u)", "lecture: Green's strain tensor", [this] { strain(); })
+            .maps({"displacement_gradient"}, {"green_strain"})
+            .because([this](const Question& q) { return why_strain(q); })};
 }
 
 void DeformationGradientLesson::map_points() {

@@ -4,8 +4,8 @@
 #include <pliant/continuum/deformation.h>
 #include <pliant/lesson/registry.h>
 
-#include "body_grid.h"
-#include "elasticity/deformation_maps/map_controls.h"
+#include <pliant/mesh/body_grid.h>
+#include "kits/deformation_maps/map_controls.h"
 
 #include <deque>
 
@@ -42,22 +42,10 @@ private:
     MapControls controls;
     std::deque<Number> P, Q;  // coordinates at rest
 
-    void declare_fields();
-    void declare_state();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
-    void explain_probes();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(), explain_probes();
 
     // --- the stages ---
-    void map_points();
-    void displace();
-    void differentiate();
-    void make_gradient();
-    void compare();
-    void decompose();
-    void strain();
+    void map_points(), displace(), differentiate(), make_gradient(), compare(), decompose(), strain();
 
     Vec<3> material(Index point) const;  // P or Q at rest
     Vec<3> rest_vector() const { return material(1) - material(0); }
@@ -68,25 +56,16 @@ private:
 
     // --- why a number is what it is (deformation_gradient_why.cpp) ---
     std::array<Input, 3> coordinates(bool of_node, Index index) const;
-    Explanation why_map(const Question& q) const;
-    Explanation why_displaced(const Question& q) const;
-    Explanation why_slope(const Question& q) const;
-    Explanation why_deformation(const Question& q) const;
-    Explanation why_compared(const Question& q) const;
-    Explanation why_polar(const Question& q) const;
-    Explanation why_strain(const Question& q) const;
+    Explanation why_map(const Question&q) const, why_displaced(const Question&q) const, why_slope(const Question&q) const,
+        why_deformation(const Question&q) const, why_compared(const Question&q) const, why_polar(const Question&q) const,
+        why_strain(const Question&q) const;
 
     // --- what would mend a run (deformation_gradient_fixes.cpp) ---
-    std::optional<Fix> nearer() const;
-    std::optional<Fix> not_inverted() const;
+    std::optional<Fix> nearer() const, not_inverted() const;
 
     // --- the picture (deformation_gradient_picture.cpp) ---
-    void draw_body(Scene& scene) const;
-    void draw_points(Scene& scene) const;
-    void draw_vectors(Scene& scene) const;
-    void draw_ellipsoid(Scene& scene) const;
-    void write_numbers(Scene& scene) const;
-    void frame(Scene& scene) const;
+    void draw_body(Scene&scene) const, draw_points(Scene&scene) const, draw_vectors(Scene&scene) const,
+        draw_ellipsoid(Scene&scene) const, write_numbers(Scene&scene) const, frame(Scene&scene) const;
 
     DeformationMap map_;
     BodyGrid body_;

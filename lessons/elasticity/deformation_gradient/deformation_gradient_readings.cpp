@@ -1,8 +1,9 @@
-// What is shown of a local deformation: fields, probes, the error over the distance, and where the model holds.
-#include <fmt/format.h>
+// What is shown of a local deformation: fields, probes, the error over the distance, where the model holds and what mends a run.
+#include "deformation_gradient.h"
+
 #include <pliant/text/format.h>
 
-#include "deformation_gradient.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,7 @@ Real bound() { return largest; }
 }  // namespace
 
 void DeformationGradientLesson::declare_fields() {
+    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
     const auto vector = [](std::string_view name, std::string_view symbol, On on, const Vectors& v, std::string_view help) {
         return vector_field(name, symbol, "m", on, v, help);
     };
@@ -47,10 +49,6 @@ void DeformationGradientLesson::declare_fields() {
     for (Field& field : fields) field.bound = bound;
 }
 
-void DeformationGradientLesson::declare_state() {
-    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
-}
-
 void DeformationGradientLesson::declare_probes() {
     const auto stretch = [this](int k) {
         return [this, k] { return principal_stretches<3>(at_P(point_deformation_)).stretches[k]; };
@@ -61,79 +59,55 @@ void DeformationGradientLesson::declare_probes() {
             return s ? std::optional((*s)[k]) : std::nullopt;
         };
     };
-    probes = {{.name = "det_F",
-               .symbol = "det F",
-               .help = "at P: volume now over volume at rest; exact: 1 for rigid motions, shear and twist, s₁ s₂ s₃, 1 − κ Y",
-               .value = [this] { return pliant::volume_ratio<3>(at_P(point_deformation_)); },
-               .exact = [this](Real) { return map_.volume_ratio(material(0)); }},
-              {.name = "taylor_error",
-               .symbol = "|dx − F dX|",
-               .unit = "m",
-               .help = "what F leaves out between P and Q; falls as |dX|², and is 0 where F is the same everywhere",
-               .value = [this] { return gap_.norm(); }},
-              {.name = "distance",
-               .symbol = "|dX|",
-               .unit = "m",
-               .help = "from P to Q at rest",
-               .value = [this] { return rest_vector_.norm(); }},
-              {.name = "length_ratio",
-               .symbol = "|dx|/|dX|",
-               .help = "length of PQ now over its length at rest; undefined while Q lies on P",
-               .value = [this]() -> std::optional<Real> {
-                   const Real at_rest = rest_vector_.norm();
-                   return at_rest > 0 ? std::optional(deformed_vector_.norm() / at_rest) : std::nullopt;
-               },
-               .exact = [this](Real) -> std::optional<Real> {
-                   const Vec<3> dX = rest_vector();
-                   const auto C = map_.right_cauchy_green(material(0));
-                   if (!C || !map_.homogeneous() || dX.norm() == 0) return std::nullopt;
-                   return std::sqrt(dX.dot(*C * dX)) / dX.norm();
-               }},
-              {.name = "mapped_length_ratio",
-               .symbol = "|F dX|/|dX|",
-               .help = "the same as F predicts it",
-               .value = [this]() -> std::optional<Real> {
-                   const Real at_rest = rest_vector_.norm();
-                   return at_rest > 0 ? std::optional(mapped_vector_.norm() / at_rest) : std::nullopt;
-               },
-               .exact = [this](Real) -> std::optional<Real> {
-                   const Vec<3> dX = rest_vector();
-                   const auto C = map_.right_cauchy_green(material(0));
-                   if (!C || dX.norm() == 0) return std::nullopt;
-                   return std::sqrt(dX.dot(*C * dX)) / dX.norm();
-               }},
-              {.name = "rotation_angle",
-               .symbol = "∠R",
-               .unit = "°",
-               .help = "by which R turns the neighbourhood of P",
-               .value = [this] { return degrees * rotation_angle(); },
-               .exact = [this](Real) -> std::optional<Real> {
-                   const auto angle = map_.rotation_angle(material(0));
-                   return angle ? std::optional(degrees * *angle) : std::nullopt;
-               }},
-              {.name = "stretch_1",
-               .symbol = "λ₁",
-               .help = "largest principal stretch at P: what a small sphere's longest radius grows by",
-               .value = stretch(0),
-               .exact = exact_stretch(0)},
-              {.name = "stretch_2",
-               .symbol = "λ₂",
-               .help = "middle principal stretch at P",
-               .value = stretch(1),
-               .exact = exact_stretch(1)},
-              {.name = "stretch_3",
-               .symbol = "λ₃",
-               .help = "least principal stretch at P; negative where the body is turned inside out",
-               .value = stretch(2),
-               .exact = exact_stretch(2)},
-              {.name = "polar_residual",
-               .symbol = "|F − R S|",
-               .help = "what the polar decomposition leaves",
-               .value = [this] { return (at_P(point_deformation_) - at_P(point_rotation_) * at_P(point_stretch_)).norm(); }},
-              {.name = "rotation_defect", .symbol = "|RᵀR − I|", .help = "how far R is from a rotation", .value = [this] {
-                   const Mat<3> R = at_P(point_rotation_);
-                   return (R.transpose() * R - Mat<3>::Identity()).norm();
-               }}};
+    probes = {
+        probe_of("det_F", "det F", "",
+                 "at P: volume now over volume at rest; exact: 1 for rigid motions, shear and twist, s₁ s₂ s₃, 1 − κ Y",
+                 [this] { return pliant::volume_ratio<3>(at_P(point_deformation_)); })
+            .exactly([this](Real) { return map_.volume_ratio(material(0)); }),
+        probe_of("taylor_error", "|dx − F dX|", "m",
+                 "what F leaves out between P and Q; falls as |dX|², and is 0 where F is the same everywhere",
+                 [this] { return gap_.norm(); }),
+        probe_of("distance", "|dX|", "m", "from P to Q at rest", [this] { return rest_vector_.norm(); }),
+        probe_of("length_ratio", "|dx|/|dX|", "", "length of PQ now over its length at rest; undefined while Q lies on P",
+                 [this]() -> std::optional<Real> {
+                     const Real at_rest = rest_vector_.norm();
+                     return at_rest > 0 ? std::optional(deformed_vector_.norm() / at_rest) : std::nullopt;
+                 })
+            .exactly([this](Real) -> std::optional<Real> {
+                const Vec<3> dX = rest_vector();
+                const auto C = map_.right_cauchy_green(material(0));
+                if (!C || !map_.homogeneous() || dX.norm() == 0) return std::nullopt;
+                return std::sqrt(dX.dot(*C * dX)) / dX.norm();
+            }),
+        probe_of("mapped_length_ratio", "|F dX|/|dX|", "", "the same as F predicts it",
+                 [this]() -> std::optional<Real> {
+                     const Real at_rest = rest_vector_.norm();
+                     return at_rest > 0 ? std::optional(mapped_vector_.norm() / at_rest) : std::nullopt;
+                 })
+            .exactly([this](Real) -> std::optional<Real> {
+                const Vec<3> dX = rest_vector();
+                const auto C = map_.right_cauchy_green(material(0));
+                if (!C || dX.norm() == 0) return std::nullopt;
+                return std::sqrt(dX.dot(*C * dX)) / dX.norm();
+            }),
+        probe_of("rotation_angle", "∠R", "°", "by which R turns the neighbourhood of P",
+                 [this] { return degrees * rotation_angle(); })
+            .exactly([this](Real) -> std::optional<Real> {
+                const auto angle = map_.rotation_angle(material(0));
+                return angle ? std::optional(degrees * *angle) : std::nullopt;
+            }),
+        probe_of("stretch_1", "λ₁", "", "largest principal stretch at P: what a small sphere's longest radius grows by",
+                 stretch(0))
+            .exactly(exact_stretch(0)),
+        probe_of("stretch_2", "λ₂", "", "middle principal stretch at P", stretch(1)).exactly(exact_stretch(1)),
+        probe_of("stretch_3", "λ₃", "", "least principal stretch at P; negative where the body is turned inside out", stretch(2))
+            .exactly(exact_stretch(2)),
+        probe_of("polar_residual", "|F − R S|", "", "what the polar decomposition leaves",
+                 [this] { return (at_P(point_deformation_) - at_P(point_rotation_) * at_P(point_stretch_)).norm(); }),
+        probe_of("rotation_defect", "|RᵀR − I|", "", "how far R is from a rotation", [this] {
+            const Mat<3> R = at_P(point_rotation_);
+            return (R.transpose() * R - Mat<3>::Identity()).norm();
+        })};
 }
 
 void DeformationGradientLesson::declare_lines() {
@@ -142,50 +116,83 @@ void DeformationGradientLesson::declare_lines() {
         for (int k = -24; k <= 0; ++k) all.push_back(std::pow(10.0, k / 6.0));
         return all;
     };
-    lines = {{.name = "taylor_error_over_distance",
-              .unit = "m",
-              .position_name = "distance |dX|",
-              .position_unit = "m",
-              .help = "error of dx ≈ F dX as Q moves along its line towards P: a tenth of the distance, a hundredth of the error",
-              .sample =
-                  [this, lengths](Curve& curve) {
-                      curve.position.clear(), curve.value.clear();
-                      for (const Real length : lengths())
-                          // No error at all has no place on a logarithmic axis.
-                          if (const Real error = taylor_error(length); error > 0)
-                              curve.position.push_back(length), curve.value.push_back(error);
-                  },
-              .reference =
-                  [this, lengths](Curve& curve) {
-                      curve.position.clear(), curve.value.clear();
-                      const Real from = 1e-2, error = taylor_error(from);
-                      if (map_.homogeneous() || !(error > 0)) return;
-                      for (const Real length : lengths())
-                          curve.position.push_back(length), curve.value.push_back(error * std::pow(length / from, 2));
-                  },
-              .reference_name = "slope 2",
-              .value_name = "error |dx − F dX|",
-              .log_log = true}};
+    lines = {line_of("taylor_error_over_distance", "m", "distance |dX|", "m",
+                     "error of dx ≈ F dX as Q moves along its line towards P: a tenth of the distance, a hundredth of the error",
+                     [this, lengths](Curve& curve) {
+                         curve.position.clear(), curve.value.clear();
+                         for (const Real length : lengths())
+                             // No error at all has no place on a logarithmic axis.
+                             if (const Real error = taylor_error(length); error > 0)
+                                 curve.position.push_back(length), curve.value.push_back(error);
+                     })
+                 .against("slope 2",
+                          [this, lengths](Curve& curve) {
+                              curve.position.clear(), curve.value.clear();
+                              const Real from = 1e-2, error = taylor_error(from);
+                              if (map_.homogeneous() || !(error > 0)) return;
+                              for (const Real length : lengths())
+                                  curve.position.push_back(length), curve.value.push_back(error * std::pow(length / from, 2));
+                          })
+                 .measures("error |dx − F dX|")
+                 .on_log_axes()};
 }
 
 void DeformationGradientLesson::declare_checks() {
     assumptions = {
-        {.name = "Q near P",
-         .value = [this] { return rest_vector_.norm() > 0 ? gap_.norm() / rest_vector_.norm() : Real{0}; },
-         .limit = [] { return near_enough; },
-         .formula = "|dx − F dX| ≤ 0.05 |dX|",
-         .broken = "F describes the neighbourhood of P: Q is so far away that the bending of the map between them counts",
-         .fix = [this] { return nearer(); }},
-        {.name = "not inside out",
-         .value = [this] { return -volume_ratio_.minCoeff(); },
-         .limit = [] { return Real{0}; },
-         .formula = "det F ≥ 0 everywhere",
-         .broken = "somewhere det F < 0: the map turns the body inside out there, which no real body does",
-         .fix = [this] { return not_inverted(); }}};
+        assumption_of(
+            "Q near P", "", [this] { return rest_vector_.norm() > 0 ? gap_.norm() / rest_vector_.norm() : Real{0}; },
+            [] { return near_enough; }, "|dx − F dX| ≤ 0.05 |dX|",
+            "F describes the neighbourhood of P: Q is so far away that the bending of the map between them counts")
+            .mended_by([this] { return nearer(); }),
+        assumption_of(
+            "not inside out", "", [this] { return -volume_ratio_.minCoeff(); }, [] { return Real{0}; }, "det F ≥ 0 everywhere",
+            "somewhere det F < 0: the map turns the body inside out there, which no real body does")
+            .mended_by([this] { return not_inverted(); })};
     conserved = {{.probe = "polar_residual",
                   .law = Law::zero,
                   .tolerance = [this] { return 1e-12 * (1 + at_P(point_deformation_).norm()); }},
                  {.probe = "rotation_defect", .law = Law::zero, .tolerance = [] { return Real{1e-12}; }}};
+}
+
+// Which parameters would mend what the lights show.
+
+// The relative error is proportional to the distance.
+std::optional<Fix> DeformationGradientLesson::nearer() const {
+    const Real share = rounded_down(0.8 * near_enough * rest_vector_.norm() / gap_.norm(), 2);
+    if (!(share > 0)) return std::nullopt;
+    const Vec<3> there = material(0) + share * rest_vector();
+    Fix fix{fmt::format("|dX| × {}", format_quantity(share, "")), {}};
+    for (std::size_t k = 0; k < 3; ++k) fix.assign.emplace_back(Q[k].info.key, format_exact(there[static_cast<Index>(k)]));
+    return fix;
+}
+
+std::optional<Fix> DeformationGradientLesson::not_inverted() const {
+    switch (controls.kind()) {
+        case MapKind::bend: {
+            const Real most = rounded_down(0.9 / body_.half()[1], 2);
+            const Real gentler = std::copysign(most, map_.curvature);
+            return Fix{fmt::format("κ = {}", format_quantity(gentler, "1/m")), {{"bend_curvature", format_exact(gentler)}}};
+        }
+        case MapKind::stretch: {
+            Fix fix{"stretches > 0", {}};
+            constexpr std::array<const char*, 3> keys{"stretch_x", "stretch_y", "stretch_z"};
+            for (Index k = 0; k < 3; ++k)
+                fix.assign.emplace_back(keys[static_cast<std::size_t>(k)], format_exact(std::abs(map_.stretches[k])));
+            return fix;
+        }
+        case MapKind::free: {
+            return controls.entries().none();
+        }
+        default:
+            return std::nullopt;
+    }
+}
+
+std::optional<Fix> DeformationGradientLesson::fix(const Failure&) const { return Fix{"bend", {{"map", "bend"}}}; }
+
+std::string DeformationGradientLesson::blow_up_hint() const {
+    return "The map is evaluated in closed form, so that only its parameters can make it large: take ones nearer to their "
+           "defaults";
 }
 
 }  // namespace pliant::deformation

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "deformation_gradient.h"
-#include "elasticity/tensors/tensor_why.h"
+#include "kits/tensors/tensor_why.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,9 @@ constexpr std::array<const char*, 3> place{"x", "y", "z"}, material_letter{"X", 
 constexpr std::array<const char*, 2> point{"P", "Q"};
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
-Real length(std::span<const Real> x) { return Eigen::Map<const VecX>(x.data(), static_cast<Index>(x.size())).stableNorm(); }
 
 Explanation difference(std::string formula, Input minuend, Input subtrahend) {
-    return {.formula = std::move(formula),
-            .inputs = {std::move(minuend), std::move(subtrahend)},
-            .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+    return {std::move(formula), {std::move(minuend), std::move(subtrahend)}};
 }
 
 // The length of one of the vectors from P to Q, over that of another.
@@ -30,17 +27,13 @@ std::vector<Input> components(const char* symbol, std::string_view field) {
     return inputs;
 }
 Explanation norm(std::string_view left, const char* symbol, std::string_view field) {
-    return {.formula = fmt::format("{0} = √({1}_x² + {1}_y² + {1}_z²)", left, symbol),
-            .inputs = components(symbol, field),
-            .evaluate = [](std::span<const Real> x) { return length(x); }};
+    return {fmt::format("{0} = √({1}_x² + {1}_y² + {1}_z²)", left, symbol), components(symbol, field)};
 }
 Explanation ratio(std::string_view left, const char* symbol, std::string_view field) {
     const auto part = [](const char* s, std::string_view of) {
         return Input::part(fmt::format("|{}|", s), "m", norm(fmt::format("|{}|", s), s, of));
     };
-    return {.formula = fmt::format("{} = |{}| / |dX|", left, symbol),
-            .inputs = {part(symbol, field), part("dX", "rest_vector")},
-            .evaluate = [](std::span<const Real> x) { return x[0] / x[1]; }};
+    return {fmt::format("{} = |{}| / |dX|", left, symbol), {part(symbol, field), part("dX", "rest_vector")}};
 }
 
 }  // namespace
@@ -58,18 +51,16 @@ std::array<Input, 3> DeformationGradientLesson::coordinates(bool of_node, Index 
 Explanation DeformationGradientLesson::why_map(const Question& q) const {
     const auto k = at(q.component);
     if (q.field == "rest_vector")
-        return difference(fmt::format("dX_{} = {} − {}", place[k], Q[k].info.symbol, P[k].info.symbol), Input::of(Q[k]),
-                          Input::of(P[k]));
+        return difference(fmt::format("dX_{} = {} − {}", place[k], Q[k].info.symbol, P[k].info.symbol), Q[k], P[k]);
     return controls.why_position(q.component, coordinates(q.field == "position", q.index));
 }
 
 Explanation DeformationGradientLesson::why_displaced(const Question& q) const {
     const auto k = at(q.component);
     if (q.field == "deformed_vector")
-        return {.formula = fmt::format("dx_{0} = dX_{0} + du_{0}", place[k]),
-                .inputs = {Input::now(fmt::format("dX_{}", place[k]), "rest_vector", 0, q.component),
-                           Input::now(fmt::format("du_{}", place[k]), "relative_displacement", 0, q.component)},
-                .evaluate = [](std::span<const Real> x) { return x[0] + x[1]; }};
+        return {fmt::format("dx_{0} = dX_{0} + du_{0}", place[k]),
+                {Input::now(fmt::format("dX_{}", place[k]), "rest_vector", 0, q.component),
+                 Input::now(fmt::format("du_{}", place[k]), "relative_displacement", 0, q.component)}};
     if (q.field == "relative_displacement")
         return difference(fmt::format("du_{} = {}(Q) − {}(P)", place[k], displaced[k], displaced[k]),
                           Input::now(fmt::format("{}(Q)", displaced[k]), "point_displacement", 1, q.component),
@@ -88,11 +79,9 @@ Explanation DeformationGradientLesson::why_deformation(const Question& q) const 
     if (q.field == "volume_ratio") return why::determinant("deformation_gradient", q.index);
     const int i = q.component / 3, j = q.component % 3;
     const std::string slope = fmt::format("∂{}/∂{}", displaced[at(i)], material_letter[at(j)]);
-    const Real one = i == j ? 1 : 0;
-    return {.formula = fmt::format("{} = {}{}", why::entry("F", i, j), i == j ? "1 + " : "", slope),
-            .inputs = {Input::now(slope, q.field == "deformation_gradient" ? "displacement_gradient" : "point_gradient", q.index,
-                                  q.component)},
-            .evaluate = [one](std::span<const Real> x) { return one + x[0]; }};
+    return {fmt::format("{} = {}{}", why::entry("F", i, j), i == j ? "1 + " : "", slope),
+            {Input::now(slope, q.field == "deformation_gradient" ? "displacement_gradient" : "point_gradient", q.index,
+                        q.component)}};
 }
 
 Explanation DeformationGradientLesson::why_compared(const Question& q) const {

@@ -1,7 +1,5 @@
 #include "energy_density.h"
 
-#include "elasticity/material/material_parameters.h"
-
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/uniaxial.h>
 #include <pliant/text/format.h>
@@ -12,86 +10,16 @@
 #include <cmath>
 
 namespace pliant::energies {
-namespace {
-
-ParameterInfo entry(std::string_view key, std::string_view symbol, Real initial, std::function<bool()> used) {
-    return {.key = key,
-            .symbol = symbol,
-            .help = "entry of the deformation gradient; column j is where the edge along axis j goes",
-            .initial = initial,
-            .useful = {-1.5, 1.5},
-            .accepted = Interval{-10, 10},
-            .effect = Effect::rebuild,
-            .used = std::move(used)};
-}
-
-}  // namespace
-
-EnergyDensityLesson::EnergyDensityLesson()
-    : energy(*this, {.key = "energy", .help = "how much energy a deformation stores", .initial = 1, .effect = Effect::rebuild},
-             {{"linear", "linear"},
-              {"stvk", "St. Venant–Kirchhoff"},
-              {"corotated", "corotated linear"},
-              {"neo_hookean", "neo-Hookean"}}),
-      path(*this, {.key = "path", .help = "how the cube is deformed", .effect = Effect::rebuild},
-           {{"uniaxial", "stretch, free across"},
-            {"held", "stretch, held across"},
-            {"volumetric", "stretch on all sides"},
-            {"shear", "shear"},
-            {"free", "any F"}}),
-      ends(*this,
-           {.key = "ends",
-            .help = "of the block that is pulled beside the cube: may they narrow?",
-            .effect = Effect::rebuild,
-            .used = [this] { return has_block(); }},
-           {{"sliding", "sliding: uniform"}, {"glued", "glued"}}),
-      youngs_modulus(*this, youngs_modulus_info("all four energies have it for small strain; rubber 1 MPa", {1e3, 1e9})),
-      poisson_ratio(
-          *this, poisson_ratio_info("narrowing over lengthening for small strain; near ½ every energy resists a change of volume",
-                                    {-0.5, 0.4999})),
-      stretch(*this, {.key = "stretch",
-                      .symbol = "s",
-                      .help = "length now over length at rest; at 0 the cube is flat, below 0 it is turned inside out",
-                      .initial = 1.3,
-                      .useful = {-0.3, 2},
-                      .accepted = Interval{-0.9, 10},
-                      .effect = Effect::rebuild,
-                      .used = [this] { return way().stretches(); }}),
-      shear(*this, {.key = "shear",
-                    .symbol = "γ",
-                    .help = "sideways shift of the top over the height",
-                    .initial = 0.5,
-                    .useful = {-1.5, 1.5},
-                    .accepted = Interval{-10, 10},
-                    .effect = Effect::rebuild,
-                    .used = [this] { return is(Path::shear); }}),
-      F11(*this, entry("F11", "F₁₁", 1.2, [this] { return is(Path::free); })),
-      F12(*this, entry("F12", "F₁₂", 0.3, [this] { return is(Path::free); })),
-      F13(*this, entry("F13", "F₁₃", 0, [this] { return is(Path::free); })),
-      F21(*this, entry("F21", "F₂₁", 0, [this] { return is(Path::free); })),
-      F22(*this, entry("F22", "F₂₂", 0.9, [this] { return is(Path::free); })),
-      F23(*this, entry("F23", "F₂₃", 0.1, [this] { return is(Path::free); })),
-      F31(*this, entry("F31", "F₃₁", 0.05, [this] { return is(Path::free); })),
-      F32(*this, entry("F32", "F₃₂", 0, [this] { return is(Path::free); })),
-      F33(*this, entry("F33", "F₃₃", 1.1, [this] { return is(Path::free); })) {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    explain_probes();
-    declare_lines();
-    declare_checks();
-}
-
-Mat<3> EnergyDensityLesson::given() const {
-    Mat<3> F;
-    F << F11, F12, F13, F21, F22, F23, F31, F32, F33;
-    return F;
+EnergyDensityLesson::EnergyDensityLesson() {
+    entries.join(*this, {-1.5, 1.5}, {-10, 10}, "entry of the deformation gradient; column j is where the edge along axis j goes",
+                 [this] { return is(Path::free); });
+    declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 }
 
 // Where the energy is infinite, or no width is left, there is nothing to show.
 void EnergyDensityLesson::check() const {
     if (way().at(density(), amount())) return;
-    const std::string given_path = is(Path::free) ? fmt::format("det F = {}", format_quantity(given().determinant(), ""))
+    const std::string given_path = is(Path::free) ? fmt::format("det F = {}", format_quantity(entries.matrix().determinant(), ""))
                                                   : fmt::format("stretch = {}", format_quantity(amount(), ""));
     if (is(Energy::corotated))
         throw Refused(
@@ -125,13 +53,9 @@ void EnergyDensityLesson::declare_stages() {
     const auto stage = [this](std::string_view name, std::string_view formula, std::string_view source, auto run,
                               std::vector<std::string_view> reads, std::vector<std::string_view> writes, auto explain,
                               std::optional<Energy> only = {}) {
-        Stage s{.name = name,
-                .formula = formula,
-                .source = source,
-                .run = [this, run] { (this->*run)(); },
-                .reads = std::move(reads),
-                .writes = std::move(writes)};
-        s.explain = explain;
+        Stage s = stage_of(name, formula, source, [this, run] { (this->*run)(); })
+                      .maps(std::move(reads), std::move(writes))
+                      .because(explain);
         if (only) s.active = [this, wanted = *only] { return is(wanted); };
         stages.push_back(std::move(s));
     };
@@ -181,9 +105,9 @@ void EnergyDensityLesson::declare_stages() {
     stage("block", "K d = r,  u ← u + α d", "Newton's method with a line search on a block of tetrahedra [Nocedal2006 §3]",
           &L::block_pass, {"displacement", "unbalanced_force"}, {"newton_step", "displacement", "unbalanced_force"},
           [this](const Question& q) { return why_block(q); });
-    stages.back().active = [this] { return has_block(); };
-    stages.back().again = [this] { return block_->running(); };
-    stages.back().begin = [this] { begin_block(); };
+    stages.back() = stages.back()
+                        .when([this] { return has_block(); })
+                        .repeats([this] { return block_->running(); }, [this] { begin_block(); });
 }
 
 void EnergyDensityLesson::begin_block() {

@@ -1,7 +1,10 @@
 // A cube under a deformation F: what four energy densities make of it.
 #pragma once
-#include "deformation_path.h"
-#include "stretched_block.h"
+#include "kits/deformation_maps/gradient_entries.h"
+#include "kits/material/material_parameters.h"
+
+#include <pliant/continuum/deformation_path.h>
+#include <pliant/solids/stretched_block.h>
 
 #include <pliant/lesson/registry.h>
 
@@ -10,6 +13,9 @@
 #include <optional>
 
 namespace pliant::energies {
+
+using Path = PathKind;
+using Ends = BlockEnds;
 
 // A static lesson: one step goes from F to the strain, the energy density and the stress, and checks one against the other.
 class EnergyDensityLesson final : public Lesson {
@@ -31,38 +37,53 @@ public:
     std::vector<std::string_view> key_numbers() const override { return {"psi", "P11", "det_F"}; }
 
 private:
-    Choice<Energy> energy;
-    Choice<Path> path;
-    Choice<Ends> ends;
-    Number youngs_modulus, poisson_ratio, stretch, shear;
-    Number F11, F12, F13, F21, F22, F23, F31, F32, F33;
+    Choice<Energy> energy{*this,
+                          setting_of("energy", "how much energy a deformation stores", 1).rebuilds(),
+                          {{"linear", "linear"},
+                           {"stvk", "St. Venant–Kirchhoff"},
+                           {"corotated", "corotated linear"},
+                           {"neo_hookean", "neo-Hookean"}}};
+    Choice<Path> path{*this,
+                      setting_of("path", "how the cube is deformed").rebuilds(),
+                      {{"uniaxial", "stretch, free across"},
+                       {"held", "stretch, held across"},
+                       {"volumetric", "stretch on all sides"},
+                       {"shear", "shear"},
+                       {"free", "any F"}}};
+    Choice<Ends> ends{*this,
+                      setting_of("ends", "of the block that is pulled beside the cube: may they narrow?").rebuilds(),
+                      {{"sliding", "sliding: uniform"}, {"glued", "glued"}},
+                      [this] { return has_block(); }};
+    Number youngs_modulus{*this, youngs_modulus_info("all four energies have it for small strain; rubber 1 MPa", {1e3, 1e9})};
+    Number poisson_ratio{
+        *this, poisson_ratio_info("narrowing over lengthening for small strain; near ½ every energy resists a change of volume",
+                                  {-0.5, 0.4999})};
+    Number stretch{*this,
+                   quantity("stretch", "s", "", 1.3, {-0.3, 2}, {-0.9, 10},
+                            "length now over length at rest; at 0 the cube is flat, below 0 it is turned inside out")
+                       .rebuilds(),
+                   [this] { return way().stretches(); }};
+    Number shear{*this,
+                 quantity("shear", "γ", "", 0.5, {-1.5, 1.5}, {-10, 10}, "sideways shift of the top over the height").rebuilds(),
+                 [this] { return is(Path::shear); }};
+    GradientEntries entries;
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_block_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_block_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
-    void deform();
-    void measure_strain();
-    void evaluate_energy();
-    void evaluate_stress();
-    void check_derivative();
-    void begin_block();
-    void block_pass();
+    void deform(), measure_strain(), evaluate_energy(), evaluate_stress(), check_derivative(), begin_block(), block_pass();
 
     using Rows = Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>;
     using One = Eigen::Matrix<Real, 1, 1>;
 
     bool is(Energy wanted) const { return Energy(energy) == wanted; }
     bool is(Path wanted) const { return Path(path) == wanted; }
+    Input mu() const { return lame_mu(youngs_modulus, poisson_ratio); }
+    Input lambda() const { return lame_lambda(youngs_modulus, poisson_ratio); }
     Lame material() const { return IsotropicModuli::from_young_poisson(youngs_modulus, poisson_ratio).lame(); }
     EnergyDensity<3> density() const { return {energy, material()}; }
     EnergyDensity<3> density(Energy other) const { return {other, material()}; }
-    Mat<3> given() const;
-    DeformationPath way() const { return {path, given()}; }
+    DeformationPath way() const { return {path, entries.matrix()}; }
     // The amount of deformation: s, gamma, or t = 1.
     Real amount() const { return is(Path::shear) ? shear : is(Path::free) ? Real{1} : stretch; }
     // Step of the central difference.
@@ -76,42 +97,29 @@ private:
     // --- curves (energy_density_curves.cpp) ---
     enum class Shown { psi, stress };
     std::array<Real, 2> plotted_amounts() const;
-    Real shown_value(Shown what, const EnergyDensity<3>& energy, const Mat<3>& F) const;
-    Real largest_shown(Shown what) const;
-    void sample(Shown what, Energy of, Curve& curve) const;
-    void mark_now(Shown what, Curve& curve) const;
-    void mark_softest(Curve& curve) const;
+    Real shown_value(Shown what, const EnergyDensity<3>&energy, const Mat<3>&F) const, largest_shown(Shown what) const;
+    void sample(Shown what, Energy of, Curve&curve) const, mark_now(Shown what, Curve&curve) const,
+        mark_softest(Curve&curve) const;
     Line curve_of(Shown what) const;
 
     // --- why a number is what it is (energy_density_why.cpp, ..._why_stress.cpp) ---
     Input width() const;
     std::optional<Explanation> why_deformed(const Question& q) const;
-    Explanation why_F(int row, int column) const;
-    Explanation why_strain(const Question& q) const;
-    Explanation why_psi() const;
-    Explanation why_stress(int row, int column) const;
-    Explanation why_difference(int row, int column) const;
-    Input strain_stress(int row, int column) const;
-    Input inverse_transposed(int row, int column) const;
+    Explanation why_F(int row, int column) const, why_strain(const Question&q) const, why_psi() const,
+        why_stress(int row, int column) const, why_difference(int row, int column) const;
+    Input strain_stress(int row, int column) const, inverse_transposed(int row, int column) const;
     void explain_probes();
     // --- (energy_density_why_block.cpp) ---
     std::optional<Explanation> why_block(const Question& q) const;
-    Explanation why_direction(Index node, int component) const;
-    Explanation why_unbalanced(Index node, int component) const;
-    Explanation why_block_stress() const;
-    Explanation why_block_width() const;
+    Explanation why_direction(Index node, int component) const, why_unbalanced(Index node, int component) const,
+        why_block_stress() const, why_block_width() const;
 
     // --- what would mend it (energy_density_fixes.cpp) ---
-    Fix towards_rest() const;
-    Fix another_energy(Energy better) const;
+    Fix towards_rest() const, another_energy(Energy better) const;
 
     // --- the picture (energy_density_picture.cpp) ---
-    void draw_cube(Scene& scene) const;
-    void draw_measures(Scene& scene) const;
-    void draw_block(Scene& scene) const;
-    void draw_tractions(Scene& scene) const;
-    void draw_principal(Scene& scene) const;
-    void write_notes(Scene& scene) const;
+    void draw_cube(Scene&scene) const, draw_measures(Scene&scene) const, draw_block(Scene&scene) const,
+        draw_tractions(Scene&scene) const, draw_principal(Scene&scene) const, write_notes(Scene&scene) const;
 
     // What defines now.
     Rows F_ = Rows::Identity(), strain_ = Rows::Zero(), rotation_ = Rows::Identity(), P_ = Rows::Zero(),

@@ -1,66 +1,57 @@
-// Why F, the strain and the energy density are what they are.
+// Why F, the strain, the energy density, the stress and its check, and the probes are what they are.
 #include "energy_density.h"
 
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/uniaxial.h>
 
-#include "tensor_texts.h"
-
-#include "elasticity/material/material_parameters.h"
-#include "elasticity/tensors/tensor_why.h"
+#include "kits/tensors/tensor_why.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant::energies {
+namespace {
+
+constexpr std::string_view F_field = "deformation_gradient";
+
+}  // namespace
 
 // --------------------------------------------------------------------------------------------------------- deformation
 
 // At which nothing pulls across.
 Input EnergyDensityLesson::width() const {
-    Explanation e{.formula = "", .inputs = {Input::of(poisson_ratio), Input::of(stretch)}, .evaluate = {}};
-    if (is(Energy::neo_hookean)) {
-        e.formula = "a = root of μ (a² − 1) + λ ln(s a²)";
-        e.inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio), Input::of(stretch)};
-        e.evaluate = [](std::span<const Real> x) {
-            return lateral_stretch({Energy::neo_hookean, Lame{.lambda = x[1], .mu = x[0]}}, x[2]).value_or(0);
-        };
-    } else if (is(Energy::stvk)) {
-        if (F_(1, 1) == 0) return Input::part("a", "", fixed_value("a = 0: ν (s² − 1) ≥ 1, the cube has become a line", 0));
-        e.formula = "a = √(1 − ν (s² − 1))";
-        e.evaluate = [](std::span<const Real> x) { return std::sqrt(1 - x[0] * (x[1] * x[1] - 1)); };
-    } else {
-        e.formula = "a = 1 − ν (s − 1)";
-        e.evaluate = [](std::span<const Real> x) { return 1 - x[0] * (x[1] - 1); };
-    }
-    return Input::part("a", "", std::move(e));
+    if (is(Energy::neo_hookean))
+        return Input::part("a", "",
+                           {.formula = "a = root of μ (a² − 1) + λ ln(s a²)",
+                            .inputs = {mu(), lambda(), stretch},
+                            .evaluate = [](std::span<const Real> x) {
+                                return lateral_stretch({Energy::neo_hookean, Lame{.lambda = x[1], .mu = x[0]}}, x[2]).value_or(0);
+                            }});
+    if (!is(Energy::stvk)) return part("a = 1 − ν (s − 1)", {poisson_ratio, stretch});
+    if (F_(1, 1) == 0) return Input::part("a", "", fixed_value("a = 0: ν (s² − 1) ≥ 1, the cube has become a line", 0));
+    return part("a = √(1 − ν (s² − 1))", {poisson_ratio, stretch});
 }
 
 Explanation EnergyDensityLesson::why_F(int row, int column) const {
     const std::string name = why::entry("F", row, column);
     const auto same = [&](Input input) {
         const std::string symbol = input.symbol;
-        return Explanation{.formula = fmt::format("{} = {}", name, symbol),
-                           .inputs = {std::move(input)},
-                           .evaluate = [](std::span<const Real> x) { return x[0]; }};
+        return Explanation{fmt::format("{} = {}", name, symbol), {std::move(input)}};
     };
     const bool diagonal = row == column;
-    const Number* entries[3][3] = {{&F11, &F12, &F13}, {&F21, &F22, &F23}, {&F31, &F32, &F33}};
-    if (is(Path::free)) return same(Input::of(*entries[row][column], "given"));
-    if (is(Path::shear) && row == 0 && column == 1) return same(Input::of(shear));
-    if (diagonal && (is(Path::volumetric) || (row == 0 && !is(Path::shear)))) return same(Input::of(stretch));
+    if (is(Path::free)) return same(Input::of(entries(row, column), "given"));
+    if (is(Path::shear) && row == 0 && column == 1) return same(shear);
+    if (diagonal && (is(Path::volumetric) || (row == 0 && !is(Path::shear)))) return same(stretch);
     if (diagonal && is(Path::uniaxial)) return same(width());
     return diagonal ? fixed_value(fmt::format("{} = 1: not stretched along this axis", name), 1)
                     : fixed_value(fmt::format("{} = 0: no shear here", name), 0);
 }
 
 std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) const {
-    if (q.field == "deformation_gradient") return why_F(q.component / 3, q.component % 3);
-    if (q.field == "volume_ratio")
-        return Explanation{.formula = "J = F₁₁ (F₂₂ F₃₃ − F₂₃ F₃₂) − F₁₂ (F₂₁ F₃₃ − F₂₃ F₃₁) + F₁₃ (F₂₁ F₃₂ − F₂₂ F₃₁)",
-                           .inputs = why::all_entries("F", "deformation_gradient", 0),
-                           .evaluate = [](std::span<const Real> x) { return why::matrix(x).determinant(); }};
+    if (q.field == F_field) return why_F(q.component / 3, q.component % 3);
+    if (q.field == "volume_ratio") return why::determinant(F_field, 0, "J");
     if (q.field != "displacement" || q.index >= corners)
         return fixed_value("0: the block is at rest before the first iteration", 0);
     // A corner moves by the edges that lead to it.
@@ -68,7 +59,7 @@ std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) 
     std::vector<std::pair<Input, Input>> terms;
     for (int j = 0; j < 3; ++j)
         if (X[j] != 0)
-            terms.emplace_back(why::entry_now("F", "deformation_gradient", 0, q.component, j),
+            terms.emplace_back(why::entry_now("F", F_field, 0, q.component, j),
                                Input::constant("X_j", X[j], "m", "place at rest"));
     terms.emplace_back(Input::constant("−1", -1, "", "less the place at rest"),
                        Input::constant("X_i", X[q.component], "m", "place at rest"));
@@ -79,55 +70,40 @@ std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) 
 
 Explanation EnergyDensityLesson::why_strain(const Question& q) const {
     const int i = q.component / 3, j = q.component % 3;
-    const std::string_view F = "deformation_gradient";
-    if (q.field == "log_volume") return {.formula = "ln J = ln(J)", .inputs = {Input::now("J", "volume_ratio", 0)}};
-    if (q.field == "first_invariant")
-        return {.formula = "I₁ = Σ F_ij²",
-                .inputs = why::all_entries("F", F, 0),
-                .evaluate = [](std::span<const Real> x) { return why::matrix(x).squaredNorm(); },
-                .substitute = [](std::span<const Real> x) { return squares_text(x); }};
+    if (q.field == "log_volume") return {"ln J = ln(J)", {Input::now("J", "volume_ratio", 0)}};
+    if (q.field == "first_invariant") {
+        std::string squares;
+        for (int k = 0; k < 9; ++k) squares += fmt::format("{}{}²", k ? " + " : "", why::entry("F", k / 3, k % 3));
+        return {fmt::format("I₁ = {}", squares), why::all_entries("F", F_field, 0)};
+    }
     if (q.field == "rotation")
-        return {.formula = fmt::format("{} = of the rotation nearest to F", why::entry("R", i, j)),
-                .inputs = why::all_entries("F", F, 0),
-                .evaluate = [i, j](std::span<const Real> x) { return nearest_rotation<3>(why::matrix(x))(i, j); },
-                .substitute = [](std::span<const Real> x) { return "nearest rotation to " + matrix_text(x); }};
+        return why::of_matrix(why::entry("R", i, j), fmt::format("entry {}{} of the rotation nearest to F =", i + 1, j + 1), "F",
+                              F_field, 0, [i, j](const Mat<3>& F) { return nearest_rotation<3>(F)(i, j); });
     if (is(Energy::linear)) {
         if (i == j)
-            return {.formula = fmt::format("{} = {} − 1", why::entry("ε", i, i), why::entry("F", i, i)),
-                    .inputs = {why::entry_now("F", F, 0, i, i)},
-                    .evaluate = [](std::span<const Real> x) { return x[0] - 1; }};
-        return {.formula = fmt::format("{} = ½ ({} + {})", why::entry("ε", i, j), why::entry("F", i, j), why::entry("F", j, i)),
-                .inputs = {why::entry_now("F", F, 0, i, j), why::entry_now("F", F, 0, j, i)},
-                .evaluate = [](std::span<const Real> x) { return 0.5 * (x[0] + x[1]); }};
+            return {fmt::format("{} = {} − 1", why::entry("ε", i, i), why::entry("F", i, i)),
+                    {why::entry_now("F", F_field, 0, i, i)}};
+        return {fmt::format("{} = ½ ({} + {})", why::entry("ε", i, j), why::entry("F", i, j), why::entry("F", j, i)),
+                {why::entry_now("F", F_field, 0, i, j), why::entry_now("F", F_field, 0, j, i)}};
     }
     // Products of two columns: of F and F, or of R and F.
-    const bool green = is(Energy::stvk);
-    std::vector<std::pair<Input, Input>> terms;
-    for (int k = 0; k < 3; ++k)
-        terms.emplace_back(green ? why::entry_now("F", F, 0, k, i) : why::entry_now("R", "rotation", 0, k, i),
-                           why::entry_now("F", F, 0, k, j));
-    const Real delta = i == j ? 1 : 0, half = green ? 0.5 : 1;
-    const std::string formula = green ? fmt::format("{} = ½ (Σ F_k{} F_k{} − {})", why::entry("E", i, j), i + 1, j + 1, delta)
-                                      : fmt::format("(S − I)_{}{} = Σ R_k{} F_k{} − {}", i + 1, j + 1, i + 1, j + 1, delta);
-    Explanation e = weighted_sum(formula, terms);
-    e.evaluate = [delta, half, making = e.making](std::span<const Real> x) { return half * (sum_of_terms(making, x) - delta); };
-    e.substitute = [delta, green](std::span<const Real> x) {
-        return green ? fmt::format("½ ({} − {})", products_text(x), delta) : fmt::format("{} − {}", products_text(x), delta);
-    };
-    return e;
+    const char* one = i == j ? " − 1" : "";
+    Explanation product = is(Energy::stvk) ? why::transposed_product("E", "F", F_field, "F", F_field, 0, i, j)
+                                           : why::transposed_product("S", "R", "rotation", "F", F_field, 0, i, j);
+    const std::string sum = product.formula.substr(product.formula.find(" = ") + 3);
+    if (is(Energy::stvk)) return {fmt::format("{} = ½ ({}{})", why::entry("E", i, j), sum, one), std::move(product.inputs)};
+    return {fmt::format("(S − I)_{}{} = {}{}", i + 1, j + 1, sum, one), std::move(product.inputs)};
 }
 
 // -------------------------------------------------------------------------------------------------------------- energy
 
 Explanation EnergyDensityLesson::why_psi() const {
     if (is(Energy::neo_hookean))
-        return {.formula = "ψ = ½ μ (I₁ − 3) − μ lnJ + ½ λ lnJ²",
-                .inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio),
-                           Input::now("I₁", "first_invariant", 0), Input::now("lnJ", "log_volume", 0)}};
+        return {"ψ = ½ μ (I₁ − 3) − μ lnJ + ½ λ lnJ²",
+                {mu(), lambda(), Input::now("I₁", "first_invariant", 0), Input::now("lnJ", "log_volume", 0)}};
     const std::string strain = is(Energy::linear) ? "ε" : is(Energy::stvk) ? "E" : "e";
-    Explanation e{.formula = fmt::format("ψ = μ {0}:{0} + ½ λ tr({0})²{1}", strain, is(Energy::corotated) ? ",  e = S − I" : ""),
-                  .inputs = {lame_mu(youngs_modulus, poisson_ratio), lame_lambda(youngs_modulus, poisson_ratio)},
-                  .evaluate = {}};
+    Explanation e{fmt::format("ψ = μ {0}:{0} + ½ λ tr({0})²{1}", strain, is(Energy::corotated) ? ",  e = S − I" : ""),
+                  {mu(), lambda()}};
     for (Input& input : why::all_entries(strain, "strain", 0)) e.inputs.push_back(std::move(input));
     e.evaluate = [](std::span<const Real> x) {
         return hooke_energy_density<3>({.lambda = x[1], .mu = x[0]}, why::matrix(x.subspan(2)));
@@ -138,6 +114,119 @@ Explanation EnergyDensityLesson::why_psi() const {
                            as_factor(strain_now.trace(), true));
     };
     return e;
+}
+
+// ------------------------------------------------------------------------------------------------- stress and probes
+
+namespace {
+
+Explanation same(std::string formula, Input input) { return {std::move(formula), {std::move(input)}}; }
+
+}  // namespace
+
+// Hooke's law on the strain of the energy: the stress itself when linear, before F or R turns it otherwise.
+Input EnergyDensityLesson::strain_stress(int row, int column) const {
+    const bool linear = is(Energy::linear);
+    const std::string stress = linear ? "P" : "S", strain = linear ? "ε" : is(Energy::stvk) ? "E" : "e";
+    const std::string left = why::entry(stress, row, column), own = why::entry(strain, row, column);
+    if (row != column)
+        return Input::part(left, "Pa",
+                           {fmt::format("{} = 2 μ {}", left, own), {mu(), why::entry_now(strain, "strain", 0, row, column)}});
+    Explanation e{fmt::format("{0} = 2 μ {2} + λ ({1}_11 + {1}_22 + {1}_33)", left, strain, own), {mu(), lambda()}};
+    for (int k = 0; k < 3; ++k) e.inputs.push_back(why::entry_now(strain, "strain", 0, k, k));
+    return Input::part(left, "Pa", std::move(e));
+}
+
+// Cofactor over det F: an entry of the inverse, transposed.
+Input EnergyDensityLesson::inverse_transposed(int row, int column) const {
+    const int i = (row + 1) % 3, k = (row + 2) % 3, j = (column + 1) % 3, l = (column + 2) % 3;
+    const auto F = [](int r, int c) { return why::entry_now("F", F_field, 0, r, c); };
+    return Input::part("G", "",
+                       {fmt::format("G = ({} {} − {} {}) / J", why::entry("F", i, j), why::entry("F", k, l),
+                                    why::entry("F", i, l), why::entry("F", k, j)),
+                        {F(i, j), F(k, l), F(i, l), F(k, j), Input::now("J", "volume_ratio", 0)}});
+}
+
+Explanation EnergyDensityLesson::why_stress(int row, int column) const {
+    const std::string name = why::entry("P", row, column);
+    switch (Energy(energy)) {
+        case Energy::linear:
+            return *strain_stress(row, column).why;
+        case Energy::neo_hookean: {
+            const std::string own = why::entry("F", row, column);
+            return {fmt::format("{} = μ ({} − G) + λ lnJ G", name, own),
+                    {mu(), lambda(), why::entry_now("F", F_field, 0, row, column), inverse_transposed(row, column),
+                     Input::now("lnJ", "log_volume", 0)}};
+        }
+        case Energy::stvk:
+        case Energy::corotated:
+            break;
+    }
+    const bool turns = is(Energy::corotated);
+    const std::string_view left = turns ? "R" : "F", field = turns ? std::string_view("rotation") : F_field;
+    std::vector<std::pair<Input, Input>> terms;
+    for (int k = 0; k < 3; ++k) terms.emplace_back(why::entry_now(left, field, 0, row, k), strain_stress(k, column));
+    return weighted_sum(fmt::format("{0} = Σ {1}_{2}k S_k{3}", name, left, row + 1, column + 1), terms);
+}
+
+// Of ψ a little above and a little below in this entry.
+Explanation EnergyDensityLesson::why_difference(int row, int column) const {
+    const std::string name = why::entry("F", row, column);
+    const auto shifted = [&](std::string_view symbol, Real sign) {
+        Explanation e{fmt::format("{0} = ψ(F), {1} {2} h", symbol, name, sign > 0 ? "+" : "−"),
+                      {mu(), lambda(), Input::constant("h", difference_step(), "", "step of the difference")}};
+        for (Input& input : why::all_entries("F", F_field, 0)) e.inputs.push_back(std::move(input));
+        e.evaluate = [kind = Energy(energy), sign, row, column](std::span<const Real> x) {
+            Mat<3> F = why::matrix(x.subspan(3));
+            F(row, column) += sign * x[2];
+            return EnergyDensity<3>(kind, {.lambda = x[1], .mu = x[0]}).psi(F);
+        };
+        e.substitute = [name, sign](std::span<const Real> x) {
+            return fmt::format("ψ({}), {} {} {}", why::matrix_numbers(x.subspan(3)), name, sign > 0 ? "+" : "−", as_factor(x[2]));
+        };
+        return Input::part(std::string(symbol), "J/m³", std::move(e));
+    };
+    return {fmt::format("{} = (ψ₊ − ψ₋) / (2 h)", why::entry("P", row, column)),
+            {shifted("ψ₊", 1), shifted("ψ₋", -1), Input::constant("h", difference_step(), "", "step of the difference")}};
+}
+
+void EnergyDensityLesson::explain_probes() {
+    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
+        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
+    };
+    give("psi", [] { return same("energy per volume = ψ", Input::now("ψ", "energy_density", 0)); });
+    give("det_F", [] { return same("det F = J", Input::now("J", "volume_ratio", 0)); });
+    give("lateral_stretch", [] { return same("a = F_22", why::entry_now("F", F_field, 0, 1, 1)); });
+    for (int k = 0; k < 9; ++k)
+        give(fmt::format("P{}{}", k / 3 + 1, k % 3 + 1), [k] {
+            return same(fmt::format("force per area at rest = {}", why::entry("P", k / 3, k % 3)),
+                        why::entry_now("P", "stress", 0, k / 3, k % 3));
+        });
+    give("stiffness", [this] {
+        Explanation e{"dP/ds = ∂P/∂F : dF/ds", {mu(), lambda()}};
+        for (Input& input : why::all_entries("F", F_field, 0)) e.inputs.push_back(std::move(input));
+        e.evaluate = [kind = Energy(energy), along = way()](std::span<const Real> x) {
+            return along.stiffness({kind, Lame{.lambda = x[1], .mu = x[0]}}, why::matrix(x.subspan(2)));
+        };
+        e.substitute = [](std::span<const Real> x) {
+            return fmt::format("∂P/∂F : dF/ds at F = {}", why::matrix_numbers(x.subspan(2)));
+        };
+        return e;
+    });
+    give("derivative_check", [this] {
+        Explanation e{"error = max |P − P_h| / max(|P|, μ/1000)", {mu()}};
+        for (Input& input : why::all_entries("P", "stress", 0)) e.inputs.push_back(std::move(input));
+        for (Input& input : why::all_entries("H", "difference_stress", 0)) e.inputs.push_back(std::move(input));
+        const auto parts = [](std::span<const Real> x) {
+            const Mat<3> P = why::matrix(x.subspan(1)), difference = why::matrix(x.subspan(10));
+            return std::array{(P - difference).cwiseAbs().maxCoeff(), std::max(P.cwiseAbs().maxCoeff(), 1e-3 * x[0])};
+        };
+        e.evaluate = [parts](std::span<const Real> x) { return parts(x)[0] / parts(x)[1]; };
+        e.substitute = [parts](std::span<const Real> x) {
+            return fmt::format("{} / {}", as_factor(parts(x)[0]), as_factor(parts(x)[1]));
+        };
+        return e;
+    });
 }
 
 }  // namespace pliant::energies

@@ -1,7 +1,7 @@
 // Why the nodes of the block move as they do: a row of Newton's equations, and the forces of the tetrahedra about a node.
 #include "energy_density.h"
 
-#include "elasticity/linear_body/linear_body_why.h"
+#include "kits/linear_body/linear_body_why.h"
 
 #include <fmt/format.h>
 
@@ -61,18 +61,18 @@ std::optional<Explanation> EnergyDensityLesson::why_block(const Question& q) con
     const Index node = q.index - corners;
     if (q.field == "newton_step") return why_direction(node, q.component);
     if (q.field == "unbalanced_force") return why_unbalanced(node, q.component);
-    return Explanation{.formula = "u′ = u + α d",
-                       .inputs = {Input::earlier("u", "displacement", q.index, q.component),
-                                  Input::constant("α", block_->step_length(), "", "share of the step that the line search takes"),
-                                  Input::now("d", "newton_step", q.index, q.component)}};
+    return Explanation{"u′ = u + α d",
+                       {Input::earlier("u", "displacement", q.index, q.component),
+                        Input::constant("α", block_->step_length(), "", "share of the step that the line search takes"),
+                        Input::now("d", "newton_step", q.index, q.component)}};
 }
 
 Explanation EnergyDensityLesson::why_direction(Index node, int component) const {
     if (block_->failed()) return fixed_value("d = 0: no direction was found", 0);
     if (block_->supports().prescribed(node, component))
-        return {.formula = "d = w − u",
-                .inputs = {Input::constant("w", block_->supports().values()(component, node), "m", "where the support shall be"),
-                           Input::earlier("u", "displacement", corners + node, component)}};
+        return {"d = w − u",
+                {Input::constant("w", block_->supports().values()(component, node), "m", "where the support shall be"),
+                 Input::earlier("u", "displacement", corners + node, component)}};
     SparseMatrix K = block_->body().pattern();
     block_->body().stiffness(block_->before(), !block_->newton().tangent_was_definite(), K);
     return linear_body::why_unknown<3>({.matrix = &K,
@@ -119,8 +119,8 @@ Explanation EnergyDensityLesson::why_block_width() const {
         const std::string name = upper ? "ū_max" : "ū_min";
         return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
     };
-    return {.formula = "w/w₀ = 1 + (ū_max − ū_min) / w₀",
-            .inputs = {mean(true), mean(false), Input::constant("w₀", StretchedBlock::width_at_rest, "m", "width at rest")}};
+    return {"w/w₀ = 1 + (ū_max − ū_min) / w₀",
+            {mean(true), mean(false), Input::constant("w₀", StretchedBlock::width_at_rest, "m", "width at rest")}};
 }
 
 }  // namespace pliant::energies

@@ -1,7 +1,5 @@
 #include "moduli.h"
 
-#include "elasticity/material/material_parameters.h"
-
 #include <pliant/math/line_fit.h>
 #include <pliant/text/format.h>
 
@@ -18,82 +16,8 @@ constexpr Real largest_aspect = 1000;
 
 }  // namespace
 
-ModuliLesson::ModuliLesson()
-    : test(*this, {.key = "test", .help = "what the machine does to the block", .effect = Effect::rebuild},
-           {{"tension", "tension: Y"}, {"shear", "shear: G"}, {"pressure", "pressure: B"}}),
-      youngs_modulus(*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})),
-      poisson_ratio(*this, poisson_ratio_info(
-                               "narrowing over lengthening; 0.5 would be incompressible, below 0 the block widens when pulled",
-                               {-0.5, 0.49})),
-      load(*this, {.key = "load",
-                   .symbol = "σ",
-                   .unit = "Pa",
-                   .help = "force per area of the pull, the shear or the pressure at the end of the test",
-                   .initial = 2e4,
-                   .useful = {0, 1e5},
-                   .accepted = Interval{-1e15, 1e15},
-                   .effect = Effect::rebuild}),
-      length(*this, {.key = "length",
-                     .symbol = "L",
-                     .unit = "m",
-                     .help = "of the block, along x",
-                     .initial = 0.2,
-                     .useful = {0.02, 2},
-                     .accepted = Interval{1e-9, 1e9},
-                     .scale = Scale::log,
-                     .effect = Effect::rebuild}),
-      width(*this, {.key = "width",
-                    .symbol = "w",
-                    .unit = "m",
-                    .help = "of the block, along y and z",
-                    .initial = 0.1,
-                    .useful = {0.01, 1},
-                    .accepted = Interval{1e-9, 1e9},
-                    .scale = Scale::log,
-                    .effect = Effect::rebuild}),
-      resolution(
-          *this,
-          {.key = "resolution",
-           .symbol = "n",
-           .help = "cells across the width, of 5 tetrahedra each; along the length as many as keep them cubes, at most 4 n",
-           .initial = 4,
-           .useful = {1, 8},
-           .accepted = Interval{1, 16},
-           .effect = Effect::rebuild}),
-      load_levels(*this, {.key = "load_levels",
-                          .symbol = "m",
-                          .help = "loads between none and the full one, each solved and measured",
-                          .initial = 5,
-                          .useful = {1, 10},
-                          .accepted = Interval{1, 100},
-                          .effect = Effect::rebuild}),
-      tolerance(*this, {.key = "tolerance",
-                        .symbol = "τ",
-                        .help = "conjugate gradients stop when |f − K u| ≤ τ |f|",
-                        .initial = 1e-12,
-                        .useful = {1e-13, 1e-1},
-                        .accepted = Interval{1e-15, 0.9},
-                        .scale = Scale::log,
-                        .effect = Effect::rebuild}),
-      max_iterations(*this, {.key = "max_iterations",
-                             .symbol = "",
-                             .help = "of the solver at each load; more are needed on fine meshes and near ν = ½",
-                             .initial = 5000,
-                             .useful = {1, 5000},
-                             .accepted = Interval{1, 1000000},
-                             .scale = Scale::log,
-                             .effect = Effect::rebuild}),
-      magnification(*this, {.key = "magnification",
-                            .help = "of the drawn deformation, the numbers are not touched; 0 chooses one",
-                            .initial = 0,
-                            .useful = {0, 100},
-                            .accepted = Interval{0, 1e12}}) {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    explain_probes();
-    declare_lines();
-    declare_checks();
+ModuliLesson::ModuliLesson() {
+    declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 }
 
 void ModuliLesson::check() const {
@@ -123,38 +47,28 @@ void ModuliLesson::reset() {
 // ------------------------------------------------------------------------------------------------------------ stages
 
 void ModuliLesson::declare_stages() {
-    stages = {{.name = "apply_load",
-               .formula = "f_a = ∫ N_a t dA,  t = (k/m) σ n",
-               .source = "traction spread over the nodes by their shape functions [Hughes2000 §2.9]",
-               .run = [this] { apply_load(); },
-               .reads = {},
-               .writes = {"load"},
-               .explain = [this](const Question& q) { return why_load(q.index, q.component); }},
-              {.name = "solve",
-               .formula = "K u = f:  u ← u + α p,  α = r·z / (p·Kp)",
-               .source = "conjugate gradients, preconditioned with incomplete Cholesky [Shewchuk1994 §B3]",
-               .run = [this] { solve_pass(); },
-               .reads = {"load", "displacement"},
-               .writes = {"displacement", "residual", "reaction"},
-               .again = [this] { return advancing_ && solver_->running(); },
-               .begin = [this] { begin_solve(); },
-               .end = [this] { end_solve(); },
-               .explain = [this](const Question& q) { return why_solved(q); }},
-              {.name = "strain_and_stress",
-               .formula = "ε = ½ (∇u + ∇uᵀ),  σ = λ tr(ε) I + 2 μ ε",
-               .source = "lecture: strain and stress, Hooke's law",
-               .run = [this] { strain_and_stress(); },
-               .reads = {"displacement"},
-               .writes = {"strain", "stress"},
-               .explain = [this](const Question& q) { return why_strain_or_stress(q); }},
-              {.name = "fit_modulus",
-               .formula = "modulus = slope of stress over strain:  Y = (F/A)/(ΔL/L),  G = (F/A)/(ΔL/L),  B = −ΔP/(ΔV/V)",
-               .source = "lecture: Young's, shear and bulk modulus (which prints B without the sign)",
-               .run = [this] { fit_modulus(); },
-               .reads = {"displacement", "reaction"},
-               .writes = {"measured_modulus"},
-               .again = [this] { return level() < load_levels; },
-               .loop_from = "apply_load"}};
+    stages = {
+        stage_of("apply_load", "f_a = ∫ N_a t dA,  t = (k/m) σ n",
+                 "traction spread over the nodes by their shape functions [Hughes2000 §2.9]", [this] { apply_load(); })
+            .maps({}, {"load"})
+            .because([this](const Question& q) { return why_load(q.index, q.component); }),
+        stage_of("solve", "K u = f:  u ← u + α p,  α = r·z / (p·Kp)",
+                 "conjugate gradients, preconditioned with incomplete Cholesky [Shewchuk1994 §B3]", [this] { solve_pass(); })
+            .maps({"load", "displacement"}, {"displacement", "residual", "reaction"})
+            .repeats([this] { return advancing_ && solver_->running(); }, [this] { begin_solve(); }, [this] { end_solve(); })
+            .because([this](const Question& q) { return why_solved(q); }),
+        stage_of("strain_and_stress", "ε = ½ (∇u + ∇uᵀ),  σ = λ tr(ε) I + 2 μ ε", "lecture: strain and stress, Hooke's law",
+                 [this] { strain_and_stress(); })
+            .maps({"displacement"}, {"strain", "stress"})
+            .because([this](const Question& q) { return why_strain_or_stress(q); }),
+        {.name = "fit_modulus",
+         .formula = "modulus = slope of stress over strain:  Y = (F/A)/(ΔL/L),  G = (F/A)/(ΔL/L),  B = −ΔP/(ΔV/V)",
+         .source = "lecture: Young's, shear and bulk modulus (which prints B without the sign)",
+         .run = [this] { fit_modulus(); },
+         .reads = {"displacement", "reaction"},
+         .writes = {"measured_modulus"},
+         .again = [this] { return level() < load_levels; },
+         .loop_from = "apply_load"}};
 }
 
 // The next load; after the full one nothing is left to do.

@@ -1,7 +1,8 @@
 // Virtual tension, shear and pressure tests that measure the three moduli of a soft block.
 #pragma once
-#include "elasticity/linear_body/linear_body_why.h"
-#include "specimen.h"
+#include <pliant/solids/specimen.h>
+#include "kits/linear_body/linear_body_why.h"
+#include "kits/material/material_parameters.h"
 
 #include <pliant/continuum/energy_density.h>
 #include <pliant/lesson/registry.h>
@@ -10,6 +11,8 @@
 #include <optional>
 
 namespace pliant::moduli {
+
+using Test = MaterialTest;
 
 // Beyond this the quadratic term of the strain, which Cauchy's leaves out, is no longer small.
 inline constexpr Real small_strain = 0.05;
@@ -34,27 +37,38 @@ public:
     std::vector<std::string_view> key_numbers() const override { return {"stress", "strain", "measured_modulus"}; }
 
 private:
-    Choice<Test> test;
-    Number youngs_modulus, poisson_ratio, load;
-    Number length, width;
-    Whole resolution, load_levels;
-    Number tolerance;
-    Whole max_iterations;
-    Number magnification;
+    Choice<Test> test{*this,
+                      setting_of("test", "what the machine does to the block").rebuilds(),
+                      {{"tension", "tension: Y"}, {"shear", "shear: G"}, {"pressure", "pressure: B"}}};
+    Number youngs_modulus{*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})};
+    Number poisson_ratio{
+        *this, poisson_ratio_info("narrowing over lengthening; 0.5 would be incompressible, below 0 the block widens when pulled",
+                                  {-0.5, 0.49})};
+    Number load{*this, quantity("load", "σ", "Pa", 2e4, {0, 1e5}, {-1e15, 1e15},
+                                "force per area of the pull, the shear or the pressure at the end of the test")
+                           .rebuilds()};
+    Number length{*this, log_quantity("length", "L", "m", 0.2, {0.02, 2}, {1e-9, 1e9}, "of the block, along x").rebuilds()};
+    Number width{*this, log_quantity("width", "w", "m", 0.1, {0.01, 1}, {1e-9, 1e9}, "of the block, along y and z").rebuilds()};
+    Whole resolution{
+        *this, quantity("resolution", "n", "", 4, {1, 8}, {1, 16},
+                        "cells across the width, of 5 tetrahedra each; along the length as many as keep them cubes, at most 4 n")
+                   .rebuilds()};
+    Whole load_levels{*this, quantity("load_levels", "m", "", 5, {1, 10}, {1, 100},
+                                      "loads between none and the full one, each solved and measured")
+                                 .rebuilds()};
+    Number tolerance{*this, log_quantity("tolerance", "τ", "", 1e-12, {1e-13, 1e-1}, {1e-15, 0.9},
+                                         "conjugate gradients stop when |f − K u| ≤ τ |f|")
+                                .rebuilds()};
+    Whole max_iterations{*this, log_quantity("max_iterations", "", "", 5000, {1, 5000}, {1, 1000000},
+                                             "of the solver at each load; more are needed on fine meshes and near ν = ½")
+                                    .rebuilds()};
+    Number magnification{*this, quantity("magnification", "", "", 0, {0, 100}, {0, 1e12},
+                                         "of the drawn deformation, the numbers are not touched; 0 chooses one")};
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
-    void apply_load();
-    void begin_solve();
-    void solve_pass();
-    void end_solve();
-    void strain_and_stress();
-    void fit_modulus();
+    void apply_load(), begin_solve(), solve_pass(), end_solve(), strain_and_stress(), fit_modulus();
 
     IsotropicModuli material() const { return IsotropicModuli::from_young_poisson(youngs_modulus, poisson_ratio); }
     Index level() const { return static_cast<Index>(level_[0]); }
@@ -74,18 +88,13 @@ private:
     linear_body::Hooke hooke() const;
     // --- (moduli_why_probes.cpp) ---
     void explain_probes();
-    Explanation why_force() const;
-    Explanation why_area() const;
-    Explanation why_specimen_strain() const;
-    Explanation why_modulus() const;
-    Explanation why_volume_change(std::string_view symbol) const;
-    Explanation why_lengthening(std::string_view symbol, std::string_view axis, int component, const Parameter& over) const;
-    Explanation why_strain_energy() const;
+    Explanation why_force() const, why_area() const, why_specimen_strain() const, why_modulus() const,
+        why_volume_change(std::string_view symbol) const,
+        why_lengthening(std::string_view symbol, std::string_view axis, int component, const Parameter&over) const,
+        why_strain_energy() const;
 
     // --- what would mend a run (moduli_fixes.cpp) ---
-    std::optional<Fix> smaller_load() const;
-    std::optional<Fix> compressible() const;
-    std::optional<Fix> more_iterations() const;
+    std::optional<Fix> smaller_load() const, compressible() const, more_iterations() const;
 
     // --- the picture (moduli_picture.cpp) ---
     Real drawn_magnification() const;
@@ -97,12 +106,8 @@ private:
     DrawnSize drawn_size() const { return {length * drawn_stretch()[0], width * drawn_stretch()[1]}; }
     Vec<3> drawn(const Vec<3>& X, const Vec<3>& u) const;
     Vec<3> drawn_exact(const Vec<3>& X) const { return drawn(X, specimen_->exact_displacement(applied(), X)); }
-    void draw_body(Scene& scene) const;
-    void draw_supports(Scene& scene) const;
-    void draw_tension(Scene& scene) const;
-    void draw_shear(Scene& scene) const;
-    void draw_pressure(Scene& scene) const;
-    void write_notes(Scene& scene) const;
+    void draw_body(Scene&scene) const, draw_supports(Scene&scene) const, draw_tension(Scene&scene) const,
+        draw_shear(Scene&scene) const, draw_pressure(Scene&scene) const, write_notes(Scene&scene) const;
 
     using One = Eigen::Matrix<Real, 1, 1>;
 

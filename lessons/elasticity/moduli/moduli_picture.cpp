@@ -1,5 +1,5 @@
 // The figure: the block at rest as an outline, the deformed one coloured by a field, its supports, loads and measures.
-#include "elasticity/linear_body/linear_body_picture.h"
+#include "kits/linear_body/linear_body_picture.h"
 #include "moduli.h"
 
 #include <pliant/text/format.h>

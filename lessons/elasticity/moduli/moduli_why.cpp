@@ -1,25 +1,26 @@
-// Why nodes, supports and elements have the numbers that they have.
+// Why nodes, supports, elements and instruments have the numbers that they have.
+#include "kits/material/material_parameters.h"
 #include "moduli.h"
 
-#include "elasticity/material/material_parameters.h"
+#include <pliant/math/line_fit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace pliant::moduli {
-
 // --------------------------------------------------------------------------------------------------------------- load
 
 Input ModuliLesson::applied_stress() const {
-    return Input::part(
-        "t", "Pa",
-        {.formula = "t = σ k / m",
-         .inputs = {Input::of(load), Input::constant("k", level_[0], "", "number of this load"), Input::of(load_levels)}});
+    return part("t = σ k / m", {load, Input::constant("k", level_[0], "", "number of this load"), load_levels});
 }
 
 Explanation ModuliLesson::why_load(Index node, int component) const {
     const Real share = specimen_->unit_load()(component, node);
     if (share == 0) return fixed_value("f = 0: no load pulls here", 0);
-    return {
-        .formula = "f = t A",
-        .inputs = {applied_stress(), Input::constant("A", share, "m²", "the node's share of the loaded faces, and their side")}};
+    return {"f = t A",
+            {applied_stress(), Input::constant("A", share, "m²", "the node's share of the loaded faces, and their side")}};
 }
 
 // -------------------------------------------------------------------------------------------------------------- solve
@@ -43,6 +44,147 @@ Explanation ModuliLesson::why_strain_or_stress(const Question& q) const {
     const int row = q.component / 3, column = q.component % 3;
     return q.field == "strain" ? linear_body::why_strain(specimen_->mesh(), q.index, row, column)
                                : hooke().why_stress(q.index, row, column);
+}
+
+// Why the instruments read what they read.
+
+namespace {
+
+Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 3, static_cast<Index>(x.size() / 3)}; }
+
+}  // namespace
+
+void ModuliLesson::explain_probes() {
+    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
+        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
+    };
+    give("force", [this] { return why_force(); });
+    give("area", [this] { return why_area(); });
+    give("stress", [] { return Explanation{"F/A = F / A", {Input::now("F", "force", 0), Input::now("A", "area", 0)}}; });
+    give("strain", [this] { return why_specimen_strain(); });
+    give("measured_modulus", [this] { return why_modulus(); });
+    give("volume_change", [this] { return why_volume_change("ΔV/V"); });
+    give("transverse_strain", [this] { return why_lengthening("Δw/w", "z", 2, width); });
+    give("strain_energy", [this] { return why_strain_energy(); });
+}
+
+Explanation ModuliLesson::why_force() const {
+    std::vector<Input> reactions;
+    for (const Index n : specimen_->mesh().nodes(specimen_->support_face()))
+        reactions.push_back(Input::now(fmt::format("r_{}", n), "reaction", n, 0));
+    const bool pushed = test == Test::pressure;
+    Explanation e = sum_of(pushed ? "F = Σ r_x" : "F = − Σ r_x", std::move(reactions));
+    if (pushed) return e;
+    e.evaluate = [making = e.making](std::span<const Real> x) { return -sum_of_terms(making, x); };
+    e.substitute = [](std::span<const Real> x) { return fmt::format("−({})", sum_text(x)); };
+    return e;
+}
+
+Explanation ModuliLesson::why_area() const {
+    const SimplexMesh<3>& mesh = specimen_->mesh();
+    std::vector<Input> areas;
+    for (const Index f : mesh.facets(specimen_->support_face()))
+        areas.push_back(Input::constant(fmt::format("A_{}", f), mesh.facet_areas().col(f).norm(), "m²", "area of a facet"));
+    return sum_of("A = Σ A_facet", std::move(areas));
+}
+
+// How far two opposite faces have moved apart, over what lies between them: a face moves by the mean of its nodes.
+Explanation ModuliLesson::why_lengthening(std::string_view symbol, std::string_view across, int component,
+                                          const Parameter& over) const {
+    const auto mean = [&](const char* end) {
+        std::vector<std::pair<Input, Input>> terms;
+        for (const auto& [node, weight] : specimen_->mean_weights(fmt::format("{}_{}", across, end).c_str()))
+            terms.emplace_back(Input::constant(fmt::format("w_{}", node), weight, "", "share of the face's area"),
+                               Input::now(fmt::format("u_{}", node), "displacement", node, component));
+        return Input::part(fmt::format("ū_{}", end), "m",
+                           weighted_sum(fmt::format("ū_{} = Σ w u_{}", end, axis_name(component)), terms));
+    };
+    return {fmt::format("{} = (ū_max − ū_min) / {}", symbol, over.info.symbol), {mean("max"), mean("min"), over}};
+}
+
+Explanation ModuliLesson::why_specimen_strain() const {
+    if (test == Test::tension) return why_lengthening("ε", "x", 0, length);
+    if (test == Test::shear) return why_lengthening("ε", "y", 0, width);
+    return why_volume_change("ε");
+}
+
+// The volume that the surface sweeps; nodes inside add nothing.
+Explanation ModuliLesson::why_volume_change(std::string_view symbol) const {
+    const SimplexMesh<3>& mesh = specimen_->mesh();
+    Points<3> weight = Points<3>::Zero(3, mesh.node_count());
+    for (Index e = 0; e < mesh.simplex_count(); ++e)
+        for (int a = 0; a < 4; ++a)
+            weight.col(mesh.simplices()(a, e)) += mesh.volumes()[e] / mesh.volume() * mesh.gradients(e).col(a);
+    const Real rounding = 1e-13 * weight.cwiseAbs().maxCoeff();
+    std::vector<std::pair<Input, Input>> terms;
+    for (Index n = 0; n < mesh.node_count(); ++n)
+        for (int c = 0; c < 3; ++c)
+            if (std::abs(weight(c, n)) > rounding) {
+                const char* letter = axis_name(c);
+                terms.emplace_back(Input::constant(fmt::format("A{}_{}/V", letter, n), weight(c, n), "1/m",
+                                                   "share of the surface, over the volume"),
+                                   Input::now(fmt::format("u{}_{}", letter, n), "displacement", n, c));
+            }
+    return weighted_sum(fmt::format("{} = Σ A·u / V", symbol), terms);
+}
+
+// Least squares through the points of all loads so far.
+Explanation ModuliLesson::why_modulus() const {
+    constexpr std::array<const char*, 3> symbols{"Y", "G", "B"};
+    const bool pushed = test == Test::pressure;
+    Explanation e{fmt::format("{} = {}Σ (ε_k − ε̄) (σ_k − σ̄) / Σ (ε_k − ε̄)²", symbols[static_cast<std::size_t>(test.value())],
+                              pushed ? "− " : ""),
+                  {}};
+    for (Index k = 0; k <= level(); ++k) {
+        e.inputs.push_back(Input::constant(fmt::format("ε_{}", k), strains_[k], "", "strain measured at this load"));
+        e.inputs.push_back(Input::constant(fmt::format("σ_{}", k), stresses_[k], "Pa", "stress measured at this load"));
+    }
+    const auto columns = [](std::span<const Real> x) {
+        std::array<std::vector<Real>, 2> both;
+        for (std::size_t k = 0; k < x.size(); ++k) both[k % 2].push_back(x[k]);
+        return both;
+    };
+    e.evaluate = [pushed, columns](std::span<const Real> x) {
+        const auto [strain, stress] = columns(x);
+        const auto fit = fit_line(strain, stress);
+        return fit ? (pushed ? -fit->slope : fit->slope) : 0;
+    };
+    e.substitute = [pushed, columns](std::span<const Real> x) {
+        const auto [strain, stress] = columns(x);
+        const auto count = static_cast<Index>(strain.size());
+        const Eigen::Map<const VecX> s(strain.data(), count), t(stress.data(), count);
+        const VecX from_mean = s.array() - s.mean();
+        return fmt::format("{}{} / {}", pushed ? "− " : "", as_factor(from_mean.dot((t.array() - t.mean()).matrix())),
+                           as_factor(from_mean.squaredNorm()));
+    };
+    return e;
+}
+
+Explanation ModuliLesson::why_strain_energy() const {
+    const SimplexMesh<3>& mesh = specimen_->mesh();
+    Explanation e{"E = ½ λ Σ V tr(ε)² + μ Σ V ε:ε", {hooke().lambda, hooke().mu}};
+    for (Index n = 0; n < mesh.node_count(); ++n)
+        for (int c = 0; c < 3; ++c) e.inputs.push_back(Input::now(fmt::format("u{}_{}", axis_name(c), n), "displacement", n, c));
+    // Σ V tr(ε)² and Σ V ε:ε.
+    const auto sums = [&mesh](std::span<const Real> x) {
+        const Points<3> u = points(x.subspan(2));
+        std::array<Real, 2> sum{};
+        for (Index k = 0; k < mesh.simplex_count(); ++k) {
+            const Mat<3> strain = cauchy_strain<3>(mesh.field_gradient(k, u));
+            sum[0] += mesh.volumes()[k] * strain.trace() * strain.trace();
+            sum[1] += mesh.volumes()[k] * strain.squaredNorm();
+        }
+        return sum;
+    };
+    e.evaluate = [sums](std::span<const Real> x) {
+        const auto [traces, squares] = sums(x);
+        return 0.5 * x[0] * traces + x[1] * squares;
+    };
+    e.substitute = [sums](std::span<const Real> x) {
+        const auto [traces, squares] = sums(x);
+        return fmt::format("½ · {} · {} + {} · {}", as_factor(x[0]), as_factor(traces), as_factor(x[1]), as_factor(squares));
+    };
+    return e;
 }
 
 }  // namespace pliant::moduli

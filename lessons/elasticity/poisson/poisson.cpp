@@ -1,8 +1,6 @@
 #include "poisson.h"
 
-#include "elasticity/material/material_parameters.h"
-
-#include "contraction_law.h"
+#include <pliant/continuum/contraction_law.h>
 
 #include <pliant/text/format.h>
 
@@ -13,67 +11,8 @@
 
 namespace pliant::poisson {
 
-PoissonLesson::PoissonLesson()
-    : setting(*this, {.key = "scene", .help = "a cube that is pulled, or a panel that is bent", .effect = Effect::rebuild},
-              {{"stretch", "stretched cube"}, {"bending", "bent panel: locking"}}),
-      method(*this,
-             {.key = "method",
-              .help = "linear elasticity in small steps, each on the shape reached before, or in one step",
-              .effect = Effect::rebuild,
-              .used = [this] { return !bends(); }},
-             {{"incremental", "many small steps"}, {"linear", "one linear step"}}),
-      poisson_ratio(*this, poisson_ratio_info(
-                               "narrowing over lengthening; 0.5 would be incompressible, below 0 the cube widens when pulled",
-                               {-0.9, 0.4999})),
-      axial_strain(*this, {.key = "axial_strain",
-                           .symbol = "ΔL/L",
-                           .help = "lengthening over length, at the end; negative pushes",
-                           .initial = 0.5,
-                           .useful = {-0.6, 2},
-                           .accepted = Interval{-1, 100, true, false},
-                           .effect = Effect::rebuild,
-                           .used = [this] { return !bends(); }}),
-      increments(*this, {.key = "increments",
-                         .symbol = "N",
-                         .help = "steps of equal lengthening; the error of the contraction halves when they are doubled",
-                         .initial = 20,
-                         .useful = {1, 60},
-                         .accepted = Interval{1, 1000},
-                         .effect = Effect::rebuild,
-                         .used = [this] { return !bends() && Method(method) == Method::incremental; }}),
-      length(*this, {.key = "length",
-                     .symbol = "L",
-                     .unit = "m",
-                     .help = "of the edges of the cube",
-                     .initial = 0.1,
-                     .useful = {0.01, 1},
-                     .accepted = Interval{1e-6, 1e6},
-                     .scale = Scale::log,
-                     .effect = Effect::rebuild,
-                     .used = [this] { return !bends(); }}),
-      resolution(*this,
-                 {.key = "resolution",
-                  .symbol = "n",
-                  .help = "cells along each edge of the cube, of 5 tetrahedra each; the strain is uniform, so one would do",
-                  .initial = 2,
-                  .useful = {1, 4},
-                  .accepted = Interval{1, 8},
-                  .effect = Effect::rebuild,
-                  .used = [this] { return !bends(); }}),
-      membrane_cells(*this, {.key = "membrane_cells",
-                             .symbol = "m",
-                             .help = "pairs of cells along each edge of the panel; every cell is two linear triangles",
-                             .initial = 8,
-                             .useful = {2, 16},
-                             .accepted = Interval{1, 32},
-                             .effect = Effect::rebuild,
-                             .used = [this] { return bends(); }}) {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    explain_probes();
-    declare_lines();
-    declare_checks();
+PoissonLesson::PoissonLesson() {
+    declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 }
 
 // Each step narrows by nu times its strain, which must leave a width.
@@ -104,50 +43,36 @@ void PoissonLesson::reset() {
 // ------------------------------------------------------------------------------------------------------------ stages
 
 void PoissonLesson::declare_stages() {
-    const auto stretched = [this] { return !bends(); };
     const auto bent = [this] { return bends(); };
-    stages = {{.name = "pull",
-               .formula = "Δx = s L / N on the far face",
-               .source = "lecture: Poisson's ratio, the cube of size L",
-               .run = [this] { stretch_cube(); },
-               .reads = {},
-               .writes = {"prescribed"},
-               .active = stretched,
-               .explain = [this](const Question& q) { return why_step(q); }},
-              {.name = "solve",
-               .formula = "K(x) Δu = 0,  Δu = Δx on the far face",
-               .source = "linear elasticity on the shape that was reached [Hughes2000 §2.9]",
-               .run = [this] { solve(); },
-               .reads = {"prescribed", "displacement"},
-               .writes = {"increment"},
-               .active = stretched,
-               .explain = [this](const Question& q) { return why_step(q); }},
-              {.name = "move",
-               .formula = "u ← u + Δu",
-               .source = "lecture: the integral of dε_y = −ν dε_x, as a sum",
-               .run = [this] { move(); },
-               .reads = {"increment", "displacement"},
-               .writes = {"displacement"},
-               .active = stretched,
-               .explain = [this](const Question& q) { return why_step(q); }},
+    stages = {stage_of("pull", "Δx = s L / N on the far face", "lecture: Poisson's ratio, the cube of size L",
+                       [this] { stretch_cube(); })
+                  .maps({}, {"prescribed"})
+                  .when(stretched())
+                  .because([this](const Question& q) { return why_step(q); }),
+              stage_of("solve", "K(x) Δu = 0,  Δu = Δx on the far face",
+                       "linear elasticity on the shape that was reached [Hughes2000 §2.9]", [this] { solve(); })
+                  .maps({"prescribed", "displacement"}, {"increment"})
+                  .when(stretched())
+                  .because([this](const Question& q) { return why_step(q); }),
+              stage_of("move", "u ← u + Δu", "lecture: the integral of dε_y = −ν dε_x, as a sum", [this] { move(); })
+                  .maps({"increment", "displacement"}, {"displacement"})
+                  .when(stretched())
+                  .because([this](const Question& q) { return why_step(q); }),
               {.name = "measure",
                .formula = "ΔL′/L,  V/V₀ = det(I + ∇u);  exact: 1 − (1 + ΔL/L)^(−ν)",
                .source = "lecture: Poisson's ratio, ν ≈ ΔL′/ΔL",
                .run = [this] { measure(); },
                .reads = {"displacement"},
                .writes = {"element_volume"},
-               .active = stretched,
+               .active = stretched(),
                .again = [this] { return advancing_ && done() < rounds(); },
                .loop_from = "pull",
                .explain = [this](const Question& q) { return why_step(q); }},
-              {.name = "bend",
-               .formula = "K(ν) u = f in plane strain",
-               .source = "Cook's membrane [Cook1974], linear triangles [Hughes2000 §4.4]",
-               .run = [this] { bend(); },
-               .reads = {},
-               .writes = {"displacement"},
-               .active = bent,
-               .explain = [this](const Question& q) { return why_bent(q); }},
+              stage_of("bend", "K(ν) u = f in plane strain", "Cook's membrane [Cook1974], linear triangles [Hughes2000 §4.4]",
+                       [this] { bend(); })
+                  .maps({}, {"displacement"})
+                  .when(bent)
+                  .because([this](const Question& q) { return why_bent(q); }),
               {.name = "read_deflection",
                .formula = "u_y at the middle of the loaded edge",
                .source = "converged values of cubic triangles on 32 × 32 cells",

@@ -1,6 +1,7 @@
 // Poisson's ratio: a cube that narrows as it is stretched, and linear triangles that lock where it may not change its volume.
 #pragma once
-#include "stretched_cube.h"
+#include <pliant/solids/stretched_cube.h>
+#include "kits/material/material_parameters.h"
 
 #include <pliant/lesson/registry.h>
 #include <pliant/solids/cooks_membrane.h>
@@ -37,30 +38,50 @@ public:
     }
 
 private:
-    Choice<Setting> setting;
-    Choice<Method> method;
-    Number poisson_ratio, axial_strain;
-    Whole increments;
-    Number length;
-    Whole resolution, membrane_cells;
+    std::function<bool()> stretched() const {
+        return [this] { return !bends(); };
+    }
+
+    Choice<Setting> setting{*this,
+                            setting_of("scene", "a cube that is pulled, or a panel that is bent").rebuilds(),
+                            {{"stretch", "stretched cube"}, {"bending", "bent panel: locking"}}};
+    Choice<Method> method{
+        *this,
+        setting_of("method", "linear elasticity in small steps, each on the shape reached before, or in one step").rebuilds(),
+        {{"incremental", "many small steps"}, {"linear", "one linear step"}},
+        stretched()};
+    Number poisson_ratio{
+        *this, poisson_ratio_info("narrowing over lengthening; 0.5 would be incompressible, below 0 the cube widens when pulled",
+                                  {-0.9, 0.4999})};
+    Number axial_strain{*this,
+                        quantity("axial_strain", "ΔL/L", "", 0.5, {-0.6, 2}, {-1, 100, true, false},
+                                 "lengthening over length, at the end; negative pushes")
+                            .rebuilds(),
+                        stretched()};
+    Whole increments{*this,
+                     quantity("increments", "N", "", 20, {1, 60}, {1, 1000},
+                              "steps of equal lengthening; the error of the contraction halves when they are doubled")
+                         .rebuilds(),
+                     [this] { return !bends() && Method(method) == Method::incremental; }};
+    Number length{*this, log_quantity("length", "L", "m", 0.1, {0.01, 1}, {1e-6, 1e6}, "of the edges of the cube").rebuilds(),
+                  stretched()};
+    Whole resolution{*this,
+                     quantity("resolution", "n", "", 2, {1, 4}, {1, 8},
+                              "cells along each edge of the cube, of 5 tetrahedra each; the strain is uniform, so one would do")
+                         .rebuilds(),
+                     stretched()};
+    Whole membrane_cells{*this,
+                         quantity("membrane_cells", "m", "", 8, {2, 16}, {1, 32},
+                                  "pairs of cells along each edge of the panel; every cell is two linear triangles")
+                             .rebuilds(),
+                         [this] { return bends(); }};
 
     using One = Eigen::Matrix<Real, 1, 1>;
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_stretch_probes();
-    void declare_bending_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
-    void stretch_cube();
-    void solve();
-    void move();
-    void measure();
-    void bend();
-    void read_deflection();
+    void stretch_cube(), solve(), move(), measure(), bend(), read_deflection();
 
     bool bends() const { return Setting(setting) == Setting::bending; }
     Index done() const { return static_cast<Index>(done_[0]); }
@@ -76,17 +97,13 @@ private:
 
     // --- why a number is what it is (poisson_why.cpp) ---
     std::optional<Explanation> why_step(const Question& q) const;
-    Explanation why_increment(Index node, int component) const;
-    Explanation why_volume(Index element) const;
+    Explanation why_increment(Index node, int component) const, why_volume(Index element) const;
     std::optional<Explanation> why_bent(const Question& q) const;
     void explain_probes();
 
     // --- the picture (poisson_picture.cpp) ---
-    void draw_cube(Scene& scene) const;
-    void draw_measures(Scene& scene) const;
-    void draw_pull(Scene& scene) const;
-    void write_notes(Scene& scene) const;
-    void draw_membrane(Scene& scene) const;
+    void draw_cube(Scene&scene) const, draw_measures(Scene&scene) const, draw_pull(Scene&scene) const,
+        write_notes(Scene&scene) const, draw_membrane(Scene&scene) const;
 
     std::unique_ptr<StretchedCube> cube_;
     std::unique_ptr<CooksMembrane> membrane_;

@@ -6,7 +6,7 @@
 #include <pliant/study/claims.h>
 #include <pliant/text/format.h>
 
-#include "contraction_law.h"
+#include <pliant/continuum/contraction_law.h>
 
 #include <cmath>
 #include <vector>

@@ -1,10 +1,10 @@
 // The figure: the cube at rest as an outline and the stretched one with its measures, or the bent panel.
 #include "poisson.h"
 
-#include "elasticity/linear_body/linear_body_picture.h"
+#include "kits/linear_body/linear_body_picture.h"
 
-#include "contraction_law.h"
-#include "membrane_table.h"
+#include <pliant/continuum/contraction_law.h>
+#include <pliant/solids/cooks_membrane_table.h>
 
 #include <pliant/text/format.h>
 

@@ -1,10 +1,10 @@
 // Why nodes and elements of the cube and the panel have the numbers that they have.
 #include "poisson.h"
 
-#include "elasticity/linear_body/linear_body_why.h"
+#include "kits/linear_body/linear_body_why.h"
 
-#include "contraction_law.h"
-#include "membrane_table.h"
+#include <pliant/continuum/contraction_law.h>
+#include <pliant/solids/cooks_membrane_table.h>
 
 #include <pliant/continuum/deformation.h>
 
@@ -13,7 +13,6 @@
 #include <algorithm>
 
 namespace pliant::poisson {
-namespace {}  // namespace
 
 // A stretch that is over changes nothing.
 std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
@@ -21,18 +20,17 @@ std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
     if (q.field == "element_volume") return why_volume(q.index);
     if (q.field == "increment") return why_increment(q.index, q.component);
     if (q.field == "displacement")
-        return Explanation{.formula = "u′ = u + Δu",
-                           .inputs = {Input::before("u", "displacement", q.index, q.component),
-                                      Input::now("Δu", "increment", q.index, q.component)}};
+        return Explanation{
+            "u′ = u + Δu",
+            {Input::before("u", "displacement", q.index, q.component), Input::now("Δu", "increment", q.index, q.component)}};
     if (!cube_->pulled(q.index, q.component)) return fixed_value("Δx = 0: only the far face is pulled", 0);
-    return Explanation{.formula = "Δx = s L / N",
-                       .inputs = {Input::of(axial_strain, "s"), Input::of(length),
-                                  Input::constant("N", static_cast<Real>(steps()), "", "number of steps")}};
+    return Explanation{
+        "Δx = s L / N",
+        {Input::of(axial_strain, "s"), length, Input::constant("N", static_cast<Real>(steps()), "", "number of steps")}};
 }
 
 Explanation PoissonLesson::why_increment(Index node, int component) const {
-    if (cube_->pulled(node, component))
-        return {.formula = "Δu = Δx", .inputs = {Input::now("Δx", "prescribed", node, component)}};
+    if (cube_->pulled(node, component)) return {"Δu = Δx", {Input::now("Δx", "prescribed", node, component)}};
     if (cube_->held(node, component)) return fixed_value("Δu = 0: the face slides on rollers", 0);
     return linear_body::why_unknown<3>({&cube_->body().stiffness(), 3 * node + component, "u", "increment"},
                                        {Input::constant("f_a", 0, "N", "no load on the node")});
@@ -41,7 +39,7 @@ Explanation PoissonLesson::why_increment(Index node, int component) const {
 // det(I + Σ u ⊗ ∇N) over the corners of the tetrahedron.
 Explanation PoissonLesson::why_volume(Index element) const {
     const SimplexMesh<3>& mesh = cube_->rest();
-    Explanation e{.formula = "V/V₀ = det(I + Σ u_a ∇N_aᵀ)", .inputs = {}, .evaluate = {}};
+    Explanation e{"V/V₀ = det(I + Σ u_a ∇N_aᵀ)", {}};
     for (int a = 0; a < 4; ++a)
         for (int c = 0; c < 3; ++c) {
             const Index node = mesh.simplices()(a, element);
@@ -77,10 +75,8 @@ void PoissonLesson::explain_probes() {
         std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
     };
     const auto reached_part = [this] {
-        return Input::part("s", "",
-                           {.formula = "s = S k / N",
-                            .inputs = {Input::of(axial_strain, "S"), Input::constant("k", done_[0], "", "steps that are done"),
-                                       Input::constant("N", static_cast<Real>(steps()), "", "number of steps")}});
+        return part("s = S k / N", {Input::of(axial_strain, "S"), Input::constant("k", done_[0], "", "steps that are done"),
+                                    Input::constant("N", static_cast<Real>(steps()), "", "number of steps")});
     };
     const auto means = [this](std::string_view symbol, const char* from, const char* to, int component) {
         const auto mean = [&](const char* face) {
@@ -92,26 +88,14 @@ void PoissonLesson::explain_probes() {
             const std::string name = fmt::format("ū_{}", std::string_view(face).substr(2));
             return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
         };
-        return Explanation{.formula = fmt::format("{} = (ū_{} − ū_{}) / L", symbol, to + 2, from + 2),
-                           .inputs = {mean(to), mean(from), Input::of(length)},
-                           .evaluate = [](std::span<const Real> x) { return (x[0] - x[1]) / x[2]; }};
+        return Explanation{fmt::format("{} = (ū_{} − ū_{}) / L", symbol, to + 2, from + 2), {mean(to), mean(from), length}};
     };
     give("transverse_fem", [=] { return means("ΔL′/L", "z_max", "z_min", 2); });
     give("strain", [=] { return means("ΔL/L", "x_min", "x_max", 0); });
-    give("transverse_exact", [=, this] {
-        return Explanation{
-            .formula = "ΔL′/L = 1 − (1 + s)^(−ν)",
-            .inputs = {reached_part(), Input::of(poisson_ratio)},
-            .evaluate = [](std::span<const Real> x) { return exact_contraction(x[1], x[0]); },
-            .substitute =
-                [](std::span<const Real> x) { return fmt::format("1 − (1 + {})^(−{})", as_factor(x[0]), as_factor(x[1])); }};
-    });
-    give("transverse_linear", [=, this] {
-        return Explanation{.formula = "ΔL′/L = ν s", .inputs = {Input::of(poisson_ratio), reached_part()}};
-    });
+    give("transverse_exact", [=, this] { return Explanation{"ΔL′/L = 1 − (1 + s)^(−ν)", {reached_part(), poisson_ratio}}; });
+    give("transverse_linear", [=, this] { return Explanation{"ΔL′/L = ν s", {poisson_ratio, reached_part()}}; });
     give("transverse_error", [] {
-        return Explanation{.formula = "error = |c − e|",
-                           .inputs = {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)}};
+        return Explanation{"error = |c − e|", {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)}};
     });
     give("volume_ratio", [this] {
         const SimplexMesh<3>& mesh = cube_->rest();
@@ -124,9 +108,8 @@ void PoissonLesson::explain_probes() {
     });
     give("times_too_stiff", [this] {
         const Real right = converged_deflection(ratios()[static_cast<std::size_t>(done() - 1)]).value_or(0);
-        return Explanation{
-            .formula = "ratio = u_ref / u",
-            .inputs = {Input::constant("u_ref", right, "m", "converged deflection"), Input::now("u", "deflection", 0)}};
+        return Explanation{"ratio = u_ref / u",
+                           {Input::constant("u_ref", right, "m", "converged deflection"), Input::now("u", "deflection", 0)}};
     });
 }
 

@@ -1,7 +1,5 @@
 #include "strain_measures.h"
 
-#include "elasticity/material/material_parameters.h"
-
 #include <cmath>
 #include <numbers>
 
@@ -13,43 +11,10 @@ constexpr Index samples = 72;  // directions around the circle, 5° apart
 }  // namespace
 
 StrainMeasuresLesson::StrainMeasuresLesson()
-    : controls(*this, MapControls::Offer::homogeneous, MapKind::free, Vec<3>::Zero()),
-      turn(*this, {.key = "turn",
-                   .symbol = "θ",
-                   .unit = "°",
-                   .help = "rotation about z that follows the map; no strain should see it",
-                   .initial = 0,
-                   .useful = {-180, 180},
-                   .accepted = Interval{-3600, 3600},
-                   .effect = Effect::rebuild}),
-      v_angle(*this, {.key = "v_angle",
-                      .symbol = "ψ",
-                      .unit = "°",
-                      .help = "of the direction v in the plane of the picture, from x; drag the head of v",
-                      .initial = 30,
-                      .useful = {-180, 180},
-                      .accepted = Interval{-3600, 3600},
-                      .effect = Effect::rebuild}),
-      v_elevation(*this, {.key = "v_elevation",
-                          .symbol = "η",
-                          .unit = "°",
-                          .help = "of the direction v out of that plane, towards you",
-                          .initial = 0,
-                          .useful = {-90, 90},
-                          .accepted = Interval{-90, 90},
-                          .effect = Effect::rebuild}),
-      youngs_modulus(*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})),
-      poisson_ratio(*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})),
-      operations_(count_operations()) {
+    : controls(*this, MapControls::Offer::homogeneous, MapKind::free, Vec<3>::Zero()), operations_(count_operations()) {
     controls.add_entries(*this);
-    declare_fields();
-    declare_state();
-    declare_stages();
-    declare_probes();
-    declare_components();
-    explain_probes();
-    declare_lines();
-    declare_checks();
+    declare_fields(), declare_stages(), declare_probes(), declare_components(), explain_probes(), declare_lines(),
+        declare_checks();
 }
 
 Mat<3> StrainMeasuresLesson::slope_after(Real angle) const {
@@ -85,48 +50,31 @@ void StrainMeasuresLesson::reset() {
 
 void StrainMeasuresLesson::declare_stages() {
     const auto write = [](Nine& tensor, const Mat<3>& m) { Eigen::Map<RowMajor>(tensor.data()) = m; };
-    stages = {{.name = "deformation",
-               .formula = "F = R(θ) F of the map,  ∇u = F − I",
-               .source = "lecture: material deformation gradient tensor",
-               .run = [this] { deform(); },
-               .reads = {},
-               .writes = {"deformation_gradient", "displacement_gradient"},
-               .explain = [this](const Question& q) { return why_deformation(q); }},
-              {.name = "right_cauchy_green",
-               .formula = "C = FᵀF",
-               .source = "second deck: Cauchy–Green strain tensor [Bonet2008 §4.5]",
-               .run = [this, write] { write(C_, pliant::right_cauchy_green<3>(of(deformation_))); },
-               .reads = {"deformation_gradient"},
-               .writes = {"right_cauchy_green"},
-               .explain = [this](const Question& q) { return why_deformation(q); }},
-              {.name = "green_strain",
-               .formula = "E = ½ (∇u + ∇uᵀ + ∇uᵀ∇u) = ½ (C − I)",
-               .source = "lecture: Green's strain (Green–Lagrange)",
-               .run = [this, write] { write(green_, pliant::green_strain<3>(of(slope_))); },
-               .reads = {"displacement_gradient"},
-               .writes = {"green_strain"},
-               .explain = [this](const Question& q) { return why_deformation(q); }},
-              {.name = "cauchy_strain",
-               .formula = "ε = ½ (∇u + ∇uᵀ)",
-               .source = "lecture: Cauchy's small strain",
-               .run = [this, write] { write(cauchy_, pliant::cauchy_strain<3>(of(slope_))); },
-               .reads = {"displacement_gradient"},
-               .writes = {"cauchy_strain"},
-               .explain = [this](const Question& q) { return why_deformation(q); }},
-              {.name = "stretch_of_a_direction",
-               .formula = "v′ = F v,  |v′|² = vᵀC v;  Cauchy: 1 + vᵀε v",
-               .source = "second deck: the stretch in a unit direction",
-               .run = [this] { measure_stretches(); },
-               .reads = {"deformation_gradient", "cauchy_strain"},
-               .writes = {"direction", "deformed_direction", "stretch", "cauchy_stretch"},
-               .explain = [this](const Question& q) { return why_stretch(q); }},
-              {.name = "hookes_law",
-               .formula = "σ = D ε, with D (6 × 6) of Y and ν",
-               .source = "lecture: Hooke's linear material law, σ = E ε [TimoshenkoGoodier1970 §6]",
-               .run = [this] { apply_hooke(); },
-               .reads = {"green_strain", "cauchy_strain"},
-               .writes = {"stress_green", "stress_cauchy"},
-               .explain = [this](const Question& q) { return why_stress(q); }}};
+    stages = {
+        stage_of("deformation", "F = R(θ) F of the map,  ∇u = F − I", "lecture: material deformation gradient tensor",
+                 [this] { deform(); })
+            .maps({}, {"deformation_gradient", "displacement_gradient"})
+            .because([this](const Question& q) { return why_deformation(q); }),
+        stage_of("right_cauchy_green", "C = FᵀF", "second deck: Cauchy–Green strain tensor [Bonet2008 §4.5]",
+                 [this, write] { write(C_, pliant::right_cauchy_green<3>(of(deformation_))); })
+            .maps({"deformation_gradient"}, {"right_cauchy_green"})
+            .because([this](const Question& q) { return why_deformation(q); }),
+        stage_of("green_strain", "E = ½ (∇u + ∇uᵀ + ∇uᵀ∇u) = ½ (C − I)", "lecture: Green's strain (Green–Lagrange)",
+                 [this, write] { write(green_, pliant::green_strain<3>(of(slope_))); })
+            .maps({"displacement_gradient"}, {"green_strain"})
+            .because([this](const Question& q) { return why_deformation(q); }),
+        stage_of("cauchy_strain", "ε = ½ (∇u + ∇uᵀ)", "lecture: Cauchy's small strain",
+                 [this, write] { write(cauchy_, pliant::cauchy_strain<3>(of(slope_))); })
+            .maps({"displacement_gradient"}, {"cauchy_strain"})
+            .because([this](const Question& q) { return why_deformation(q); }),
+        stage_of("stretch_of_a_direction", "v′ = F v,  |v′|² = vᵀC v;  Cauchy: 1 + vᵀε v",
+                 "second deck: the stretch in a unit direction", [this] { measure_stretches(); })
+            .maps({"deformation_gradient", "cauchy_strain"}, {"direction", "deformed_direction", "stretch", "cauchy_stretch"})
+            .because([this](const Question& q) { return why_stretch(q); }),
+        stage_of("hookes_law", "σ = D ε, with D (6 × 6) of Y and ν",
+                 "lecture: Hooke's linear material law, σ = E ε [TimoshenkoGoodier1970 §6]", [this] { apply_hooke(); })
+            .maps({"green_strain", "cauchy_strain"}, {"stress_green", "stress_cauchy"})
+            .because([this](const Question& q) { return why_stress(q); })};
 }
 
 void StrainMeasuresLesson::deform() {

@@ -4,9 +4,10 @@
 #include <pliant/continuum/moduli.h>
 #include <pliant/continuum/strain.h>
 #include <pliant/lesson/registry.h>
+#include "kits/material/material_parameters.h"
 
-#include "elasticity/deformation_maps/map_controls.h"
-#include "strain_cost.h"
+#include <pliant/continuum/strain_cost.h>
+#include "kits/deformation_maps/map_controls.h"
 
 namespace pliant::strain_measures {
 
@@ -39,22 +40,23 @@ private:
     using One = Eigen::Matrix<Real, 1, 1>;
 
     MapControls controls;
-    Number turn, v_angle, v_elevation;
-    Number youngs_modulus, poisson_ratio;
+    Number turn{*this, quantity("turn", "θ", "°", 0, {-180, 180}, {-3600, 3600},
+                                "rotation about z that follows the map; no strain should see it")
+                           .rebuilds()};
+    Number v_angle{*this, quantity("v_angle", "ψ", "°", 30, {-180, 180}, {-3600, 3600},
+                                   "of the direction v in the plane of the picture, from x; drag the head of v")
+                              .rebuilds()};
+    Number v_elevation{
+        *this, quantity("v_elevation", "η", "°", 0, {-90, 90}, {-90, 90}, "of the direction v out of that plane, towards you")
+                   .rebuilds()};
+    Number youngs_modulus{*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})};
+    Number poisson_ratio{*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})};
 
-    void declare_fields();
-    void declare_state();
-    void declare_stages();
-    void declare_probes();
-    void declare_components();
-    void declare_lines();
-    void declare_checks();
-    void explain_probes();
+    void declare_fields(), declare_stages(), declare_probes(), declare_components(), declare_lines(), declare_checks(),
+        explain_probes();
 
     // --- the stages ---
-    void deform();
-    void measure_stretches();
-    void apply_hooke();
+    void deform(), measure_stretches(), apply_hooke();
 
     IsotropicModuli material() const { return IsotropicModuli::from_young_poisson(youngs_modulus, poisson_ratio); }
     // F - I of the chosen map, followed by a turn by this angle [rad].
@@ -65,22 +67,16 @@ private:
     static Mat<3> of(const Nine& tensor) { return Eigen::Map<const RowMajor>(tensor.data()); }
 
     // --- why a number is what it is (strain_measures_why.cpp) ---
-    Explanation why_deformation(const Question& q) const;
-    Explanation why_stretch(const Question& q) const;
-    Explanation why_stress(const Question& q) const;
+    Explanation why_deformation(const Question&q) const, why_stretch(const Question&q) const, why_stress(const Question&q) const;
     Input map_entry(int i, int j) const;
     std::vector<Input> sampled_inputs(Index k) const;
 
     // --- what would mend a run (strain_measures_fixes.cpp) ---
-    std::optional<Fix> smaller() const;
-    std::optional<Fix> not_inverted() const;
+    std::optional<Fix> smaller() const, not_inverted() const;
 
     // --- the picture (strain_measures_picture.cpp) ---
-    void draw_circle(Scene& scene) const;
-    void draw_direction(Scene& scene) const;
-    void draw_ellipses(Scene& scene) const;
-    void write_numbers(Scene& scene) const;
-    void write_hookes_law(Scene& scene) const;
+    void draw_circle(Scene&scene) const, draw_direction(Scene&scene) const, draw_ellipses(Scene&scene) const,
+        write_numbers(Scene&scene) const, write_hookes_law(Scene&scene) const;
     Real reach() const;  // half the height of the framed picture
 
     DeformationMap map_;

@@ -8,7 +8,7 @@
 #include <pliant/study/claims.h>
 #include <Eigen/Geometry>
 
-#include "strain_cost.h"
+#include <pliant/continuum/strain_cost.h>
 
 #include <algorithm>
 #include <chrono>

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
 
-#include "elasticity/material/material_parameters.h"
-#include "elasticity/tensors/tensor_why.h"
+#include "kits/material/material_parameters.h"
+#include "kits/tensors/tensor_why.h"
 #include "strain_measures.h"
 
 #include <algorithm>
@@ -25,15 +25,11 @@ Explanation quadratic(std::string_view left, Real first, const char* name, std::
         const Vec<3> v(x[9], x[10], x[11]);
         return v.dot(why::matrix(x.first(9)) * v);
     };
-    return {.formula = fmt::format("{} = {}({})", left, outer_text, sum),
-            .inputs = std::move(inputs),
-            .evaluate = [=](std::span<const Real> x) { return outer(first + value(x)); }};
+    return {fmt::format("{} = {}({})", left, outer_text, sum), std::move(inputs)};
 }
 
 Explanation squared_length(std::string_view left, const char* symbol, std::string_view field) {
-    Explanation e{.formula = fmt::format("{0} = {1}_x² + {1}_y² + {1}_z²", left, symbol),
-                  .inputs = {},
-                  .evaluate = [](std::span<const Real> x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }};
+    Explanation e{fmt::format("{0} = {1}_x² + {1}_y² + {1}_z²", left, symbol), {}};
     for (int i = 0; i < 3; ++i) e.inputs.push_back(Input::now(fmt::format("{}_{}", symbol, axis_name(i)), field, 0, i));
     return e;
 }
@@ -48,10 +44,9 @@ Input StrainMeasuresLesson::map_entry(int i, int j) const {
     Explanation slope = controls.why_gradient(i, j, middle);
     const std::string name = slope.formula.substr(0, slope.formula.find(" ="));
     const Real one = i == j ? 1 : 0;
-    return Input::part(symbol, "",
-                       {.formula = fmt::format("{} = {}{}   (of the map)", symbol, i == j ? "1 + " : "", name),
-                        .inputs = {Input::part(name, "", std::move(slope))},
-                        .evaluate = [one](std::span<const Real> x) { return one + x[0]; }});
+    return Input::part(
+        symbol, "",
+        {fmt::format("{} = {}{}   (of the map)", symbol, i == j ? "1 + " : "", name), {Input::part(name, "", std::move(slope))}});
 }
 
 Explanation StrainMeasuresLesson::why_deformation(const Question& q) const {
@@ -61,33 +56,19 @@ Explanation StrainMeasuresLesson::why_deformation(const Question& q) const {
     if (q.field == "green_strain") return why::green("displacement_gradient", 0, i, j);
     if (q.field == "displacement_gradient") {
         const Real one = i == j ? 1 : 0;
-        return {.formula = fmt::format("H_{0}{1} = F_{0}{1}{2}   (H = ∇u)", i + 1, j + 1, i == j ? " − 1" : ""),
-                .inputs = {why::entry_now("F", "deformation_gradient", 0, i, j)},
-                .evaluate = [one](std::span<const Real> x) { return x[0] - one; }};
+        return {fmt::format("H_{0}{1} = F_{0}{1}{2}   (H = ∇u)", i + 1, j + 1, i == j ? " − 1" : ""),
+                {why::entry_now("F", "deformation_gradient", 0, i, j)}};
     }
     if (q.field == "cauchy_strain") {
         const auto H = [](int r, int c) { return why::entry_now("H", "displacement_gradient", 0, r, c); };
-        if (i == j)
-            return {.formula = fmt::format("ε_{0}{0} = H_{0}{0}   (H = ∇u)", i + 1),
-                    .inputs = {H(i, i)},
-                    .evaluate = [](std::span<const Real> x) { return x[0]; }};
-        return {.formula = fmt::format("ε_{0}{1} = ½ (H_{0}{1} + H_{1}{0})   (H = ∇u)", i + 1, j + 1),
-                .inputs = {H(i, j), H(j, i)},
-                .evaluate = [](std::span<const Real> x) { return 0.5 * (x[0] + x[1]); }};
+        if (i == j) return {fmt::format("ε_{0}{0} = H_{0}{0}   (H = ∇u)", i + 1), {H(i, i)}};
+        return {fmt::format("ε_{0}{1} = ½ (H_{0}{1} + H_{1}{0})   (H = ∇u)", i + 1, j + 1), {H(i, j), H(j, i)}};
     }
     const std::string F = why::entry("F", i, j);
-    if (i == 2 || turn == 0)
-        return {.formula = fmt::format("{} = {}", F, why::entry("M", i, j)),
-                .inputs = {map_entry(i, j)},
-                .evaluate = [](std::span<const Real> x) { return x[0]; }};
+    if (i == 2 || turn == 0) return {fmt::format("{} = {}", F, why::entry("M", i, j)), {map_entry(i, j)}};
     const std::vector<Input> inputs{why::in_radians("θ", turn), map_entry(0, j), map_entry(1, j)};
-    if (i == 0)
-        return {.formula = fmt::format("{} = cos(θ) {} − sin(θ) {}", F, why::entry("M", 0, j), why::entry("M", 1, j)),
-                .inputs = inputs,
-                .evaluate = [](std::span<const Real> x) { return std::cos(x[0]) * x[1] - std::sin(x[0]) * x[2]; }};
-    return {.formula = fmt::format("{} = sin(θ) {} + cos(θ) {}", F, why::entry("M", 0, j), why::entry("M", 1, j)),
-            .inputs = inputs,
-            .evaluate = [](std::span<const Real> x) { return std::sin(x[0]) * x[1] + std::cos(x[0]) * x[2]; }};
+    if (i == 0) return {fmt::format("{} = cos(θ) {} − sin(θ) {}", F, why::entry("M", 0, j), why::entry("M", 1, j)), inputs};
+    return {fmt::format("{} = sin(θ) {} + cos(θ) {}", F, why::entry("M", 0, j), why::entry("M", 1, j)), inputs};
 }
 
 // A direction of the circle.
@@ -101,10 +82,8 @@ Explanation StrainMeasuresLesson::why_stretch(const Question& q) const {
     const int i = q.component;
     if (q.field == "direction") {
         const Input azimuth = why::in_radians("ψ", v_angle), up = why::in_radians("η", v_elevation);
-        if (i == 2) return {.formula = "v_z = sin(η)", .inputs = {up}};
-        return {.formula = i == 0 ? "v_x = cos(η) cos(ψ)" : "v_y = cos(η) sin(ψ)",
-                .inputs = {up, azimuth},
-                .evaluate = [i](std::span<const Real> x) { return std::cos(x[0]) * (i == 0 ? std::cos(x[1]) : std::sin(x[1])); }};
+        if (i == 2) return {"v_z = sin(η)", {up}};
+        return {i == 0 ? "v_x = cos(η) cos(ψ)" : "v_y = cos(η) sin(ψ)", {up, azimuth}};
     }
     if (q.field == "deformed_direction") {
         std::vector<std::pair<Input, Input>> terms;
@@ -117,14 +96,10 @@ Explanation StrainMeasuresLesson::why_stretch(const Question& q) const {
     if (q.field == "stretch") {
         for (int r = 0; r < 3; ++r)
             for (int c = 0; c < 2; ++c) inputs.push_back(why::entry_now("F", "deformation_gradient", 0, r, c));
-        return {.formula = "|F n| = √((F_11 n_x + F_12 n_y)² + (F_21 n_x + F_22 n_y)² + (F_31 n_x + F_32 n_y)²)",
-                .inputs = std::move(inputs)};
+        return {"|F n| = √((F_11 n_x + F_12 n_y)² + (F_21 n_x + F_22 n_y)² + (F_31 n_x + F_32 n_y)²)", std::move(inputs)};
     }
     for (const auto& [r, c] : {std::pair{0, 0}, {0, 1}, {1, 1}}) inputs.push_back(why::entry_now("ε", "cauchy_strain", 0, r, c));
-    return {
-        .formula = "1 + n·ε n = 1 + ε_11 n_x² + 2 ε_12 n_x n_y + ε_22 n_y²",
-        .inputs = std::move(inputs),
-        .evaluate = [](std::span<const Real> x) { return 1 + x[2] * x[0] * x[0] + 2 * x[3] * x[0] * x[1] + x[4] * x[1] * x[1]; }};
+    return {"1 + n·ε n = 1 + ε_11 n_x² + 2 ε_12 n_x n_y + ε_22 n_y²", std::move(inputs)};
 }
 
 // A row of the 6 × 6 matrix.
@@ -137,21 +112,17 @@ Explanation StrainMeasuresLesson::why_stress(const Question& q) const {
     const std::string sigma = why::entry("σ", i, j);
     if (i != j) {
         const int row = std::min(i, j), column = std::max(i, j);
-        return {.formula = fmt::format("{} = μ (2 {})   (2 {}: engineering shear)", sigma, why::entry(name, row, column),
-                                       why::entry(name, row, column)),
-                .inputs = {mu, why::entry_now(name, field, 0, row, column)},
-                .evaluate = [](std::span<const Real> x) { return x[0] * 2 * x[1]; }};
+        return {fmt::format("{} = μ (2 {})   (2 {}: engineering shear)", sigma, why::entry(name, row, column),
+                            why::entry(name, row, column)),
+                {mu, why::entry_now(name, field, 0, row, column)}};
     }
     const Input lambda = lame_lambda(youngs_modulus, poisson_ratio);
     std::string right;
     for (int k = 0; k < 3; ++k)
         right += fmt::format("{}{} {}", k ? " + " : "", k == i ? "(λ + 2 μ)" : "λ", why::entry(name, k, k));
-    return {.formula = fmt::format("{} = {}", sigma, right),
-            .inputs = {lambda, mu, why::entry_now(name, field, 0, 0, 0), why::entry_now(name, field, 0, 1, 1),
-                       why::entry_now(name, field, 0, 2, 2)},
-            .evaluate = [k = static_cast<std::size_t>(i)](std::span<const Real> x) {
-                return x[0] * (x[2] + x[3] + x[4]) + 2 * x[1] * x[2 + k];
-            }};
+    return {fmt::format("{} = {}", sigma, right),
+            {lambda, mu, why::entry_now(name, field, 0, 0, 0), why::entry_now(name, field, 0, 1, 1),
+             why::entry_now(name, field, 0, 2, 2)}};
 }
 
 // -------------------------------------------------------------------------------------------------------------- probes
@@ -169,16 +140,15 @@ void StrainMeasuresLesson::explain_probes() {
                                "vᵀCv", 0, "C", "right_cauchy_green", [](Real x) { return x; }, ""));
     };
     give("stretch_of_v", [squares] {
-        return Explanation{.formula = "|v′| = √(|v'|² / |v|²)",
-                           .inputs = {squares("v'", "deformed_direction"), squares("v", "direction")}};
+        return Explanation{"|v′| = √(|v'|² / |v|²)", {squares("v'", "deformed_direction"), squares("v", "direction")}};
     });
-    give("stretch_from_C", [of_C] { return Explanation{.formula = "√(vᵀC v) = √(vᵀCv)", .inputs = {of_C()}}; });
+    give("stretch_from_C", [of_C] { return Explanation{"√(vᵀC v) = √(vᵀCv)", {of_C()}}; });
     give("stretch_from_cauchy", [] {
         return quadratic(
             "1 + vᵀε v", 1, "ε", "cauchy_strain", [](Real x) { return x; }, "1 + ");
     });
     give("stretch_mismatch", [squares, of_C] {
-        return Explanation{.formula = "|v′|² − vᵀC v = |v'|² − vᵀCv", .inputs = {squares("v'", "deformed_direction"), of_C()}};
+        return Explanation{"|v′|² − vᵀC v = |v'|² − vᵀCv", {squares("v'", "deformed_direction"), of_C()}};
     });
     give("volume_ratio", [] { return why::determinant("deformation_gradient", 0); });
     give("strain_difference", [] {
@@ -187,10 +157,7 @@ void StrainMeasuresLesson::explain_probes() {
         std::string right;
         for (int k = 0; k < 9; ++k)
             right += fmt::format("{}({} − {})²", k ? " + " : "", why::entry("ε", k / 3, k % 3), why::entry("E", k / 3, k % 3));
-        return Explanation{
-            .formula = fmt::format("|ε − E| = √({})", right),
-            .inputs = std::move(inputs),
-            .evaluate = [](std::span<const Real> x) { return (why::matrix(x.first(9)) - why::matrix(x.subspan(9))).norm(); }};
+        return Explanation{fmt::format("|ε − E| = √({})", right), std::move(inputs)};
     });
 }
 

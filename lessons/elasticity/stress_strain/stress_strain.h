@@ -1,7 +1,8 @@
 // What stress and strain are: force over area, change of length over length, and the force on a plane that cuts the body.
 #pragma once
-#include "elasticity/linear_body/linear_body_why.h"
-#include "loaded_body.h"
+#include <pliant/solids/loaded_body.h>
+#include "kits/linear_body/linear_body_why.h"
+#include "kits/material/material_parameters.h"
 
 #include <pliant/lesson/registry.h>
 #include <pliant/math/sparse_cholesky.h>
@@ -11,6 +12,8 @@
 #include <optional>
 
 namespace pliant::stress_strain {
+
+using Load = LoadCase;
 
 // Beyond this the quadratic term of the strain, which Cauchy's leaves out, is no longer small.
 inline constexpr Real small_strain = 0.05;
@@ -37,22 +40,50 @@ public:
     std::vector<std::string_view> key_numbers() const override;
 
 private:
-    Choice<Load> loading;
-    Number mass, gravity, radius, force;
-    Number sigma_xx, sigma_yy, sigma_xy, angle;
-    Number length, width;
-    Number youngs_modulus, poisson_ratio;
-    Whole resolution;
+    std::function<bool()> of(Load which) const {
+        return [this, which] { return loading == which; };
+    }
+    static ParameterInfo metres(std::string_view key, std::string_view symbol, std::string_view help, Real initial,
+                                Interval useful) {
+        return log_quantity(key, symbol, "m", initial, useful, {1e-9, 1e9}, help).rebuilds();
+    }
+    static ParameterInfo stress_of(std::string_view key, std::string_view symbol, std::string_view help, Real initial) {
+        return quantity(key, symbol, "Pa", initial, {-4e4, 4e4}, {-1e15, 1e15}, help).rebuilds();
+    }
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    Choice<Load> loading{*this,
+                         setting_of("scene", "what is loaded").rebuilds(),
+                         {{"disc", "a weight on a disc"}, {"rod", "a rod, pulled or pressed"}, {"cut", "a cut through a block"}}};
+    Number mass{*this,
+                quantity("mass", "m", "kg", 50, {1, 100}, {0, 1e15, true}, "of the body that rests on the disc").rebuilds(),
+                of(Load::disc)};
+    Number gravity{
+        *this, quantity("gravity", "g", "m/s²", 9.81, {0, 25}, {0, 1e6}, "weight of a mass of 1 kg; 1.62 on the Moon").rebuilds(),
+        of(Load::disc)};
+    Number radius{*this, metres("radius", "r", "of the disc", 0.1, {0.05, 0.2}), of(Load::disc)};
+    Number force{*this,
+                 quantity("force", "F", "N", 300, {-500, 500}, {-1e15, 1e15},
+                          "on the end of the rod: it pulls where positive and presses where negative")
+                     .rebuilds(),
+                 of(Load::rod)};
+    Number sigma_xx{*this, stress_of("sigma_xx", "σ_xx", "pull along x on the faces across x", 3e4), of(Load::cut)};
+    Number sigma_yy{*this, stress_of("sigma_yy", "σ_yy", "pull along y on the faces across y", -1e4), of(Load::cut)};
+    Number sigma_xy{*this, stress_of("sigma_xy", "σ_xy", "shear on all four of these faces", 1e4), of(Load::cut)};
+    Number angle{*this,
+                 quantity("angle", "θ", "°", 30, {-90, 90}, {-360, 360}, "from the x axis to the normal of the cut").rebuilds(),
+                 of(Load::cut)};
+    Number length{*this, metres("length", "L", "height of the disc, or length of the rod or block", 0.2, {0.05, 0.5})};
+    Number width{*this, metres("width", "w", "thickness of the rod or block", 0.1, {0.05, 0.2}),
+                 [this] { return loading != Load::disc; }};
+    Number youngs_modulus{*this, youngs_modulus_info("stress per strain; rubber 1 MPa, steel 200 GPa", {1e5, 1e12})};
+    Number poisson_ratio{*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})};
+    Whole resolution{*this, quantity("resolution", "n", "", 4, {2, 8}, {1, 12},
+                                     "cells across, of 5 tetrahedra each; the stress is uniform and does not depend on it")
+                                .rebuilds()};
 
-    void apply_load();
-    void solve();
-    void cut();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
+
+    void apply_load(), solve(), cut();
 
     IsotropicModuli material() const { return IsotropicModuli::from_young_poisson(youngs_modulus, poisson_ratio); }
     // --- closed forms ---
@@ -68,8 +99,7 @@ private:
     // --- why a number is what it is (stress_strain_why.cpp) ---
     linear_body::Hooke hooke() const;
     Input applied_stress_input(int row, int column) const;
-    Explanation why_load(const Question& q) const;
-    Explanation why_traction(const Question& q) const;
+    Explanation why_load(const Question&q) const, why_traction(const Question&q) const;
     Input normal_input(int axis) const;
     void explain_probes();
 
@@ -81,9 +111,7 @@ private:
     };
     WeightArrow weight_arrow() const;
     Vec<3> drawn(Index node) const;
-    void draw_disc(Scene& picture) const;
-    void draw_rod(Scene& picture) const;
-    void draw_cut(Scene& picture) const;
+    void draw_disc(Scene&picture) const, draw_rod(Scene&picture) const, draw_cut(Scene&picture) const;
 
     using One = Eigen::Matrix<Real, 1, 1>;
 

@@ -1,5 +1,5 @@
 // The figures: a weight on a disc, a rod between two hands, a block with a cut through it; and the handles in them.
-#include "elasticity/linear_body/linear_body_picture.h"
+#include "kits/linear_body/linear_body_picture.h"
 #include "stress_strain.h"
 
 #include <pliant/text/format.h>

@@ -1,7 +1,7 @@
 // Why the loaded bodies have the numbers that they have.
 #include "stress_strain.h"
 
-#include "elasticity/material/material_parameters.h"
+#include "kits/material/material_parameters.h"
 
 #include <fmt/format.h>
 
@@ -24,10 +24,8 @@ linear_body::Hooke StressStrainLesson::hooke() const {
 
 Input StressStrainLesson::applied_stress_input(int row, int column) const {
     if (loading == Load::cut) return Input::of(row != column ? sigma_xy : row == 0 ? sigma_xx : sigma_yy);
-    if (loading == Load::rod)
-        return Input::part("σ_xx", "Pa", {.formula = "σ_xx = F / (w w)", .inputs = {Input::of(force), Input::of(width)}});
-    return Input::part("σ_yy", "Pa",
-                       {.formula = "σ_yy = − m g / (π r²)", .inputs = {Input::of(mass), Input::of(gravity), Input::of(radius)}});
+    if (loading == Load::rod) return part("σ_xx = F / (w w)", {force, width});
+    return part("σ_yy = − m g / (π r²)", {mass, gravity, radius});
 }
 
 // The stress on the faces of the body times the node's share of them.
@@ -49,13 +47,7 @@ Explanation StressStrainLesson::why_load(const Question& q) const {
 
 Input StressStrainLesson::normal_input(int k) const {
     const std::string symbol = fmt::format("n_{}", axis_name(k));
-    return Input::part(symbol, "",
-                       {.formula = fmt::format("{} = {}(θ)", symbol, k == 0 ? "cos" : "sin"),
-                        .inputs = {Input::of(angle)},
-                        .evaluate = [k](std::span<const Real> x) {
-                            const Real a = x[0] * std::numbers::pi / 180;
-                            return k == 0 ? std::cos(a) : std::sin(a);
-                        }});
+    return Input::part(symbol, "", {fmt::format("{} = {}(θ)", symbol, k == 0 ? "cos" : "sin"), {angle}});
 }
 
 Explanation StressStrainLesson::why_traction(const Question& q) const {
@@ -64,20 +56,16 @@ Explanation StressStrainLesson::why_traction(const Question& q) const {
         return Input::now(std::move(symbol), field, q.index, component);
     };
     if (q.field == "traction")
-        return {.formula = fmt::format("t_{0} = σ_{0}x n_x + σ_{0}y n_y", i),
-                .inputs = {now("σ_" + name(q.component, 0), "stress", 3 * q.component),
-                           now("σ_" + name(q.component, 1), "stress", 3 * q.component + 1), normal_input(0), normal_input(1)},
-                .evaluate = [](std::span<const Real> x) { return x[0] * x[2] + x[1] * x[3]; }};
+        return {fmt::format("t_{0} = σ_{0}x n_x + σ_{0}y n_y", i),
+                {now("σ_" + name(q.component, 0), "stress", 3 * q.component),
+                 now("σ_" + name(q.component, 1), "stress", 3 * q.component + 1), normal_input(0), normal_input(1)}};
     if (q.field == "shear_part")
-        return {.formula = fmt::format("τ_{0} = t_{0} − N_{0}", i),
-                .inputs = {now(fmt::format("t_{}", i), "traction", q.component),
-                           now(fmt::format("N_{}", i), "normal_part", q.component)},
-                .evaluate = [](std::span<const Real> x) { return x[0] - x[1]; }};
+        return {fmt::format("τ_{0} = t_{0} − N_{0}", i),
+                {now(fmt::format("t_{}", i), "traction", q.component), now(fmt::format("N_{}", i), "normal_part", q.component)}};
     if (q.component == 2) return fixed_value("N_z = 0: the normal lies in the plane of x and y", 0);
     const auto k = static_cast<std::size_t>(q.component);
-    return {.formula = fmt::format("N_{0} = (t_x n_x + t_y n_y) n_{0}", i),
-            .inputs = {now("t_x", "traction", 0), now("t_y", "traction", 1), normal_input(0), normal_input(1)},
-            .evaluate = [k](std::span<const Real> x) { return (x[0] * x[2] + x[1] * x[3]) * x[2 + k]; }};
+    return {fmt::format("N_{0} = (t_x n_x + t_y n_y) n_{0}", i),
+            {now("t_x", "traction", 0), now("t_y", "traction", 1), normal_input(0), normal_input(1)}};
 }
 
 // ------------------------------------------------------------------------------------------------------------- probes
@@ -104,20 +92,10 @@ void StressStrainLesson::explain_probes() {
                 Input::constant(fmt::format("A_{}", f), body_->mesh().facet_areas().col(f).norm(), "m²", "area of a facet"));
         return sum_of("A = Σ A_facet", std::move(areas));
     });
-    give("stress", [] {
-        return Explanation{.formula = "σ = F / A", .inputs = {Input::now("F", "support_force", 0), Input::now("A", "area", 0)}};
-    });
-    give("strain", [this] {
-        return Explanation{.formula = "ε = ΔL / L", .inputs = {Input::now("ΔL", "lengthening", 0), Input::of(length)}};
-    });
+    give("stress", [] { return Explanation{"σ = F / A", {Input::now("F", "support_force", 0), Input::now("A", "area", 0)}}; });
+    give("strain", [this] { return Explanation{"ε = ΔL / L", {Input::now("ΔL", "lengthening", 0), length}}; });
     give("traction", [] {
-        return Explanation{.formula = "|t| = √(σ_n² + τ²)",
-                           .inputs = {Input::now("σ_n", "normal_stress", 0), Input::now("τ", "shear_stress", 0)},
-                           .evaluate = [](std::span<const Real> x) { return std::hypot(x[0], x[1]); },
-                           .substitute =
-                               [](std::span<const Real> x) {
-                                   return fmt::format("√({}² + {}²)", as_factor(x[0], true), as_factor(x[1], true));
-                               }};
+        return Explanation{"|t| = √(σ_n² + τ²)", {Input::now("σ_n", "normal_stress", 0), Input::now("τ", "shear_stress", 0)}};
     });
 }
 

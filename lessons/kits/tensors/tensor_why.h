@@ -1,0 +1,31 @@
+// Explanations of numbers that are made from the entries of a 3 × 3 tensor, which a field holds row by row.
+#pragma once
+#include <pliant/lesson/explanation.h>
+
+namespace pliant::why {
+
+// "F_12" of the row and column counted from 0.
+std::string entry(std::string_view name, int i, int j);
+// That entry of the field as it is now.
+Input entry_now(std::string_view name, std::string_view field, Index row, int i, int j);
+// All nine, row by row, and the matrix that their values make.
+std::vector<Input> all_entries(std::string_view name, std::string_view field, Index row);
+Mat<3> matrix(std::span<const Real> x);
+
+// Their numbers, "[1.2 | 0.3 | 0; …]".
+std::string matrix_numbers(std::span<const Real> x);
+
+// The determinant of F, along its first row.
+Explanation determinant(std::string_view field, Index row, std::string_view left = "det F");
+// E_ij = ½ (H_ij + H_ji + Σ H_ki H_kj) of the displacement gradient H.
+Explanation green(std::string_view field, Index row, int i, int j);
+// S_ij = Σ A_ki B_kj, an entry of A^T B.
+Explanation transposed_product(std::string_view name, std::string_view A, std::string_view field_A, std::string_view B,
+                               std::string_view field_B, Index row, int i, int j);
+// A number that is found from all entries, told in words: "λ₁ = largest singular value of F = [F_11 | …]".
+Explanation of_matrix(std::string_view left, std::string_view words, std::string_view name, std::string_view field, Index row,
+                      std::function<Real(const Mat<3>&)> value);
+// What is in degrees, in radians: a part with this symbol.
+Input in_radians(std::string symbol, const Parameter& degrees);
+
+}  // namespace pliant::why
