@@ -54,18 +54,26 @@ private:
     Real taylor_error(Real length) const;
     Real rotation_angle() const;  // rad
 
-    // --- why a number is what it is (deformation_gradient_why.cpp) ---
+    // --- why a number is what it is ---
     std::array<Input, 3> coordinates(bool of_node, Index index) const;
-    Explanation why_map(const Question&q) const, why_displaced(const Question&q) const, why_slope(const Question&q) const,
-        why_deformation(const Question&q) const, why_compared(const Question&q) const, why_polar(const Question&q) const,
-        why_strain(const Question&q) const;
+    Explanation why_map(const Question& q) const;
+    Explanation why_displaced(const Question& q) const;
+    Explanation why_slope(const Question& q) const;
+    Explanation why_deformation(const Question& q) const;
+    Explanation why_compared(const Question& q) const;
+    Explanation why_polar(const Question& q) const;
+    Explanation why_strain(const Question& q) const;
 
-    // --- what would mend a run (deformation_gradient_fixes.cpp) ---
+    // --- what would mend a run ---
     std::optional<Fix> nearer() const, not_inverted() const;
 
-    // --- the picture (deformation_gradient_picture.cpp) ---
-    void draw_body(Scene&scene) const, draw_points(Scene&scene) const, draw_vectors(Scene&scene) const,
-        draw_ellipsoid(Scene&scene) const, write_numbers(Scene&scene) const, frame(Scene&scene) const;
+    // --- the picture ---
+    void draw_body(Scene& scene) const;
+    void draw_points(Scene& scene) const;
+    void draw_vectors(Scene& scene) const;
+    void draw_ellipsoid(Scene& scene) const;
+    void write_numbers(Scene& scene) const;
+    void frame(Scene& scene) const;
 
     DeformationMap map_;
     BodyGrid body_;

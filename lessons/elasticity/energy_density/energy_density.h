@@ -94,32 +94,38 @@ private:
     static constexpr Index corners = 8;
     Real stiffness() const { return way().stiffness(density(), F_); }
 
-    // --- curves (energy_density_curves.cpp) ---
+    // --- curves ---
     enum class Shown { psi, stress };
     std::array<Real, 2> plotted_amounts() const;
-    Real shown_value(Shown what, const EnergyDensity<3>&energy, const Mat<3>&F) const, largest_shown(Shown what) const;
-    void sample(Shown what, Energy of, Curve&curve) const, mark_now(Shown what, Curve&curve) const,
-        mark_softest(Curve&curve) const;
+    Real largest_shown(Shown what) const;
+    Real shown_value(Shown what, const EnergyDensity<3>& energy, const Mat<3>& F) const;
+    void sample(Shown what, Energy of, Curve& curve) const;
+    void mark_now(Shown what, Curve& curve) const;
+    void mark_softest(Curve& curve) const;
     Line curve_of(Shown what) const;
 
-    // --- why a number is what it is (energy_density_why.cpp, ..._why_stress.cpp) ---
+    // --- why a number is what it is ---
     Input width() const;
     std::optional<Explanation> why_deformed(const Question& q) const;
-    Explanation why_F(int row, int column) const, why_strain(const Question&q) const, why_psi() const,
-        why_stress(int row, int column) const, why_difference(int row, int column) const;
+    Explanation why_F(int row, int column) const, why_psi() const, why_stress(int row, int column) const,
+        why_difference(int row, int column) const;
+    Explanation why_strain(const Question& q) const;
     Input strain_stress(int row, int column) const, inverse_transposed(int row, int column) const;
     void explain_probes();
-    // --- (energy_density_why_block.cpp) ---
     std::optional<Explanation> why_block(const Question& q) const;
     Explanation why_direction(Index node, int component) const, why_unbalanced(Index node, int component) const,
         why_block_stress() const, why_block_width() const;
 
-    // --- what would mend it (energy_density_fixes.cpp) ---
+    // --- what would mend it ---
     Fix towards_rest() const, another_energy(Energy better) const;
 
-    // --- the picture (energy_density_picture.cpp) ---
-    void draw_cube(Scene&scene) const, draw_measures(Scene&scene) const, draw_block(Scene&scene) const,
-        draw_tractions(Scene&scene) const, draw_principal(Scene&scene) const, write_notes(Scene&scene) const;
+    // --- the picture ---
+    void draw_cube(Scene& scene) const;
+    void draw_measures(Scene& scene) const;
+    void draw_block(Scene& scene) const;
+    void draw_tractions(Scene& scene) const;
+    void draw_principal(Scene& scene) const;
+    void write_notes(Scene& scene) const;
 
     // What defines now.
     Rows F_ = Rows::Identity(), strain_ = Rows::Zero(), rotation_ = Rows::Identity(), P_ = Rows::Zero(),

@@ -80,23 +80,21 @@ private:
     void finite_strain_curve(Energy energy, Curve& curve) const;
     Real force_imbalance() const;
 
-    // --- why a number is what it is (moduli_why.cpp) ---
+    // --- why a number is what it is ---
     Input applied_stress() const;
     Explanation why_load(Index node, int component) const;
     std::optional<Explanation> why_solved(const Question& q) const;
     Explanation why_strain_or_stress(const Question& q) const;
     linear_body::Hooke hooke() const;
-    // --- (moduli_why_probes.cpp) ---
     void explain_probes();
     Explanation why_force() const, why_area() const, why_specimen_strain() const, why_modulus() const,
-        why_volume_change(std::string_view symbol) const,
-        why_lengthening(std::string_view symbol, std::string_view axis, int component, const Parameter&over) const,
-        why_strain_energy() const;
+        why_volume_change(std::string_view symbol) const, why_strain_energy() const;
+    Explanation why_lengthening(std::string_view symbol, std::string_view axis, int component, const Parameter& over) const;
 
-    // --- what would mend a run (moduli_fixes.cpp) ---
+    // --- what would mend a run ---
     std::optional<Fix> smaller_load() const, compressible() const, more_iterations() const;
 
-    // --- the picture (moduli_picture.cpp) ---
+    // --- the picture ---
     Real drawn_magnification() const;
     Vec<3> drawn_stretch() const;
     // Length and width of the drawn block at rest.
@@ -106,8 +104,12 @@ private:
     DrawnSize drawn_size() const { return {length * drawn_stretch()[0], width * drawn_stretch()[1]}; }
     Vec<3> drawn(const Vec<3>& X, const Vec<3>& u) const;
     Vec<3> drawn_exact(const Vec<3>& X) const { return drawn(X, specimen_->exact_displacement(applied(), X)); }
-    void draw_body(Scene&scene) const, draw_supports(Scene&scene) const, draw_tension(Scene&scene) const,
-        draw_shear(Scene&scene) const, draw_pressure(Scene&scene) const, write_notes(Scene&scene) const;
+    void draw_body(Scene& scene) const;
+    void draw_supports(Scene& scene) const;
+    void draw_tension(Scene& scene) const;
+    void draw_shear(Scene& scene) const;
+    void draw_pressure(Scene& scene) const;
+    void write_notes(Scene& scene) const;
 
     using One = Eigen::Matrix<Real, 1, 1>;
 

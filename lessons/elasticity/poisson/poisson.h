@@ -95,15 +95,18 @@ private:
     std::optional<Real> stiffness_ratio() const;
     void sample_law(Real (*law)(Real nu, Real strain), Curve& curve) const;
 
-    // --- why a number is what it is (poisson_why.cpp) ---
+    // --- why a number is what it is ---
     std::optional<Explanation> why_step(const Question& q) const;
     Explanation why_increment(Index node, int component) const, why_volume(Index element) const;
     std::optional<Explanation> why_bent(const Question& q) const;
     void explain_probes();
 
-    // --- the picture (poisson_picture.cpp) ---
-    void draw_cube(Scene&scene) const, draw_measures(Scene&scene) const, draw_pull(Scene&scene) const,
-        write_notes(Scene&scene) const, draw_membrane(Scene&scene) const;
+    // --- the picture ---
+    void draw_cube(Scene& scene) const;
+    void draw_measures(Scene& scene) const;
+    void draw_pull(Scene& scene) const;
+    void write_notes(Scene& scene) const;
+    void draw_membrane(Scene& scene) const;
 
     std::unique_ptr<StretchedCube> cube_;
     std::unique_ptr<CooksMembrane> membrane_;

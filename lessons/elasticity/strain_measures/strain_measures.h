@@ -66,17 +66,22 @@ private:
     std::optional<Mat<3>> exact_C() const;
     static Mat<3> of(const Nine& tensor) { return Eigen::Map<const RowMajor>(tensor.data()); }
 
-    // --- why a number is what it is (strain_measures_why.cpp) ---
-    Explanation why_deformation(const Question&q) const, why_stretch(const Question&q) const, why_stress(const Question&q) const;
+    // --- why a number is what it is ---
+    Explanation why_deformation(const Question& q) const;
+    Explanation why_stretch(const Question& q) const;
+    Explanation why_stress(const Question& q) const;
     Input map_entry(int i, int j) const;
     std::vector<Input> sampled_inputs(Index k) const;
 
-    // --- what would mend a run (strain_measures_fixes.cpp) ---
+    // --- what would mend a run ---
     std::optional<Fix> smaller() const, not_inverted() const;
 
-    // --- the picture (strain_measures_picture.cpp) ---
-    void draw_circle(Scene&scene) const, draw_direction(Scene&scene) const, draw_ellipses(Scene&scene) const,
-        write_numbers(Scene&scene) const, write_hookes_law(Scene&scene) const;
+    // --- the picture ---
+    void draw_circle(Scene& scene) const;
+    void draw_direction(Scene& scene) const;
+    void draw_ellipses(Scene& scene) const;
+    void write_numbers(Scene& scene) const;
+    void write_hookes_law(Scene& scene) const;
     Real reach() const;  // half the height of the framed picture
 
     DeformationMap map_;

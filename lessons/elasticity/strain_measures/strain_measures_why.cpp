@@ -12,20 +12,15 @@
 namespace pliant::strain_measures {
 namespace {
 
-// v^T A v of the tensor, with the direction as the field has it now, after `first`, which is added.
-Explanation quadratic(std::string_view left, Real first, const char* name, std::string_view field,
-                      std::function<Real(Real)> outer, std::string_view outer_text) {
+// v^T A v of the tensor, with the direction as the field has it now; before it stands what is added, "1 + ".
+Explanation quadratic(std::string_view left, const char* name, std::string_view field, std::string_view before = "") {
     std::vector<Input> inputs = why::all_entries(name, field, 0);
     for (int i = 0; i < 3; ++i) inputs.push_back(Input::now(fmt::format("v_{}", axis_name(i)), "direction", 0, i));
     std::string sum;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             sum += fmt::format("{}v_{} {} v_{}", i + j ? " + " : "", axis_name(i), why::entry(name, i, j), axis_name(j));
-    const auto value = [](std::span<const Real> x) {
-        const Vec<3> v(x[9], x[10], x[11]);
-        return v.dot(why::matrix(x.first(9)) * v);
-    };
-    return {fmt::format("{} = {}({})", left, outer_text, sum), std::move(inputs)};
+    return {fmt::format("{} = {}{}", left, before, sum), std::move(inputs)};
 }
 
 Explanation squared_length(std::string_view left, const char* symbol, std::string_view field) {
@@ -43,7 +38,6 @@ Input StrainMeasuresLesson::map_entry(int i, int j) const {
                                       Input::constant("Z", 0, "m", "middle")};
     Explanation slope = controls.why_gradient(i, j, middle);
     const std::string name = slope.formula.substr(0, slope.formula.find(" ="));
-    const Real one = i == j ? 1 : 0;
     return Input::part(
         symbol, "",
         {fmt::format("{} = {}{}   (of the map)", symbol, i == j ? "1 + " : "", name), {Input::part(name, "", std::move(slope))}});
@@ -55,7 +49,6 @@ Explanation StrainMeasuresLesson::why_deformation(const Question& q) const {
         return why::transposed_product("C", "F", "deformation_gradient", "F", "deformation_gradient", 0, i, j);
     if (q.field == "green_strain") return why::green("displacement_gradient", 0, i, j);
     if (q.field == "displacement_gradient") {
-        const Real one = i == j ? 1 : 0;
         return {fmt::format("H_{0}{1} = F_{0}{1}{2}   (H = ∇u)", i + 1, j + 1, i == j ? " − 1" : ""),
                 {why::entry_now("F", "deformation_gradient", 0, i, j)}};
     }
@@ -134,19 +127,12 @@ void StrainMeasuresLesson::explain_probes() {
     const auto squares = [](const char* symbol, std::string_view field) {
         return Input::part(fmt::format("|{}|²", symbol), "", squared_length(fmt::format("|{}|²", symbol), symbol, field));
     };
-    const auto of_C = [] {
-        return Input::part("vᵀCv", "",
-                           quadratic(
-                               "vᵀCv", 0, "C", "right_cauchy_green", [](Real x) { return x; }, ""));
-    };
+    const auto of_C = [] { return Input::part("vᵀCv", "", quadratic("vᵀCv", "C", "right_cauchy_green")); };
     give("stretch_of_v", [squares] {
         return Explanation{"|v′| = √(|v'|² / |v|²)", {squares("v'", "deformed_direction"), squares("v", "direction")}};
     });
     give("stretch_from_C", [of_C] { return Explanation{"√(vᵀC v) = √(vᵀCv)", {of_C()}}; });
-    give("stretch_from_cauchy", [] {
-        return quadratic(
-            "1 + vᵀε v", 1, "ε", "cauchy_strain", [](Real x) { return x; }, "1 + ");
-    });
+    give("stretch_from_cauchy", [] { return quadratic("1 + vᵀε v", "ε", "cauchy_strain", "1 + "); });
     give("stretch_mismatch", [squares, of_C] {
         return Explanation{"|v′|² − vᵀC v = |v'|² − vᵀCv", {squares("v'", "deformed_direction"), of_C()}};
     });

@@ -96,14 +96,15 @@ private:
     Vec<3> normal() const;  // of the cut
     Vec<3> normal_at(Real degrees) const;
 
-    // --- why a number is what it is (stress_strain_why.cpp) ---
+    // --- why a number is what it is ---
     linear_body::Hooke hooke() const;
     Input applied_stress_input(int row, int column) const;
-    Explanation why_load(const Question&q) const, why_traction(const Question&q) const;
+    Explanation why_load(const Question& q) const;
+    Explanation why_traction(const Question& q) const;
     Input normal_input(int axis) const;
     void explain_probes();
 
-    // --- the picture (stress_strain_picture.cpp) ---
+    // --- the picture ---
     Real magnification() const;
     struct WeightArrow {
         Vec<3> foot;
@@ -111,7 +112,9 @@ private:
     };
     WeightArrow weight_arrow() const;
     Vec<3> drawn(Index node) const;
-    void draw_disc(Scene&picture) const, draw_rod(Scene&picture) const, draw_cut(Scene&picture) const;
+    void draw_disc(Scene& picture) const;
+    void draw_rod(Scene& picture) const;
+    void draw_cut(Scene& picture) const;
 
     using One = Eigen::Matrix<Real, 1, 1>;
 

@@ -63,7 +63,6 @@ Explanation StressStrainLesson::why_traction(const Question& q) const {
         return {fmt::format("τ_{0} = t_{0} − N_{0}", i),
                 {now(fmt::format("t_{}", i), "traction", q.component), now(fmt::format("N_{}", i), "normal_part", q.component)}};
     if (q.component == 2) return fixed_value("N_z = 0: the normal lies in the plane of x and y", 0);
-    const auto k = static_cast<std::size_t>(q.component);
     return {fmt::format("N_{0} = (t_x n_x + t_y n_y) n_{0}", i),
             {now("t_x", "traction", 0), now("t_y", "traction", 1), normal_input(0), normal_input(1)}};
 }

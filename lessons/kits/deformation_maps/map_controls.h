@@ -36,12 +36,13 @@ private:
     int turning_axis() const;
     bool is(MapKind kind) const { return kind_ == kind; }
     Input turning_angle(const std::array<Input, 3>& X) const;
-    Explanation why_free(int i, const std::array<Input, 3>&X) const,
-        why_moved(int i, std::string rest, std::vector<Input> inputs) const,
-        why_turned(int i, const std::array<Input, 3>&X) const, why_bent(int i, const std::array<Input, 3>&X) const,
-        why_turned_gradient(int i, int j, int axis, const std::array<Input, 3>&X) const,
-        why_bent_gradient(int i, int j, const std::array<Input, 3>&X) const,
-        why_twisted_gradient(int i, int j, const std::array<Input, 3>&X) const;
+    Explanation why_moved(int i, std::string rest, std::vector<Input> inputs) const;
+    Explanation why_free(int i, const std::array<Input, 3>& X) const;
+    Explanation why_turned(int i, const std::array<Input, 3>& X) const;
+    Explanation why_bent(int i, const std::array<Input, 3>& X) const;
+    Explanation why_turned_gradient(int i, int j, int axis, const std::array<Input, 3>& X) const;
+    Explanation why_bent_gradient(int i, int j, const std::array<Input, 3>& X) const;
+    Explanation why_twisted_gradient(int i, int j, const std::array<Input, 3>& X) const;
 
     Choice<MapKind> kind_;
     Number angle_;
