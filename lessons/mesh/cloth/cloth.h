@@ -1,8 +1,13 @@
 // A sheet of point masses and springs that hangs, flies as a flag or drapes over a sphere: forces, air, contact, strain limiting.
 #pragma once
-#include "cloth_sheet.h"
+#include <pliant/solids/cloth_sheet.h>
+#include "kits/declare/declare.h"
+#include "kits/schemes/scheme_options.h"
+#include "kits/springs/net_parameters.h"
+#include "kits/springs/spring_why.h"
 
 #include <pliant/lesson/registry.h>
+#include <pliant/solids/cloth_sheet.h>
 #include <pliant/solids/sheet_wind.h>
 #include <pliant/solids/sphere_contact.h>
 #include <pliant/solids/springs_frequency.h>
@@ -19,8 +24,7 @@ namespace pliant::cloth {
 enum class Newton { capped, full };
 enum class Setting { hanging_corners, hanging_edge, drape, flag, pedestal };
 
-// Strains below this are rounding.
-inline constexpr Real strain_rounding = 1e-12;
+using springs::strain_rounding;
 
 // Caps of a full Newton solve: of its own iterations, and of conjugate gradients in each.
 inline constexpr int full_iterations = 500, full_linear_iterations = 2000;
@@ -28,8 +32,7 @@ inline constexpr int full_iterations = 500, full_linear_iterations = 2000;
 // Factors of larger sheets do not fit into a lecture.
 inline constexpr Index most_direct_nodes = 40 * 40;
 
-class ClothLesson final : public Lesson {
-public:
+struct ClothLesson final : Lesson {
     ClothLesson();
 
     int dimension() const override { return 3; }
@@ -49,29 +52,79 @@ public:
     std::vector<std::string_view> first_plots() const override { return {"energy", telling_probe(), "largest_stretch"}; }
     std::vector<std::string_view> key_numbers() const override { return {"largest_stretch", "bending_share", telling_probe()}; }
 
-private:
     // --- parameters ---
-    Choice<Setting> setting;
-    Whole nodes;
-    Number size, total_mass;
-    Number k_structural, k_shear, k_bending;
-    Choice<SpringDamping> damping_mode;
-    Number damping;
-    Number gravity;
-    Number wind, gust, air_drag;
-    Number sphere_radius, friction;
-    Choice<Scheme> scheme;
-    Number dt;
-    Choice<Newton> newton;
-    Whole newton_cap;
-    Number newton_tolerance;
-    Choice<LinearSolve> linear_solver;
-    Whole linear_iterations;
-    Number linear_tolerance;
-    Switch strain_limiting;
-    Number strain_limit;
-    Whole limit_passes;
-    Number pull_stiffness;
+    Choice<Setting> setting{*this,
+                            setting_of("scene", "what happens to the sheet").rebuilds(),
+                            {{"hanging_corners", "held at two corners"},
+                             {"hanging_edge", "held at one edge"},
+                             {"drape", "falls on a sphere"},
+                             {"flag", "a flag in the wind"},
+                             {"pedestal", "drape test: its middle lies on a disc"}}};
+    Whole nodes{*this, quantity("nodes", "n", "", 25, {2, 64}, {2, 96}, "nodes along each side of the sheet").rebuilds()};
+    Number size{*this, log_quantity("size", "L", "m", 1, {0.1, 5}, {1e-6, 1e6}, "side of the square sheet").rebuilds()};
+    Number total_mass{*this,
+                      log_quantity("mass", "M", "kg", 0.2, {0.01, 10}, {1e-9, 1e9},
+                                   "of the whole sheet, shared equally by its nodes; a square metre of cotton weighs 0.2 kg")};
+    Number k_structural{*this, springs::stiffness_of("k_structural", "kₛ", 1000, {0.01, 1e4},
+                                                     "of the springs along the threads: they resist stretching")};
+    Number k_shear{*this, springs::stiffness_of("k_shear", "k_d", 100, {0.01, 1e4},
+                                                "of the springs along the diagonals: they resist shear")};
+    Number k_bending{*this, springs::stiffness_of("k_bending", "k_b", 1, {0.01, 1e4},
+                                                  "of the springs to the next node but one: they resist bending")};
+    Choice<SpringDamping> damping_mode{*this, springs::damping_choice(), springs::damping_options()};
+    Number damping{
+        *this, springs::damper(0.01, {1e-4, 1}, "of every spring whose stiffness is not 0").when([this] { return damped(); })};
+    Number gravity{*this, springs::gravity_downwards()};
+    Number wind{*this,
+                quantity("wind", "W", "m/s", 0, {0, 20}, {-1e6, 1e6}, "speed of the wind: along x for the flag, else towards you")
+                    .when([this] { return in_air(); })};
+    Number gust{*this, quantity("gust", "γ", "", 0.3, {0, 1}, {0, 10},
+                                "how far the wind swings to its side, once in a second, as a part of its speed")
+                           .when([this] { return in_air() && wind != 0; })};
+    Number air_drag{*this, quantity("air_drag", "c", "", 1, {0, 2}, {0, 1e6},
+                                    "drag coefficient of a small plate across the wind, also of still air; 0: no air")};
+    Number sphere_radius{
+        *this, quantity("sphere_radius", "R", "m", 0.25, {0, 1}, {0, 1e6}, "of the sphere, or of the disc of the drape test")
+                   .rebuilds()
+                   .when([this] { return drapes(); })};
+    Number friction{*this,
+                    quantity("friction", "μ", "", 0.3, {0, 1.5}, {0, 1e6}, "Coulomb's coefficient of the sphere").when([this] {
+                        return has_sphere();
+                    })};
+    Choice<Scheme> scheme{*this, setting_of("scheme", "how forces become motion", 2), scheme_options(3)};
+    Number dt{*this, fixed_time_step(1.0 / 60, {1e-5, 0.1})};
+    Choice<Newton> newton{
+        *this,
+        setting_of("newton", "how far a step is solved").when([this] { return implicit(); }),
+        {{"capped", "newton_cap iterations, taken as they are"}, {"full", "until it converges, or stop and report"}}};
+    Whole newton_cap{*this,
+                     quantity("newton_cap", "", "", 1, {1, 50}, {1, 10000},
+                              "most Newton iterations of a time step; what they leave unbalanced is shown; 1: linearly implicit")
+                         .when([this] { return implicit() && capped(); })};
+    Number newton_tolerance{
+        *this,
+        newton_tolerance_from(1e-4, "Newton's method has converged when its step is shorter than this fraction of a spring")
+            .when([this] { return implicit() && (!capped() || newton_cap > 1); })};
+    Choice<LinearSolve> linear_solver{
+        *this,
+        setting_of("linear_solver", "how each Newton iteration solves its linear system", 1).when([this] { return implicit(); }),
+        {{"direct", "direct: sparse factors"}, {"conjugate_gradients", "conjugate gradients, coarser sheets help"}}};
+    Whole linear_iterations{*this,
+                            quantity("linear_iterations", "", "", 20, {1, 200}, {1, 100000},
+                                     "most iterations of conjugate gradients in a Newton iteration: bounds the cost of a step")
+                                .when([this] { return iterative() && capped(); })};
+    Number linear_tolerance{*this,
+                            log_quantity("linear_tolerance", "η", "", 1e-4, {1e-10, 0.1}, {1e-15, 1, false, true},
+                                         "conjugate gradients stop when their residual is below this part of the right side")
+                                .when([this] { return iterative(); })};
+    Switch strain_limiting{*this, setting_of("strain_limiting", "draw overlong springs together after each step?")};
+    Number strain_limit{*this, quantity("strain_limit", "ε_max", "", 0.05, {0, 0.3}, {0, 10},
+                                        "largest strain that structural and shear springs keep")
+                                   .when([this] { return bool(strain_limiting); })};
+    Whole limit_passes{*this, quantity("limit_passes", "", "", 50, {1, 200}, {1, 10000},
+                                       "most passes over all springs in a step; each pass undoes a part of its neighbours'")
+                                  .when([this] { return bool(strain_limiting); })};
+    Number pull_stiffness{*this, springs::pull_stiffness_from(20, {1, 1000})};
 
     // --- declarations ---
     void declare_fields();
@@ -99,8 +152,6 @@ private:
     // --- the stages (cloth_stages.cpp) ---
     void follow_parameters();
     void spring_stage();
-    void damping_stage();
-    void external_stage();
     void wind_stage();
     void begin_integration();
     void prepare_implicit_step();
@@ -108,71 +159,25 @@ private:
     const ImplicitSolver* solver() const;
     void integrate();
     void end_integration();
-    void begin_limiting();
-    void contact_stage();
     void note_pace();
 
     // --- what can be read off (cloth_readings.cpp) ---
-    Real total_energy() const;
-    Real rounding_energy() const;
-    Real energy_terms() const;
-    Real energy_tolerance() const;
     std::optional<Real> drape_coefficient() const;
-    const SpringRates& rates() const;
     Real stable_time_step() const;
-    std::string too_large_a_step() const;
 
     // --- why a number is what it is (cloth_why.cpp) ---
-    using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);  // Input::now, ...
     Input stiffness_of_spring(Index spring) const;
-    Input damping_of_spring(Index spring) const;
-    Input node_mass() const;
-    Explanation why_spring_stage(const Question& q) const;
-    Explanation why_spring_force(Index node, int component) const;
-    Explanation why_spring_on_node(Index spring, Index node, int component) const;
-    Explanation why_strain(Index spring) const;
-    Explanation why_largest_of_node(Index node, bool bent) const;
-    Explanation why_damping_force(Index node, int component, Reading direction_at) const;
-    Explanation why_damper_on_node(Index spring, Index node, int component, Reading direction_at) const;
-    Explanation why_external_force(Index node, int component) const;
-    // --- (cloth_why_air.cpp) ---
-    Explanation why_wind_stage(const Question& q) const;
-    Explanation why_drag(Index node, int row, int column) const;
-    Explanation why_wind_force(Index node, int component) const;
-    Input wind_component(int component) const;
-    // --- (cloth_why_motion.cpp) ---
+    Input node_mass() const { return springs::shared_mass(total_mass, position_.cols()); }
+    Explanation why_force(const Question& q) const;
     Explanation why_integrated(const Question& q) const;
-    Explanation why_explicit_velocity(Index node, int component) const;
-    Explanation why_balanced_velocity(Index node, int component) const;
-    Explanation why_newton_position(Index node, int component) const;
-    Input newton_start(Index node, int component) const;
-    Input newton_direction(Index dof) const;
     // --- (cloth_why_contact.cpp) ---
-    const NodePlane<3>* plane_of(Index node) const;
-    Explanation why_plane_force(const NodePlane<3>& plane, int component) const;
-    Explanation why_friction(const NodePlane<3>& plane, int component) const;
     Explanation why_limited(const Question& q) const;
     std::optional<Explanation> why_contact(const Question& q) const;
-    Explanation why_pressed(Index node) const;
+    std::vector<Input> plane_forces_on(Index node, int component) const;
     // --- (cloth_why_probes.cpp) ---
     void explain_probes();
-    Explanation why_kinetic_energy() const;
-    Explanation why_family_energy(Family family) const;
-    Explanation why_gravitational_energy() const;
-    Explanation why_hand_energy() const;
-    Explanation why_energy() const;
-    Explanation why_largest_stretch() const;
-    Explanation why_lowest() const;
-    Explanation why_drape() const;
 
     // --- the picture (cloth_picture.cpp) ---
-    void draw_sheet(Scene& picture) const;
-    void draw_springs(Scene& picture) const;
-    void draw_nodes(Scene& picture) const;
-    void draw_sphere(Scene& picture) const;
-    void draw_arrows(Scene& picture) const;
-    void write_notes(Scene& picture) const;
-    void set_frame(Scene& picture) const;
 
     std::unique_ptr<ClothSheet> sheet_;
     std::unique_ptr<SpringSystem<3>> system_;

@@ -1,4 +1,6 @@
 #include "cloth.h"
+#include "kits/springs/net_picture.h"
+#include "kits/springs/net_stages.h"
 
 #include <fmt/format.h>
 
@@ -15,11 +17,8 @@ constexpr Real plane_stiffness = 100;
 }  // namespace
 
 void ClothLesson::declare_fields() {
-    const auto bound_by_used = [](Field field, std::function<bool()> used) {
-        field.used = std::move(used);
-        return field;
-    };
     const auto has = [](const auto& values) { return [&values] { return values.size() > 0; }; };
+    const auto strained = [] { return 100.0; };
     state = {state_array("position", "m", position_), state_array("velocity", "m/s", velocity_),
              state_array("contact_force", "N", contact_force_), state_array("gust_time", "s", gust_time_),
              state_array("pace", "m/s, m/s²", pace_)};
@@ -27,64 +26,48 @@ void ClothLesson::declare_fields() {
         vector_field("position", "x", "m", On::node, position_, "of the nodes"),
         vector_field("velocity", "v", "m/s", On::node, velocity_, "of the nodes"),
         vector_field("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node"),
-        bound_by_used(vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"),
-                      has(damping_force_)),
-        bound_by_used(vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight, and the pull of the hand"),
-                      has(external_force_)),
-        bound_by_used(tensor_field("wind_drag", "C", "N s/m", On::node, drag_numbers_,
-                                   "force of the air on a node for each m/s of the wind against it"),
-                      has(drag_numbers_)),
-        bound_by_used(vector_field("wind_force", "fʷ", "N", On::node, wind_force_, "of the air, at the start of the step"),
-                      has(wind_force_)),
-        bound_by_used(
-            scalar_field("contact_force", "N", "N", On::node, contact_force_, "with which the sphere presses a node outwards"),
-            has(contact_force_)),
-        scalar_field("strain", "ε", "", On::edge, strain_, "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest"),
-        scalar_field("stretch", "ε_s", "", On::node, stretch_,
-                     "of the strains of a node's structural springs the one farthest from 0: red where it is stretched"),
-        scalar_field("bending", "β", "", On::node, bending_,
-                     "largest shortening of a node's bending springs: 0 where it is flat"),
+        when(has(damping_force_),
+             vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node")),
+        when(has(external_force_),
+             vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight, and the pull of the hand")),
+        when(has(drag_numbers_), tensor_field("wind_drag", "C", "N s/m", On::node, drag_numbers_,
+                                              "force of the air on a node for each m/s of the wind against it")),
+        when(has(wind_force_),
+             vector_field("wind_force", "fʷ", "N", On::node, wind_force_, "of the air, at the start of the step")),
+        when(has(contact_force_),
+             scalar_field("contact_force", "N", "N", On::node, contact_force_, "with which the sphere presses a node outwards")),
+        within(strained, scalar_field("strain", "ε", "", On::edge, strain_,
+                                      "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest")),
+        within(strained,
+               scalar_field("stretch", "ε_s", "", On::node, stretch_,
+                            "of the strains of a node's structural springs the one farthest from 0: red where it is stretched")),
+        within(strained, scalar_field("bending", "β", "", On::node, bending_,
+                                      "largest shortening of a node's bending springs: 0 where it is flat")),
     };
     fields[0].bound = [this] { return 1e4 * size + 1e3 * (std::abs(wind) + 1) * std::max(Real{1}, Real{dt}); };
     fields[1].bound = [this] { return 1000 * size / dt + 10 * (std::abs(wind) * (1 + gust) + gravity * dt); };
-    const auto strain_bound = [] { return 100.0; };
-    for (std::size_t k = 8; k < fields.size(); ++k) fields[k].bound = strain_bound;
 }
 
 void ClothLesson::declare_stages() {
+    const auto why = [this](const Question& q) { return why_force(q); };
     stages = {
-        {.name = "spring_forces",
-         .formula = "fᵢ = k (|xᵢⱼ| − l) xᵢⱼ/|xᵢⱼ|,  xᵢⱼ = xⱼ − xᵢ",
-         .source = "lecture: mass–spring system; [Nealen2006 §3]",
-         .run = [this] { spring_stage(); },
-         .reads = {"position"},
-         .writes = {"spring_force", "strain", "stretch", "bending"},
-         .explain = [this](const Question& q) { return why_spring_stage(q); }},
-        {.name = "damping_forces",
-         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
-         .formula_in_force = [this] { return formula_of(damping_mode); },
-         .source = "lecture: mass–spring system; [Nealen2006 §3]",
-         .run = [this] { damping_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"damping_force"},
-         .active = [this] { return damped(); },
-         .explain = [this](const Question& q) { return why_damping_force(q.index, q.component, Input::now); }},
-        {.name = "external_forces",
-         .formula = "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)",
-         .source = "gravity, and a spring to the pointer",
-         .run = [this] { external_stage(); },
-         .reads = {"position"},
-         .writes = {"external_force"},
-         .active = [this] { return loaded(); },
-         .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
-        {.name = "wind",
-         .formula = "fᵢ = Cᵢ (w − vᵢ),  Cᵢ = Σ ρ c A |u·n| n nᵀ / 6 over its triangles,  u = w − v",
-         .source = "pressure on a plate across the wind; [Ling1996]",
-         .run = [this] { wind_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"wind_drag", "wind_force"},
-         .active = [this] { return in_air(); },
-         .explain = [this](const Question& q) { return why_wind_stage(q); }},
+        springs::spring_forces_stage([this] { spring_stage(); }, {"spring_force", "strain", "stretch", "bending"}, why),
+        springs::damping_forces_stage(
+            [this] {
+                damping_force_.setZero();
+                add_damping_forces<3>(sheet_->springs(), damping_mode, position_, velocity_, damping_force_);
+            },
+            why, [this] { return SpringDamping(damping_mode); }, [this] { return damped(); }),
+        springs::external_forces_stage(
+            [this] {
+                external_force_.setZero();
+                add_external_forces<3>(load_, sheet_->mass(), position_, external_force_);
+            },
+            why, [this] { return loaded(); }),
+        stage_of(
+            "wind", "fᵢ = Cᵢ (w − vᵢ),  Cᵢ = Σ ρ c A |u·n| n nᵀ / 6 over its triangles,  u = w − v",
+            "pressure on a plate across the wind; [Ling1996]", [this] { wind_stage(); }, {"position", "velocity"},
+            {"wind_drag", "wind_force"}, [this](const Question& q) { return why_force(q); }, [this] { return in_air(); }),
         {.name = "integrate",
          .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
                     "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method",
@@ -107,17 +90,26 @@ void ClothLesson::declare_stages() {
          .writes = {"position", "velocity"},
          .active = [this] { return bool(strain_limiting); },
          .again = [this] { return limiter_excess_ > 1e-3 && limiter_->passes() < limit_passes; },
-         .begin = [this] { begin_limiting(); },
+         .begin =
+             [this] {
+                 const Index limited = sheet_->last(shear);
+                 if (!limiter_) limiter_ = std::make_unique<StrainLimiter>(sheet_->springs(), limited);
+                 limiter_->begin();
+                 stretch_before_limiting_ = largest_stretch(sheet_->springs(), limited, position_);
+             },
          .end = [this] { note_pace(); },
          .explain = [this](const Question& q) { return why_limited(q); }},
-        {.name = "sphere_contact",
-         .formula = "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = force of the plane that held it, or m |Δv_n| / Δt",
-         .source = "[Baraff1998 §5], [Bridson2002]",
-         .run = [this] { contact_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"position", "velocity", "contact_force"},
-         .active = [this] { return has_sphere(); },
-         .explain = [this](const Question& q) { return why_contact(q); }},
+        stage_of(
+            "sphere_contact",
+            "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = force of the plane that held it, or m |Δv_n| / Δt",
+            "[Baraff1998 §5], [Bridson2002]",
+            [this] {
+                touching_ = resolve_sphere_contact(sphere(), sheet_->inertia(), dt, held_, position_, velocity_, contact_force_,
+                                                   touches_);
+                note_pace();
+            },
+            {"position", "velocity"}, {"position", "velocity", "contact_force"},
+            [this](const Question& q) { return why_contact(q); }, [this] { return has_sphere(); }),
     };
 }
 
@@ -137,15 +129,7 @@ void ClothLesson::follow_parameters() {
     drag_numbers_.resize(in_air() ? 9 * static_cast<std::size_t>(count) : 0, Real{0});
 }
 
-void ClothLesson::pull(const std::optional<Pull>& hand) {
-    load_.pull.node = -1;
-    if (!hand || hand->index < 0) return;
-    if (hand->index >= position_.cols())
-        throw Refused(fmt::format("pull: node {} does not exist, there are {} nodes", hand->index, position_.cols()));
-    if (!hand->to.allFinite()) throw Refused("pull: give a finite place in m");
-    load_.pull.node = hand->index;
-    load_.pull.target = hand->to;
-}
+void ClothLesson::pull(const std::optional<Pull>& hand) { springs::take_hold(load_, hand, position_.cols()); }
 
 void ClothLesson::spring_stage() {
     follow_parameters();
@@ -157,22 +141,12 @@ void ClothLesson::spring_stage() {
     bending_.setZero();
     for (Index s = 0; s < strain_.size(); ++s) {
         if (std::abs(strain_[s]) < strain_rounding) strain_[s] = 0;
-        const Family family = sheet_->family_of(s);
+        const SpringFamily family = sheet_->family_of(s);
         for (const Index n : {springs.i(s), springs.j(s)}) {
             if (family == structural && std::abs(strain_[s]) > std::abs(stretch_[n])) stretch_[n] = strain_[s];
             if (family == bending) bending_[n] = std::max(bending_[n], -strain_[s]);
         }
     }
-}
-
-void ClothLesson::damping_stage() {
-    damping_force_.setZero();
-    add_damping_forces<3>(sheet_->springs(), damping_mode, position_, velocity_, damping_force_);
-}
-
-void ClothLesson::external_stage() {
-    external_force_.setZero();
-    add_external_forces<3>(load_, sheet_->mass(), position_, external_force_);
 }
 
 void ClothLesson::wind_stage() {
@@ -251,18 +225,6 @@ void ClothLesson::end_integration() {
     if (!implicit()) return;
     integrator_->solver().imbalance(imbalance_);
     plane_forces(system_->terms.planes, position_, held_);
-}
-
-void ClothLesson::begin_limiting() {
-    const Index limited = sheet_->last(shear);
-    if (!limiter_) limiter_ = std::make_unique<StrainLimiter>(sheet_->springs(), limited);
-    limiter_->begin();
-    stretch_before_limiting_ = largest_stretch(sheet_->springs(), limited, position_);
-}
-
-void ClothLesson::contact_stage() {
-    touching_ = resolve_sphere_contact(sphere(), sheet_->inertia(), dt, held_, position_, velocity_, contact_force_, touches_);
-    note_pace();
 }
 
 // Behind every stage that changes velocities: the last one has the last word.

@@ -1,85 +1,36 @@
-// Why the forces are what they are: each spring, damper and load of a node.
+// Why forces and motion are what they are: each spring, damper, triangle and load of a node, and three integrators.
 #include "cloth.h"
-#include "mesh/springs/spring_why.h"
+#include "kits/schemes/scheme_why.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant::cloth {
 namespace {
 
-using springs::append_ends, springs::difference, springs::length_between, springs::other_end, springs::rest_length;
+using Values = std::span<const Real>;
 
-// The sum over the springs of a node.
-template <class Term>
-Explanation sum_over_springs(const ClothSheet& sheet, Index node, std::string formula, std::string_view symbol, Term term) {
-    std::vector<Input> terms;
-    for (const Index s : sheet.springs_of(node))
-        terms.push_back(Input::part(fmt::format("{}_{}", symbol, other_end(sheet.springs(), s, node)), "N", term(s)));
-    return sum_of(std::move(formula), std::move(terms));
+// ------------------------------------------------------------------------------------------------------------ springs
+
+Explanation why_spring_force(const ClothLesson& l, Index node, int component) {
+    const Springs& springs = l.sheet_->springs();
+    return springs::sum_over_springs(springs, node, "f = Σ k (|x_ij| − l) (x_j − x_i) / |x_ij|", "f", [&](Index s, Index other) {
+        return springs::spring_on_node(l.stiffness_of_spring(s), springs::rest_length(springs, s), other, node, component);
+    });
 }
 
-}  // namespace
-
-Input ClothLesson::stiffness_of_spring(Index s) const {
-    const std::array<const Number*, family_count> all{&k_structural, &k_shear, &k_bending};
-    return Input::of(*all[sheet_->family_of(s)], "k");
-}
-
-Input ClothLesson::damping_of_spring(Index s) const {
-    if (sheet_->springs().stiffness()[s] > 0) return Input::of(damping, "kᵈ");
-    return Input::constant("kᵈ", 0, "N s/m", "a spring of stiffness 0 has no damper");
-}
-
-Input ClothLesson::node_mass() const {
-    return Input::part(
-        "m", "kg",
-        {.formula = "m = M / N",
-         .inputs = {Input::of(total_mass), Input::constant("N", Real(position_.cols()), "", "nodes that share the mass")}});
-}
-
-Explanation ClothLesson::why_spring_stage(const Question& q) const {
-    if (q.field == "strain") return why_strain(q.index);
-    if (q.field == "stretch" || q.field == "bending") return why_largest_of_node(q.index, q.field == "bending");
-    return why_spring_force(q.index, q.component);
-}
-
-Explanation ClothLesson::why_spring_force(Index node, int component) const {
-    return sum_over_springs(*sheet_, node, "f = Σ k (|x_ij| − l) (x_j − x_i) / |x_ij|", "f",
-                            [&](Index s) { return why_spring_on_node(s, node, component); });
-}
-
-Explanation ClothLesson::why_spring_on_node(Index s, Index node, int component) const {
-    const Index other = other_end(sheet_->springs(), s, node);
-    const char* letter = axis_name(component);
-    return {.formula = fmt::format("f_{1} = k (|x_ij| − l) ({0}_j − {0}_i) / |x_ij|", letter, other),
-            .inputs = {stiffness_of_spring(s), length_between(Input::now, other, node), rest_length(sheet_->springs(), s),
-                       Input::now(fmt::format("{}_j", letter), "position", other, component),
-                       Input::now(fmt::format("{}_i", letter), "position", node, component)},
-            .evaluate = [](std::span<const Real> x) { return (x[1] > 0 ? x[0] * (x[1] - x[2]) / x[1] : 0) * (x[3] - x[4]); }};
-}
-
-Explanation ClothLesson::why_strain(Index s) const {
-    const Springs& springs = sheet_->springs();
-    return {.formula = strain_[s] == 0 ? "ε = (|x_ij| − l) / l, and 0 where the difference is rounding" : "ε = (|x_ij| − l) / l",
-            .inputs = {length_between(Input::now, springs.j(s), springs.i(s)), rest_length(springs, s)},
-            .evaluate = [](std::span<const Real> x) {
-                const Real strain = (x[0] - x[1]) / x[1];
-                return std::abs(strain) < strain_rounding ? Real{0} : strain;
-            }};
-}
-
-Explanation ClothLesson::why_largest_of_node(Index node, bool bent) const {
-    Explanation e{.formula = bent ? "β = max(0" : "ε_s = the one farthest from 0 of (", .inputs = {}, .evaluate = {}};
-    for (const Index s : sheet_->springs_of(node)) {
-        if (sheet_->family_of(s) != (bent ? bending : structural)) continue;
-        const std::string symbol = fmt::format("ε_{}", other_end(sheet_->springs(), s, node));
+Explanation why_largest_of_node(const ClothLesson& l, Index node, bool bent) {
+    Explanation e{bent ? "β = max(0" : "ε_s = the one farthest from 0 of ("};
+    for (const Index s : l.sheet_->springs_of(node)) {
+        if (l.sheet_->family_of(s) != (bent ? bending : structural)) continue;
+        const std::string symbol = fmt::format("ε_{}", springs::other_end(l.sheet_->springs(), s, node));
         e.formula += fmt::format("{}{}", bent ? ", − " : e.inputs.empty() ? "" : ", ", symbol);
         e.inputs.push_back(Input::now(symbol, "strain", s));
     }
     e.formula += ")";
-    e.evaluate = [bent](std::span<const Real> x) {
+    e.evaluate = [bent](Values x) {
         Real farthest = 0;
         for (const Real strain : x)
             if (bent ? -strain > farthest : std::abs(strain) > std::abs(farthest)) farthest = bent ? -strain : strain;
@@ -89,57 +40,143 @@ Explanation ClothLesson::why_largest_of_node(Index node, bool bent) const {
 }
 
 // direction_at: where the directions of projected dampers are taken from.
-Explanation ClothLesson::why_damping_force(Index node, int component, Reading direction_at) const {
-    const bool projected = damping_mode == SpringDamping::projected;
-    return sum_over_springs(*sheet_, node, projected ? "fᵈ = Σ kᵈ (v_ij · x_ij / |x_ij|²) (x_j − x_i)" : "fᵈ = Σ kᵈ (v_j − v_i)",
-                            "fᵈ", [&](Index s) { return why_damper_on_node(s, node, component, direction_at); });
+Explanation why_damping_force(const ClothLesson& l, Index node, int component, springs::Reading direction_at) {
+    const bool projected = l.damping_mode == SpringDamping::projected;
+    return springs::sum_over_springs(
+        l.sheet_->springs(), node, projected ? "fᵈ = Σ kᵈ (v_ij · x_ij / |x_ij|²) (x_j − x_i)" : "fᵈ = Σ kᵈ (v_j − v_i)", "fᵈ",
+        [&](Index s, Index other) {
+            const Input kd = l.sheet_->springs().stiffness()[s] > 0
+                                 ? Input(l.damping)
+                                 : Input::constant("kᵈ", 0, "N s/m", "a spring of stiffness 0 has no damper");
+            return springs::damper_on_node({kd}, projected, other, node, component, direction_at);
+        });
 }
 
-Explanation ClothLesson::why_damper_on_node(Index s, Index node, int component, Reading direction_at) const {
-    const Index other = other_end(sheet_->springs(), s, node);
-    const char* letter = axis_name(component);
-    if (damping_mode == SpringDamping::naive)
-        return {.formula = fmt::format("fᵈ_{1} = kᵈ (v{0}_j − v{0}_i)", letter, other),
-                .inputs = {damping_of_spring(s), Input::now(fmt::format("v{}_j", letter), "velocity", other, component),
-                           Input::now(fmt::format("v{}_i", letter), "velocity", node, component)},
-                .evaluate = [](std::span<const Real> x) { return x[0] * (x[1] - x[2]); }};
-
-    Explanation rate{
-        .formula = "w = ((vx_j − vx_i) (x_j − x_i) + (vy_j − vy_i) (y_j − y_i) + (vz_j − vz_i) (z_j − z_i)) / |x_ij|²",
-        .inputs = {}};
-    append_ends(rate.inputs, Input::now, "velocity", "v", other, node);
-    append_ends(rate.inputs, direction_at, "position", "", other, node);
-    rate.inputs.push_back(length_between(direction_at, other, node));
-    return {.formula = fmt::format("fᵈ_{1} = kᵈ w ({0}_j − {0}_i)", letter, other),
-            .inputs = {damping_of_spring(s), Input::part("w", "1/s", std::move(rate)),
-                       direction_at(fmt::format("{}_j", letter), "position", other, component),
-                       direction_at(fmt::format("{}_i", letter), "position", node, component)},
-            .evaluate = [](std::span<const Real> x) { return x[0] * x[1] * (x[2] - x[3]); }};
+Explanation why_external_force(const ClothLesson& l, Index node, int component) {
+    return springs::load_on_node(l.load_, l.node_mass(), l.gravity, l.pull_stiffness, node, component);
 }
 
-Explanation ClothLesson::why_external_force(Index node, int component) const {
-    Explanation e{.formula = "fᵉ = 0", .inputs = {}, .evaluate = {}};
-    const bool falls = component == 1 && gravity > 0;
-    const bool pulled_here = pulled() && load_.pull.node == node;
-    if (falls) e.inputs = {node_mass(), Input::of(gravity)};
-    if (pulled_here) {
-        const char* letter = axis_name(component);
-        e.inputs.push_back(Input::of(pull_stiffness));
-        e.inputs.push_back(
-            Input::constant(fmt::format("{}_hand", letter), load_.pull.target[component], "m", "where the hand pulls to"));
-        e.inputs.push_back(Input::now(letter, "position", node, component));
-        e.formula = fmt::format("fᵉ = {0}kₕ ({1}_hand − {1})", falls ? "− m g + " : "", letter);
-    } else if (falls) {
-        e.formula = "fᵉ = − m g";
-    } else if (component != 1 && gravity > 0) {
-        e.formula = "fᵉ = 0: the weight acts along y";
+// ---------------------------------------------------------------------------------------------------------------- air
+
+Input wind_component(const ClothLesson& l, int component) {
+    const std::string symbol = fmt::format("w_{}", axis_name(component));
+    if (component == (l.setting == Setting::flag ? 0 : 2)) return part(symbol + " = W", {l.wind});
+    if (component == 1) return Input::part(symbol, "m/s", fixed_value(symbol + " = 0: the wind is level", 0));
+    return part(symbol + " = W γ sin(2π f t)",
+                {l.wind, l.gust, Input::constant("f", 1, "1/s", "how often the gust comes"),
+                 Input::constant("t", l.gust_at_, "s", "since the wind began, at the start of the step")});
+}
+
+// One triangle at a time: its area vector, and how fast the air meets it.
+Explanation why_drag(const ClothLesson& l, Index node, int row, int column) {
+    std::vector<Input> terms;
+    for (std::size_t t = 0; t < l.sheet_->triangles().size(); ++t) {
+        const NodeTriple& corners = l.sheet_->triangles()[t];
+        if (std::ranges::find(corners, node) == corners.end()) continue;
+        Explanation e{fmt::format("C_{} = ρ c |u · A| A_{} A_{} / (6 |A|²), A = ½ (b − a) × (c − a), u = w − (vᵃ + vᵇ + vᶜ) / 3",
+                                  t, axis_name(row), axis_name(column)),
+                      {Input::constant("ρ", Air{}.density, "kg/m³", "density of the air"), l.air_drag}};
+        for (int c = 0; c < 3; ++c) e.inputs.push_back(wind_component(l, c));
+        for (const char* field : {"position", "velocity"})
+            for (const Index corner : corners)
+                for (int c = 0; c < 3; ++c)
+                    e.inputs.push_back(
+                        Input::now(fmt::format("{}{}_{}", field[0] == 'v' ? "v" : "", axis_name(c), corner), field, corner, c));
+        e.evaluate = [row, column](Values x) {
+            const Air air{.velocity = {x[2], x[3], x[4]}, .density = x[0], .drag = x[1]};
+            return triangle_drag(air, Eigen::Map<const Mat<3>>(x.data() + 5), Eigen::Map<const Mat<3>>(x.data() + 14))(row,
+                                                                                                                       column);
+        };
+        e.substitute = [share = e.evaluate](Values x) {
+            return fmt::format("{}, for a = ({:.4g}, {:.4g}, {:.4g}) m and the other corners", share(x), x[5], x[6], x[7]);
+        };
+        terms.push_back(Input::part(fmt::format("C_{}", t), "N s/m", std::move(e)));
     }
-    e.evaluate = [falls, pulled_here](std::span<const Real> x) {
-        const Real weight = falls ? -x[0] * x[1] : Real{0};
-        const std::span<const Real> pull = x.subspan(falls ? 2 : 0);
-        return pulled_here ? weight + pull[0] * (pull[1] - pull[2]) : weight;
-    };
+    return sum_of("C = Σ C_t over the triangles of the node", std::move(terms));
+}
+
+// A row of C (w − v).
+Explanation why_wind_force(const ClothLesson& l, Index node, int component) {
+    Explanation e{"fʷ = "};
+    for (int c = 0; c < 3; ++c) {
+        const char* letter = axis_name(c);
+        e.formula += fmt::format("{0}C_{1} (w_{1} − v_{1})", c ? " + " : "", letter);
+        e.inputs.push_back(Input::now(fmt::format("C_{}", letter), "wind_drag", node, 3 * component + c));
+        e.inputs.push_back(wind_component(l, c));
+        e.inputs.push_back(Input::now(fmt::format("v_{}", letter), "velocity", node, c));
+    }
     return e;
+}
+
+// ------------------------------------------------------------------------------------------------------------- motion
+
+// Of the start of the step.
+std::vector<Input> forces_on(const ClothLesson& l, Index node, int component) {
+    std::vector<Input> forces{Input::now("f", "spring_force", node, component)};
+    if (l.damped()) forces.push_back(Input::now("fᵈ", "damping_force", node, component));
+    if (l.loaded()) forces.push_back(Input::now("fᵉ", "external_force", node, component));
+    if (l.in_air()) forces.push_back(Input::now("fʷ", "wind_force", node, component));
+    return forces;
+}
+
+// Of the end of the step, and what the solver has left unbalanced: much of it, after one Newton iteration.
+std::vector<Input> balanced_forces_on(const ClothLesson& l, Index node, int component) {
+    std::vector<Input> forces{Input::part("f(x′)", "N", why_spring_force(l, node, component))};
+    if (l.damped()) forces.push_back(Input::part("fᵈ(v′)", "N", why_damping_force(l, node, component, Input::before)));
+    if (l.loaded()) forces.push_back(Input::part("fᵉ(x′)", "N", why_external_force(l, node, component)));
+    if (l.in_air()) forces.push_back(Input::part("fʷ(v′)", "N", why_wind_force(l, node, component)));
+    for (Input& force : l.plane_forces_on(node, component)) forces.push_back(std::move(force));
+    forces.push_back(stepping::imbalance_left(l.imbalance_[3 * node + component]));
+    return forces;
+}
+
+// One Newton iteration: the iterate before it, and the direction.
+Explanation why_newton_position(const ClothLesson& l, Index node, int component) {
+    const ImplicitSolver& solver = *l.solver();
+    const Index dof = 3 * node + component;
+    const Input x = Input::before("x", "position", node, component), v = Input::before("v", "velocity", node, component);
+    const Input start = solver.began_at_prediction() ? part("x_k = x + Δt v", {x, l.dt, v}) : part("x_k = x", {x});
+    const Input direction =
+        l.iterative() ? stepping::newton_direction(solver, dof, l.system_->tangent().diagonal(dof), l.system_->tangent().row(dof))
+                      : stepping::newton_direction(solver, dof);
+    return stepping::newton_iterate("x′", "x", solver, dof,
+                                    solver.iterations() == 1 ? start : Input::earlier("x_k", "position", node, component),
+                                    direction, std::nullopt);
+}
+
+}  // namespace
+
+Input ClothLesson::stiffness_of_spring(Index s) const {
+    const std::array<const Number*, spring_families> all{&k_structural, &k_shear, &k_bending};
+    return Input::of(*all[sheet_->family_of(s)], "k");
+}
+
+Explanation ClothLesson::why_force(const Question& q) const {
+    if (q.field == "strain") return springs::strain_of(sheet_->springs(), q.index, strain_[q.index]);
+    if (q.field == "stretch" || q.field == "bending") return why_largest_of_node(*this, q.index, q.field == "bending");
+    if (q.field == "damping_force") return why_damping_force(*this, q.index, q.component, Input::now);
+    if (q.field == "external_force") return why_external_force(*this, q.index, q.component);
+    if (q.field == "wind_drag") return why_drag(*this, q.index, q.component / 3, q.component % 3);
+    if (q.field == "wind_force") return why_wind_force(*this, q.index, q.component);
+    return why_spring_force(*this, q.index, q.component);
+}
+
+Explanation ClothLesson::why_integrated(const Question& q) const {
+    const bool of_velocity = q.field == "velocity";
+    const Input v = Input::before("v", "velocity", q.index, q.component);
+    if (sheet_->inertia().fixed(3 * q.index)) {
+        if (of_velocity) return {"v′ = v: the node is held", {v}};
+        return stepping::drifted(dt, q.index, q.component, false);
+    }
+    if (!implicit())
+        return of_velocity ? stepping::pushed(v, dt, node_mass(), forces_on(*this, q.index, q.component))
+                           : stepping::drifted(dt, q.index, q.component, scheme == Scheme::semi_implicit_euler);
+    if (!solver()->again())
+        return of_velocity ? stepping::pushed(v, dt, node_mass(), balanced_forces_on(*this, q.index, q.component))
+                           : stepping::drifted(dt, q.index, q.component, true);
+    if (!of_velocity) return why_newton_position(*this, q.index, q.component);
+    return {"v′ = (x′ − x) / Δt",
+            {Input::now("x′", "position", q.index, q.component), Input::before("x", "position", q.index, q.component), dt}};
 }
 
 }  // namespace pliant::cloth

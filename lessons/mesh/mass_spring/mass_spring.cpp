@@ -1,6 +1,7 @@
 #include "mass_spring.h"
 
 #include <pliant/solids/point_masses.h>
+#include <pliant/time/stability.h>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -10,6 +11,13 @@
 #include <numbers>
 
 namespace pliant::mass_spring {
+namespace {
+
+using std::numbers::pi;
+
+constexpr Real slow_part = 1e-4;  // of what counts as fast, at rest
+
+}  // namespace
 
 std::vector<std::string_view> MassSpringLesson::first_plots() const {
     if (tested() && lattice() == LatticeKind::chain) return {"test_stiffness"};
@@ -115,6 +123,92 @@ void MassSpringLesson::reset() {
     start_motion_ = kinetic_energy<3>(block_->mass(), velocity_) + elastic_energy();
     start_height_ = centre_of_mass<3>(block_->mass(), position_)[1];
     start_angular_momentum_ = angular_momentum<3>(block_->mass(), position_, velocity_).norm();
+}
+
+// ------------------------------------------------------------------------------------------------------ at rest
+
+// Slow against a fall through one cell; where nothing falls, against the motion that the start can come to.
+Real MassSpringLesson::rest_speed() const {
+    if (const Real g = weight_acceleration(); g > 0) return slow_part * std::sqrt(g * edge());
+    return slow_part * std::sqrt(2 * start_motion_ / total_mass) + strain_rounding * rates().omega * edge();
+}
+
+// Force that a node at rest may be left with, N.
+Real MassSpringLesson::rest_force(Index node) const {
+    const Real m = block_->mass()[node], g = weight_acceleration();
+    return g > 0 ? 1e-2 * m * g : 0.1 * m * rates().omega * rest_speed();
+}
+
+bool MassSpringLesson::at_rest() const {
+    if (tested()) return test_done_ && tests_.knows(static_key());
+    if (velocity_.cwiseAbs().maxCoeff() > rest_speed()) return false;
+    Points<3> force = Points<3>::Zero(3, position_.cols());
+    add_spring_forces<3>(block_->springs(), position_, force);
+    add_external_forces<3>({{0, -weight_acceleration(), 0}, load_.pull}, block_->mass(), position_, force);
+    for (Index n = 0; n < force.cols(); ++n) {
+        if (block_->inertia().fixed(3 * n)) continue;
+        Vec<3> balance = force.col(n);
+        if (grounded() && position_(1, n) <= 0 && balance[1] < 0) {
+            const Real grip = -friction * balance[1], along = std::hypot(balance[0], balance[2]);
+            balance *= along > 0 ? std::max(Real(0), 1 - grip / along) : 0;
+            balance[1] = 0;
+        }
+        if (balance.norm() > rest_force(n)) return false;
+    }
+    return true;
+}
+
+// Springs without stiffness have no dampers.
+bool MassSpringLesson::has_dampers() const { return damped() && damping > 0 && block_->springs().size() > 0; }
+
+std::string MassSpringLesson::unrest() const {
+    if (tested() || at_rest()) return "";
+    if (setting == Setting::drop && !ground && gravity > 0) return "nothing stops its fall (ground = off)";
+    if (dissipates(integrator)) return "";
+    if (setting == Setting::spin && spin_rate != 0 && !(has_dampers() && damping_mode == SpringDamping::naive))
+        return "nothing stops its rotation: of the dampers only naive ones do (damping_mode)";
+    if (has_dampers()) return "";
+    const bool loose = block_->springs().size() == 0;
+    if (loose && grounded() && restitution < 1) return "";
+    if (loose) return "it bounces without end (restitution = 1)";
+    return "nothing takes the energy of its springs out (damping_mode, damping)";
+}
+
+// --------------------------------------------------------------- a chain that swings in one of its modes, in closed form
+
+Index MassSpringLesson::free_masses() const { return support == Support::both ? cells_y - 1 : cells_y; }
+
+// Angle from one mass of mode j to the next [BornHuang1954 §5]: pi j/(N + 1) between two supports, pi (2j - 1)/(2N + 1) below
+// one.
+Real MassSpringLesson::mode_shape(Index node) const {
+    const Real masses = Real(free_masses()), j = Real(Index(mode_number)), from_top = Real(cells_y - node);
+    return std::sin(from_top * pi * (support == Support::both ? j / (masses + 1) : (2 * j - 1) / (2 * masses + 1)));
+}
+
+Real MassSpringLesson::mode_frequency() const {
+    const Real masses = Real(free_masses()), j = Real(Index(mode_number));
+    const Real angle = pi * (support == Support::both ? j / (masses + 1) : (2 * j - 1) / (2 * masses + 1));
+    return 2 * std::sqrt(k_structural / block_->mass()[0]) * std::sin(angle / 2);
+}
+
+// Part of the mode in the displacement now, in lengths of its start.
+Real MassSpringLesson::mode_displacement() const {
+    Real product = 0, norm = 0;
+    for (Index n = 0; n < position_.cols(); ++n) {
+        product += mode_shape(n) * (position_(1, n) - block_->rest()(1, n));
+        norm += mode_shape(n) * mode_shape(n);
+    }
+    return norm > 0 ? product / (norm * swing_amplitude * edge()) : 0;
+}
+
+void MassSpringLesson::note_swing() {
+    if (setting == Setting::swing) rhythm_.note(clock_[0], mode_displacement(), 1e-3);
+}
+
+std::optional<Real> MassSpringLesson::measured_frequency() const {
+    if (setting != Setting::swing) return std::nullopt;
+    const std::optional<Real> period = rhythm_.period();
+    return period ? std::optional(2 * pi / *period) : std::nullopt;
 }
 
 const Registration<MassSpringLesson> registration{{.id = "mesh/mass_spring",

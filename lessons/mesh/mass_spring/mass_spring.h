@@ -1,13 +1,17 @@
 // A soft block of point masses and springs that falls, hangs, spins, swings or is put to a static test: lattices, forces,
 // damping, integrators, contact.
 #pragma once
-#include "spring_block.h"
-#include "static_tests.h"
+#include "kits/declare/declare.h"
+#include "kits/schemes/scheme_options.h"
+#include "kits/springs/net_parameters.h"
+#include "kits/springs/spring_why.h"
 
 #include <pliant/lesson/registry.h>
 #include <pliant/solids/contact.h>
+#include <pliant/solids/spring_block.h>
 #include <pliant/solids/springs_frequency.h>
 #include <pliant/solids/springs_system.h>
+#include <pliant/solids/static_tests.h>
 #include <pliant/time/rhythm.h>
 #include <pliant/time/time_integrator.h>
 
@@ -16,13 +20,16 @@
 
 namespace pliant::mass_spring {
 
+inline ParameterInfo cells_along(std::string_view key, std::string_view symbol) {
+    return quantity(key, symbol, "", 4, {1, 10}, {1, 40}, "cells of the lattice along this axis").rebuilds();
+}
+
 enum class Setting { drop, hang, spin, swing, stretch_test };
 enum class Support { top, side, both };
 
 inline constexpr int up = 1;  // the component against gravity
 
-// Strains below this are rounding.
-inline constexpr Real strain_rounding = 1e-12;
+using springs::strain_rounding;
 
 // Factors of larger bodies do not fit into a lecture, nor much larger ones into memory.
 inline constexpr Index most_implicit_nodes = 3000;
@@ -30,8 +37,7 @@ inline constexpr Index most_implicit_nodes = 3000;
 // Of a chain that swings, in edges.
 inline constexpr Real swing_amplitude = 0.2;
 
-class MassSpringLesson final : public Lesson {
-public:
+struct MassSpringLesson final : Lesson {
     MassSpringLesson();
 
     int dimension() const override { return dimension_of(lattice()) == 3 || setting == Setting::spin ? 3 : 2; }
@@ -51,30 +57,101 @@ public:
     std::vector<std::string_view> first_plots() const override;
     std::vector<std::string_view> key_numbers() const override;
 
-private:
     // --- parameters ---
-    Choice<Setting> setting;
-    Choice<LatticeKind> kind;
-    Choice<Support> support;
-    Choice<BlockTest> test;
-    Whole cells_x, cells_y, cells_z;
-    Number size, total_mass;
-    Number k_structural, k_shear, k_bending;
-    Number rest_length_scale;
-    Switch shared_edges;
-    Number target_poisson, test_strain;
-    Whole mode_number;
-    Choice<SpringDamping> damping_mode;
-    Number damping;
-    Number gravity;
-    Choice<Scheme> integrator;
-    Number dt;
-    Number drop_height, tilt, spin_rate;
-    Switch ground;
-    Number restitution, friction;
-    Number pull_stiffness;
-    Number newton_tolerance;
-    Whole newton_cap;
+    Choice<Setting> setting{*this,
+                            setting_of("scene", "what happens to the block").rebuilds(),
+                            {{"drop", "dropped on the ground"},
+                             {"hang", "held at one face"},
+                             {"spin", "spinning freely, no gravity"},
+                             {"swing", "a chain that swings in one of its modes"},
+                             {"stretch_test", "static test between two plates"}}};
+    Choice<LatticeKind> kind{
+        *this,
+        setting_of("lattice", "which nodes the springs join").rebuilds().when([this] { return setting != Setting::swing; }),
+        {{"cubic_face", "cubes with face diagonals"},
+         {"cubic_body", "cubes with body diagonals"},
+         {"square", "sheet of squares with diagonals"},
+         {"triangular", "sheet of triangles"},
+         {"chain", "chain"}}};
+    Choice<Support> support{*this,
+                            setting_of("support", "the face that is held").rebuilds().when([this] { return held(); }),
+                            {{"top", "top: it hangs"}, {"side", "side: it is a beam"}, {"both", "top and bottom"}}};
+    Choice<BlockTest> test{
+        *this,
+        setting_of("test", "what the plates at the top and the bottom do").rebuilds().when([this] {
+            return tested() && lattice() != LatticeKind::chain;
+        }),
+        {{"stretch", "pulled apart"}, {"shear", "moved sideways, glued on"}, {"bend", "turned towards each other"}}};
+    Whole cells_x{*this, cells_along("cells_x", "nₓ").when([this] { return lattice() != LatticeKind::chain; })};
+    Whole cells_y{*this, cells_along("cells_y", "n_y")};
+    Whole cells_z{*this, cells_along("cells_z", "n_z").when([this] { return dimension_of(lattice()) == 3; })};
+    Number size{*this, log_quantity("size", "L", "m", 0.5, {0.05, 5}, {1e-6, 1e6},
+                                    "length along x, so that edges are L / nₓ long; of a chain, L / n_y")
+                           .rebuilds()};
+    Number total_mass{
+        *this, log_quantity("mass", "M", "kg", 1, {0.01, 100}, {1e-9, 1e9}, "of the whole block, shared equally by its nodes")
+                   .when([this] { return !tested(); })};
+    Number k_structural{*this, springs::stiffness_of("k_structural", "kₛ", 200, {1, 1e5},
+                                                     "of the springs along the edges of the cells; 0 leaves them out")};
+    Number k_shear{*this,
+                   springs::stiffness_of("k_shear", "k_d", 100, {1, 1e5}, "of the springs along the diagonals; 0 leaves them out")
+                       .when([this] { return has_diagonals(); })};
+    Number k_bending{*this, springs::stiffness_of("k_bending", "k_b", 20, {1, 1e5},
+                                                  "of the springs to the next node but one; 0 leaves them out")};
+    Number rest_length_scale{
+        *this, quantity("rest_length_scale", "s", "", 1, {0, 2}, "rest lengths of the springs over the distances of the lattice")
+                   .rebuilds()
+                   .when([this] { return !tested(); })};
+    Switch shared_edges{
+        *this, setting_of("shared_edges", "do springs on the surface count only for the cells inside, as in an endless lattice?")
+                   .rebuilds()
+                   .when([this] { return tested(); })};
+    Number target_poisson{*this, quantity("target_poisson", "ν*", "", 0.25, {0, 0.49}, {-1, 0.5, true, true},
+                                          "Poisson's ratio that is wished for: the solid beside the net has it")
+                                     .rebuilds()
+                                     .when([this] { return tested() && lattice() != LatticeKind::chain; })};
+    Number test_strain{*this, quantity("test_strain", "ε", "", 0.2, {0.01, 0.5}, {1e-3, 1},
+                                       "by which part of their distance the plates move; small motions, drawn larger")
+                                  .rebuilds()
+                                  .when([this] { return tested(); })};
+    Whole mode_number{
+        *this, quantity("mode_number", "j", "", 1, {1, 10}, {1, 40}, "which mode of the chain is released, from the slowest on")
+                   .rebuilds()
+                   .when([this] { return setting == Setting::swing; })};
+    Choice<SpringDamping> damping_mode{*this, springs::damping_choice().when([this] { return !tested(); }),
+                                       springs::damping_options()};
+    Number damping{*this, springs::damper(0.05, {1e-3, 10}, "of every spring").when([this] { return damped(); })};
+    Number gravity{*this, springs::gravity_downwards().when([this] { return falls(); })};
+    Choice<Scheme> integrator{*this, setting_of("integrator", "how forces become motion", 1).when([this] { return !tested(); }),
+                              scheme_options()};
+    Number dt{*this, fixed_time_step(1e-3, {1e-5, 0.1}).when([this] { return !tested(); })};
+    Number drop_height{*this, quantity("drop_height", "h₀", "m", 0.5, {0, 2}, {0, 1e6},
+                                       "of the block's lowest point above the ground at the start")
+                                  .rebuilds()
+                                  .when([this] { return falls(); })};
+    Number tilt{*this, quantity("tilt", "φ", "°", 25, {-45, 45}, {-360, 360}, "of the block about the z axis at the start")
+                           .rebuilds()
+                           .when([this] { return setting == Setting::drop; })};
+    Number spin_rate{
+        *this, quantity("spin", "Ω", "rad/s", 10, {0, 30}, {-1e6, 1e6}, "angular velocity at the start, about the vertical axis")
+                   .rebuilds()
+                   .when([this] { return setting == Setting::spin; })};
+    Switch ground{*this, setting_of("ground", "is there a floor at y = 0?", 1).when([this] { return falls(); })};
+    Number restitution{*this,
+                       quantity("restitution", "e", "", 0, {0, 1}, "rebound speed of a node over its impact speed").when([this] {
+                           return grounded();
+                       })};
+    Number friction{*this,
+                    quantity("friction", "μ", "", 0.5, {0, 1.5}, {0, 1e6}, "Coulomb's coefficient of the ground").when([this] {
+                        return grounded();
+                    })};
+    Number pull_stiffness{*this, springs::pull_stiffness_from(50, {1, 1e4}).when([this] { return !tested(); })};
+    Number newton_tolerance{
+        *this,
+        newton_tolerance_from(1e-9, "Newton's method stops when its step is shorter than this fraction of a spring").when([this] {
+            return implicit() && !tested();
+        })};
+    Whole newton_cap{*this, newton_iterations().when([this] { return implicit() && !tested(); })};
 
     // --- declarations ---
     void declare_fields();
@@ -95,6 +172,7 @@ private:
     Ground ground_plane() const { return {0, restitution, friction}; }
     // Only a chain swings, and it can only be stretched.
     LatticeKind lattice() const { return setting == Setting::swing ? LatticeKind::chain : LatticeKind{kind}; }
+    bool bends() const { return block_test() == BlockTest::bend; }
     BlockTest block_test() const { return lattice() == LatticeKind::chain ? BlockTest::stretch : BlockTest{test}; }
     bool has_diagonals() const { return lattice() != LatticeKind::triangular && lattice() != LatticeKind::chain; }
     bool damped() const { return !tested() && damping_mode != SpringDamping::none; }
@@ -109,7 +187,7 @@ private:
     Points<3> start_positions() const;
     Points<3> start_velocities() const;
 
-    // --- what comes to rest (mass_spring_rest.cpp) ---
+    // --- what comes to rest ---
     bool has_dampers() const;
     Real rest_speed() const;
     Real rest_force(Index node) const;
@@ -117,8 +195,6 @@ private:
     // --- the stages ---
     void follow_parameters();
     void spring_stage();
-    void damping_stage();
-    void external_stage();
     void begin_integration();
     void integrate();
     void end_integration();
@@ -128,15 +204,16 @@ private:
     void static_stage();
     StaticTests::Key static_key() const;
     Real test_amount() const;
+    bool test_known() const { return tested() && test_done_ && tests_.knows(static_key()); }
+    LatticeConstants endless_lattice() const { return lattice_constants(lattice(), stiffnesses(), edge()); }
 
-    // --- a chain that swings in one of its modes (mass_spring_swing.cpp) ---
+    // --- a chain that swings in one of its modes ---
     Index free_masses() const;
     Real mode_shape(Index node) const;
     Real mode_displacement() const;
     Real mode_frequency() const;
     void note_swing();
     std::optional<Real> measured_frequency() const;
-    Explanation why_frequency() const;
 
     // --- what can be read off (mass_spring_readings.cpp) ---
     Real elastic_energy() const { return spring_energy<3>(block_->springs(), position_); }
@@ -154,81 +231,24 @@ private:
     std::optional<Real> falling_height(Real t) const;
     const SpringRates& rates() const;
     Real stable_time_step() const;
-    Real growth_per_step() const;
     std::string too_large_a_step() const;
 
-    // --- why a number is what it is (mass_spring_why.cpp) ---
-    using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);  // Input::now, ...
-    Explanation why_static(const Question& q) const;
-    Explanation why_test_stiffness() const;
-    Explanation why_youngs_modulus() const;
-    Explanation why_poisson_ratio() const;
-    Explanation why_stiffness_ratio() const;
-    Explanation why_coupling(SpringFamily family) const;
-    Real elongation_squares(std::span<const Real> strains, SpringFamily family) const;
-    std::optional<Real> rotation_after(Real t) const;
+    // --- why a number is what it is (mass_spring_why.cpp, mass_spring_why_probes.cpp) ---
     Input stiffness_of_spring(Index spring) const;
-    Input node_mass() const;
-    Explanation why_spring_stage(const Question& q) const;
-    Explanation why_spring_force(Index node, int component) const;
-    Explanation why_spring_on_node(Index spring, Index node, int component) const;
-    Explanation why_tension(Index spring) const;
-    Explanation why_strain(Index spring) const;
-    Explanation why_damping_force(Index node, int component, Reading direction_at) const;
-    Explanation why_damper_on_node(Index spring, Index node, int component, Reading direction_at) const;
-    Explanation why_external_force(Index node, int component) const;
-    // --- (mass_spring_why_motion.cpp) ---
+    Input node_mass() const { return springs::shared_mass(total_mass, block_->mass().size()); }
+    Explanation why_force(const Question& q) const;
     Explanation why_integrated(const Question& q) const;
-    Explanation why_explicit_velocity(Index node, int component) const;
-    Explanation why_balanced_velocity(Index node, int component) const;
-    Explanation why_table_row(const Question& q) const;
-    Explanation why_second_order(const Question& q) const;
-    Explanation why_iterate_velocity(Index node, int component) const;
-    Explanation why_acceleration(Index node, int component) const;
-    Explanation why_newton_position(Index node, int component) const;
-    Input newton_start(Index node, int component) const;
-    Input newton_direction(Index dof) const;
     std::optional<Explanation> why_contact(const Question& q) const;
-    Explanation why_rebound(Index node) const;
-    Explanation why_rubbed_velocity(Index node, int component) const;
-    Input impact_speed(Index node) const;
-    Input free_speed(Index node) const;
-    Input acceleration_on_ground(Index node) const;
-    // --- (mass_spring_why_probes.cpp) ---
+    Explanation why_static(const Question& q) const;
     void explain_probes();
-    Explanation why_energy() const;
-    Explanation why_kinetic_energy() const;
-    Explanation why_elastic_energy() const;
-    Explanation why_gravitational_energy() const;
-    Explanation why_momentum() const;
-    Explanation why_angular_momentum() const;
-    Explanation why_height() const;
-    Explanation why_stretch() const;
-    Explanation why_sag() const;
 
-    // --- what would mend a run (mass_spring_fixes.cpp) ---
-    std::optional<Fix> shear_springs() const;
-    std::optional<Fix> own_poisson() const;
-    std::optional<Fix> stable_fix() const;
-    std::optional<Fix> slower_travel() const;
+    // --- what would mend a run (mass_spring_assumptions.cpp) ---
 
     // --- the picture (mass_spring_picture.cpp) ---
-    void draw_surface(Scene& picture, float opacity) const;
-    void draw_cell_edges(Scene& picture) const;
-    void draw_springs(Scene& picture) const;
-    void draw_nodes(Scene& picture) const;
-    void draw_ground(Scene& picture) const;
-    void draw_arrows(Scene& picture) const;
-    void write_notes(Scene& picture) const;
     void write_static_notes(Scene& picture) const;
-    void draw_continuum(Scene& picture) const;
     void draw_test(Scene& picture) const;
-    void draw_plates(Scene& picture) const;
     void set_test_frame(Scene& picture) const;
     void draw_mode(Scene& picture) const;
-    Real continuum_offset() const;
-    void set_frame(Scene& picture) const;
-    Real frame_side() const;
 
     std::unique_ptr<SpringBlock> block_;
     std::unique_ptr<SpringSystem<3>> system_;

@@ -1,30 +1,30 @@
-// Fields and stages.
+// Fields, stages and curves: a rotation that dampers brake, moduli and couplings of a static test, the mode of a chain.
+#include "kits/springs/net_stages.h"
 #include "mass_spring.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pliant::mass_spring {
+
+MassSpringLesson::MassSpringLesson() {
+    declare_fields();
+    declare_stages();
+    declare_probes();
+    explain_probes();
+    declare_checks();
+    declare_assumptions();
+    declare_lines();
+}
 
 void MassSpringLesson::declare_fields() {
     const auto nodal = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                           const Points<3>& values) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = unit,
-                     .on = On::node,
-                     .rank = Rank::vector,
-                     .components = 3,
-                     .view = view_of(values),
-                     .help = help,
-                     .used = [&values] { return values.size() > 0; }};
+        return when([&values] { return values.size() > 0; }, vector_field(name, symbol, unit, On::node, values, help));
     };
     const auto of_springs = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                                const VecX& values) {
-        return Field{.name = name,
-                     .symbol = symbol,
-                     .unit = unit,
-                     .on = On::edge,
-                     .view = view_of(values),
-                     .help = help,
-                     .used = [&values] { return values.size() > 0; }};
+        return when([&values] { return values.size() > 0; }, scalar_field(name, symbol, unit, On::edge, values, help));
     };
     state = {state_array("position", "m", position_), state_array("velocity", "m/s", velocity_),
              state_array("integrator_memory", "", memory_), state_array("clock", "s", clock_),
@@ -43,32 +43,22 @@ void MassSpringLesson::declare_fields() {
 }
 
 void MassSpringLesson::declare_stages() {
+    const auto why = [this](const Question& q) { return why_force(q); };
     stages = {
-        {.name = "spring_forces",
-         .formula = "fᵢ = k (|xᵢⱼ| − l) xᵢⱼ/|xᵢⱼ|,  xᵢⱼ = xⱼ − xᵢ",
-         .source = "lecture: mass–spring system; [Nealen2006 §3]",
-         .run = [this] { spring_stage(); },
-         .reads = {"position"},
-         .writes = {"spring_force", "tension", "strain"},
-         .active = [this] { return !tested(); },
-         .explain = [this](const Question& q) { return why_spring_stage(q); }},
-        {.name = "damping_forces",
-         .formula = "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
-         .formula_in_force = [this] { return formula_of(damping_mode); },
-         .source = "lecture: mass–spring system; [Nealen2006 §3]",
-         .run = [this] { damping_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"damping_force"},
-         .active = [this] { return damped(); },
-         .explain = [this](const Question& q) { return why_damping_force(q.index, q.component, Input::now); }},
-        {.name = "external_forces",
-         .formula = "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)",
-         .source = "gravity, and a spring to the pointer",
-         .run = [this] { external_stage(); },
-         .reads = {"position"},
-         .writes = {"external_force"},
-         .active = [this] { return loaded() && !tested(); },
-         .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
+        springs::spring_forces_stage([this] { spring_stage(); }, {"spring_force", "tension", "strain"}, why,
+                                     [this] { return !tested(); }),
+        springs::damping_forces_stage(
+            [this] {
+                damping_force_.setZero();
+                add_damping_forces<3>(block_->springs(), damping_mode, position_, velocity_, damping_force_);
+            },
+            why, [this] { return SpringDamping(damping_mode); }, [this] { return damped(); }),
+        springs::external_forces_stage(
+            [this] {
+                external_force_.setZero();
+                add_external_forces<3>(load_, block_->mass(), position_, external_force_);
+            },
+            why, [this] { return loaded() && !tested(); }),
         {.name = "integrate",
          .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
                     "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method;  others: their table or form",
@@ -82,22 +72,102 @@ void MassSpringLesson::declare_stages() {
          .begin = [this] { begin_integration(); },
          .end = [this] { end_integration(); },
          .explain = [this](const Question& q) { return why_integrated(q); }},
-        {.name = "contact",
-         .formula = "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|",
-         .source = "[Bridson2002]",
-         .run = [this] { contact_stage(); },
-         .reads = {"position", "velocity"},
-         .writes = {"position", "velocity"},
-         .active = [this] { return grounded(); },
-         .explain = [this](const Question& q) { return why_contact(q); }},
-        {.name = "static_test",
-         .formula = "K u = 0 at the free nodes,  K = Σ k n nᵀ,  u given at the plates",
-         .source = "[BornHuang1954 §11], [Hughes2000 §1.6]",
-         .run = [this] { static_stage(); },
-         .writes = {"position", "strain", "tension"},
-         .active = [this] { return tested(); },
-         .explain = [this](const Question& q) { return why_static(q); }},
+        stage_of(
+            "contact", "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|", "[Bridson2002]", [this] { contact_stage(); },
+            {"position", "velocity"}, {"position", "velocity"}, [this](const Question& q) { return why_contact(q); },
+            [this] { return grounded(); }),
+        stage_of(
+            "static_test", "K u = 0 at the free nodes,  K = Σ k n nᵀ,  u given at the plates",
+            "[BornHuang1954 §11], [Hughes2000 §1.6]", [this] { static_stage(); }, {}, {"position", "strain", "tension"},
+            [this](const Question& q) { return why_static(q); }, [this] { return tested(); }),
     };
+}
+
+namespace {
+
+// What naive damping leaves of the angular momentum of a rigid body that turns about the vertical: exp(-lambda t), with
+// lambda = k_d sum of the squared distances between the ends of the springs, seen from above, over the moment of inertia.
+Real rotation_after(const MassSpringLesson& l, Real t) {
+    const Points<3>& rest = l.block_->rest();
+    const auto level = [](const Vec<3>& r) { return r[0] * r[0] + r[2] * r[2]; };
+    Real spread = 0, inertia = 0;
+    const Vec<3> centre = rest.rowwise().mean();
+    for (Index s = 0; s < l.block_->springs().size(); ++s)
+        spread += level(rest.col(l.block_->springs().j(s)) - rest.col(l.block_->springs().i(s)));
+    for (Index n = 0; n < rest.cols(); ++n) inertia += l.block_->mass()[n] * level(rest.col(n) - centre);
+    return l.start_angular_momentum_ * std::exp(inertia > 0 ? -l.damping * spread / inertia * t : 0);
+}
+
+}  // namespace
+
+void MassSpringLesson::declare_lines() {
+    const auto to_now = [this](Curve& curve, const std::function<Real(Real)>& value) {
+        add_range(curve, 0, std::max(clock_[0], Real{1}), 61, value);
+    };
+    const auto spins = [this] { return setting == Setting::spin && start_angular_momentum_ > 0; };
+    const auto coupling = [this](Curve& curve, BlockTest row) {
+        if (!test_done_) return;
+        curve.position = {1, 2, 3};
+        for (int family = 0; family < spring_families; ++family)
+            curve.value.push_back(tests_.coupling()(static_cast<int>(row), family));
+    };
+    lines = {
+        {.name = "rotation",
+         .unit = "kg m²/s",
+         .position_name = "t",
+         .position_unit = "s",
+         .help = "angular momentum of a rigid body that turns: what naive dampers leave, what projected ones do, and this run",
+         .sample = [this, to_now](Curve& c) { to_now(c, [this](Real t) { return rotation_after(*this, t); }); },
+         .reference = [this, to_now](Curve& c) { to_now(c, [this](Real) { return start_angular_momentum_; }); },
+         .reference_name = "projected dampers",
+         .value_name = "naive dampers",
+         .used = spins,
+         .others = {{.name = "this run",
+                     .sample = [this](Curve& c) { add(c, clock_[0], *probe("angular_momentum").value()); },
+                     .points = true}}},
+        {.name = "modulus_by_cells",
+         .unit = "",
+         .position_name = "cells along each axis",
+         .help = "Young's modulus of pieces of this lattice over that of the endless one: what more cells change",
+         .sample =
+             [this](Curve& c) {
+                 for (const Real ratio : tests_.modulus_by_cells()) add(c, Real(c.position.size() + 1), ratio);
+             },
+         .reference =
+             [](Curve& c) {
+                 c = {{1, Real(StaticTests::most_cells)}, {1, 1}};
+             },
+         .reference_name = "endless lattice",
+         .value_name = "E/E of the endless lattice",
+         .used = [this] { return tested() && lattice() != LatticeKind::chain; }},
+        {.name = "coupling",
+         .unit = "",
+         .position_name = "1 structural, 2 shear, 3 bending",
+         .help = "∂ ln K/∂ ln k: what one per cent more of a family's stiffness changes, in per cent, of each test",
+         .sample = [coupling](Curve& c) { coupling(c, BlockTest::stretch); },
+         .reference = [coupling](Curve& c) { coupling(c, BlockTest::shear); },
+         .reference_name = "shear",
+         .value_name = "stretch",
+         .reference_points = true,
+         .used = [this] { return tested() && lattice() != LatticeKind::chain; },
+         .others = {{.name = "bend", .sample = [coupling](Curve& c) { coupling(c, BlockTest::bend); }, .points = true}}},
+        {.name = "mode",
+         .unit = "m",
+         .position_name = "mass",
+         .help = "displacement of each mass of a swinging chain, from the top, and where it began",
+         .sample =
+             [this](Curve& c) {
+                 for (Index n = position_.cols() - 1; n >= 0; --n)
+                     add(c, Real(cells_y - n), position_(1, n) - block_->rest()(1, n));
+             },
+         .reference =
+             [this](Curve& c) {
+                 for (Index n = position_.cols() - 1; n >= 0; --n)
+                     add(c, Real(cells_y - n), swing_amplitude * edge() * mode_shape(n));
+             },
+         .reference_name = "start",
+         .value_name = "displacement",
+         .used = [this] { return setting == Setting::swing; }}};
 }
 
 }  // namespace pliant::mass_spring

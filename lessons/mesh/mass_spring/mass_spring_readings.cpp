@@ -1,4 +1,5 @@
-// Probes and conserved quantities.
+// Probes and conserved quantities; and the static scene: the net between two plates, measured as a material, with a solid of the
+// same modulus beside it.
 #include "mass_spring.h"
 
 #include <pliant/solids/point_masses.h>
@@ -14,7 +15,7 @@ namespace pliant::mass_spring {
 
 void MassSpringLesson::declare_probes() {
     const auto joules = [](std::string_view name, std::string_view symbol, std::string_view help, std::function<Real()> value) {
-        return Probe{.name = name, .symbol = symbol, .unit = "J", .help = help, .value = std::move(value)};
+        return measured(name, symbol, "J", help, std::move(value));
     };
     probes = {
         joules("energy", "E", "kinetic, elastic and gravitational, and of the hand's spring", [this] { return total_energy(); }),
@@ -24,68 +25,46 @@ void MassSpringLesson::declare_probes() {
                [this] {
                    return gravitational_energy<3>(block_->mass(), {0, -weight_acceleration(), 0}, position_);
                }),
-        {.name = "shadow_energy",
-         .symbol = "Ẽ",
-         .unit = "J",
-         .help = "E + Δt/2 v·f, which semi-implicit Euler conserves in place of the energy",
-         .value = [this] { return shadow_energy(); }},
-        {.name = "damping_power",
-         .symbol = "P",
-         .unit = "W",
-         .help = "that the dampers take out of the motion; 0 for a rigid rotation if they are projected",
-         .value = [this]() -> std::optional<Real> {
-             if (!damped()) return std::nullopt;
-             return damping_power<3>(block_->springs(), damping_mode, position_, velocity_);
-         }},
-        {.name = "frequency",
-         .symbol = "ω",
-         .unit = "rad/s",
-         .help = "of a chain that swings, from its passages through the middle; exact: of its mode, without damping",
-         .value = [this] { return measured_frequency(); },
-         .exact = [this](Real) -> std::optional<Real> {
-             if (setting != Setting::swing || interfered_ || k_bending > 0 || damped() || rest_length_scale != 1 ||
-                 k_structural == 0)
-                 return std::nullopt;
-             return mode_frequency();
-         }},
-        {.name = "momentum",
-         .symbol = "p",
-         .unit = "kg m/s",
-         .help = "magnitude of Σ m v",
-         .value = [this] { return momentum<3>(block_->mass(), velocity_).norm(); }},
-        {.name = "angular_momentum",
-         .symbol = "J",
-         .unit = "kg m²/s",
-         .help = "magnitude, about the centre of mass",
-         .value = [this] { return angular_momentum<3>(block_->mass(), position_, velocity_).norm(); },
-         .exact = [this](Real) -> std::optional<Real> {
-             if (setting != Setting::spin || interfered_) return std::nullopt;
-             return start_angular_momentum_;
-         }},
-        {.name = "height",
-         .symbol = "h",
-         .unit = "m",
-         .help = "of the centre of mass",
-         .value = [this] { return centre_of_mass<3>(block_->mass(), position_)[1]; },
-         .exact = [this](Real t) { return falling_height(t); }},
-        {.name = "stretch", .symbol = "ε", .help = "largest |strain| of a spring", .value = [this] { return stretch(); }},
-        {.name = "sag",
-         .symbol = "s",
-         .unit = "m",
-         .help = "by how much the face opposite to the held one (the lower one) hangs lower than at rest",
-         .value = [this] { return sag(); }},
-        {.name = "touching_nodes",
-         .help = "nodes on the ground",
-         .value = [this]() -> std::optional<Real> {
-             if (!grounded()) return std::nullopt;
-             return Real(touching_);
-         }},
-        {.name = "newton_iterations_used",
-         .help = "of the latest time step",
-         .value = [this]() -> std::optional<Real> {
-             if (!implicit() || !integrator_ || tested() || integrator_->scheme() != integrator) return std::nullopt;
-             return Real(integrator_->solver().iterations());
-         }},
+        measured("shadow_energy", "Ẽ", "J", "E + Δt/2 v·f, which semi-implicit Euler conserves in place of the energy",
+                 [this] { return shadow_energy(); }),
+        measured(
+            "damping_power", "P", "W", "that the dampers take out of the motion; 0 for a rigid rotation if they are projected",
+            [this] {
+                return damped() ? std::optional<Real>(damping_power<3>(block_->springs(), damping_mode, position_, velocity_))
+                                : std::nullopt;
+            }),
+        measured(
+            "frequency", "ω", "rad/s",
+            "of a chain that swings, from its passages through the middle; exact: of its mode, without damping",
+            [this] { return measured_frequency(); },
+            [this](Real) {
+                return setting != Setting::swing || interfered_ || k_bending > 0 || damped() || rest_length_scale != 1 ||
+                               k_structural == 0
+                           ? std::nullopt
+                           : std::optional<Real>(mode_frequency());
+            }),
+        measured("momentum", "p", "kg m/s", "magnitude of Σ m v",
+                 [this] { return momentum<3>(block_->mass(), velocity_).norm(); }),
+        measured(
+            "angular_momentum", "J", "kg m²/s", "magnitude, about the centre of mass",
+            [this] { return angular_momentum<3>(block_->mass(), position_, velocity_).norm(); },
+            [this](Real) {
+                return setting != Setting::spin || interfered_ ? std::nullopt : std::optional<Real>(start_angular_momentum_);
+            }),
+        measured(
+            "height", "h", "m", "of the centre of mass", [this] { return centre_of_mass<3>(block_->mass(), position_)[1]; },
+            [this](Real t) { return falling_height(t); }),
+        measured("stretch", "ε", "", "largest |strain| of a spring", [this] { return stretch(); }),
+        measured("sag", "s", "m", "by how much the face opposite to the held one (the lower one) hangs lower than at rest",
+                 [this] { return sag(); }),
+        measured("touching_nodes", "", "", "nodes on the ground",
+                 [this] { return grounded() ? std::optional<Real>(touching_) : std::nullopt; }),
+        measured("newton_iterations_used", "", "", "of the latest time step",
+                 [this] {
+                     return !implicit() || !integrator_ || tested() || integrator_->scheme() != integrator
+                                ? std::nullopt
+                                : std::optional<Real>(integrator_->solver().iterations());
+                 }),
     };
     // A static test has small displacements, drawn larger: these are not its numbers.
     for (Probe& probe : probes)
@@ -197,6 +176,73 @@ std::optional<Real> MassSpringLesson::falling_height(Real t) const {
     const Real fallen = 0.5 * gravity * t * t;
     if (ground && fallen > drop_height) return std::nullopt;
     return start_height_ - fallen;
+}
+
+StaticTests::Key MassSpringLesson::static_key() const {
+    return {lattice(), {cells_x, cells_y, cells_z}, edge(), stiffnesses(), shared_edges, target_poisson, block_test()};
+}
+
+// By how much the plates move, m; of bending by which angle they turn, rad.
+Real MassSpringLesson::test_amount() const {
+    if (bends()) return 4 * test_strain;
+    return test_strain * block_->lengths()[1];
+}
+
+void MassSpringLesson::static_stage() {
+    follow_parameters();
+    tests_.run(block_->lattice(), static_key());
+    const Springs& springs = block_->springs();
+    const Points<3>& rest = block_->rest();
+    position_ = rest + test_amount() * tests_.response().displacement;
+    for (Index s = 0; s < springs.size(); ++s) {
+        const Vec<3> along = (rest.col(springs.j(s)) - rest.col(springs.i(s))) / springs.rest_length()[s];
+        const Real elongation = along.dot(position_.col(springs.j(s)) - position_.col(springs.i(s))) - springs.rest_length()[s];
+        strain_[s] = elongation / springs.rest_length()[s];
+        if (std::abs(strain_[s]) < strain_rounding) strain_[s] = 0;
+        tension_[s] = springs.stiffness()[s] * springs.rest_length()[s] * strain_[s];
+    }
+    test_done_ = true;
+}
+
+std::vector<Probe> MassSpringLesson::static_probes() {
+    using Number = std::function<Real()>;
+    const auto when = [this](std::function<bool()> uses, Number value) {
+        return [this, uses, value] { return test_known() && uses() ? std::optional<Real>(value()) : std::nullopt; };
+    };
+    const auto as_material = [this] { return block_test() == BlockTest::stretch && block_->dimension() > 1; };
+    const auto endless = [this, as_material](Real (*constant)(const MassSpringLesson&)) {
+        return [this, as_material, constant](Real) {
+            return tested() && as_material() ? std::optional<Real>(constant(*this)) : std::nullopt;
+        };
+    };
+    const auto stiffness = [this] { return tests_.response().stiffness; };
+    std::vector<Probe> declared{
+        measured(
+            "youngs_modulus", "E", "Pa",
+            "of the net as a material, pulled along y; a sheet is taken to be as thick as its edges are long",
+            when(as_material, [this] { return tests_.modulus_in_pascal(tests_.response().youngs_modulus, block_->lattice()); }),
+            endless([](const MassSpringLesson& l) {
+                return l.tests_.modulus_in_pascal(l.endless_lattice().youngs_modulus(), l.block_->lattice());
+            })),
+        measured("poisson_ratio", "ν", "", "mean strain across over that along; exact: of the endless lattice",
+                 when(as_material, [this] { return tests_.response().poisson_ratio; }),
+                 endless([](const MassSpringLesson& l) { return l.endless_lattice().poisson_ratio(); })),
+        measured("test_stiffness", "K", "N/m", "force on a plate per displacement", when([this] { return !bends(); }, stiffness)),
+        measured("bending_stiffness", "K", "N m/rad", "moment on a plate per angle", when([this] { return bends(); }, stiffness)),
+        measured("stiffness_ratio", "K/K*", "",
+                 "stiffness of the net over that of the solid of modulus E of the endless lattice and Poisson's ratio ν*",
+                 when([this] { return tests_.continuum().has_value(); },
+                      [this] { return tests_.response().stiffness / tests_.continuum()->stiffness; })),
+    };
+    constexpr std::array<std::string_view, 3> names{"coupling_structural", "coupling_shear", "coupling_bending"},
+        symbols{"cₛ", "c_d", "c_b"},
+        help{"∂ ln K/∂ ln kₛ: part of the energy that the structural springs store",
+             "∂ ln K/∂ ln k_d: part of the energy that the diagonals store",
+             "∂ ln K/∂ ln k_b: part of the energy that the bending springs store"};
+    for (const SpringFamily family : {structural, shear, bending})
+        declared.push_back(measured(names[family], symbols[family], "", help[family],
+                                    when([] { return true; }, [this, family] { return tests_.response().coupling[family]; })));
+    return declared;
 }
 
 }  // namespace pliant::mass_spring

@@ -1,3 +1,4 @@
+#include "kits/springs/net_picture.h"
 #include "mass_spring.h"
 
 #include <fmt/format.h>
@@ -29,14 +30,7 @@ void MassSpringLesson::follow_parameters() {
 }
 
 void MassSpringLesson::pull(const std::optional<Pull>& hand) {
-    load_.pull.node = -1;
-    if (!hand || hand->index < 0) return;
-    if (hand->index >= position_.cols())
-        throw Refused(fmt::format("pull: node {} does not exist, there are {} nodes", hand->index, position_.cols()));
-    if (!hand->to.allFinite()) throw Refused("pull: give a finite place in m");
-    load_.pull.node = hand->index;
-    load_.pull.target = hand->to;
-    interfered_ = true;
+    if (springs::take_hold(load_, hand, position_.cols())) interfered_ = true;
 }
 
 void MassSpringLesson::spring_stage() {
@@ -48,16 +42,6 @@ void MassSpringLesson::spring_stage() {
     // Lengths are known to their rounding, which would be all there is to see in free fall.
     for (Index s = 0; s < strain_.size(); ++s)
         if (block_->springs().rest_length()[s] > 0 && std::abs(strain_[s]) < strain_rounding) tension_[s] = strain_[s] = 0;
-}
-
-void MassSpringLesson::damping_stage() {
-    damping_force_.setZero();
-    add_damping_forces<3>(block_->springs(), damping_mode, position_, velocity_, damping_force_);
-}
-
-void MassSpringLesson::external_stage() {
-    external_force_.setZero();
-    add_external_forces<3>(load_, block_->mass(), position_, external_force_);
 }
 
 void MassSpringLesson::begin_integration() {

@@ -1,6 +1,11 @@
 // An elastic rod that hangs, swings or carries waves: positions, strain, energy, and the springs that its energy turns out to be;
 // beside it a rod of springs picked by hand, and the continuum.
 #pragma once
+#include "kits/declare/declare.h"
+#include "kits/schemes/scheme_options.h"
+#include "kits/springs/net_parameters.h"
+#include "kits/springs/spring_why.h"
+
 #include <pliant/lesson/registry.h>
 #include <pliant/solids/rod.h>
 #include <pliant/solids/rod_theory.h>
@@ -20,8 +25,7 @@ inline constexpr Index most_ticks = 60;
 enum class Setting { hanging, released, wave, free_end, fixed_end };
 enum class Rule { derived, constant };
 
-class RodLesson final : public Lesson {
-public:
+struct RodLesson final : Lesson {
     RodLesson();
 
     int dimension() const override { return 2; }
@@ -40,21 +44,62 @@ public:
     std::vector<std::string_view> key_numbers() const override;
     std::vector<std::string_view> map_knobs() const override { return {"time_step", "axial_stiffness"}; }
 
-private:
     // --- parameters ---
-    Choice<Setting> setting;
-    Whole segments;
-    Choice<Rule> spring_rule;
-    Number axial_stiffness, picked_stiffness;
-    Number total_mass, length, gravity;
-    Whole mode;
-    Number amplitude, pulse_width;
-    Choice<Scheme> scheme;
-    Number dt, damping;
+    Choice<Setting> setting{*this,
+                            setting_of("scene", "what happens to the rod").rebuilds(),
+                            {{"hanging", "hangs at rest: solved at once"},
+                             {"released", "let go: it swings up and down"},
+                             {"wave", "one mode of a free end"},
+                             {"free_end", "a pulse runs to a free end"},
+                             {"fixed_end", "a pulse runs to a fixed end"}}};
+    Whole segments{*this, log_quantity("segments", "N", "", 10, {2, 200}, {1, 200},
+                                       "into which the rod is divided: as many springs, and as many masses below the support")
+                              .rebuilds()};
+    Choice<Rule> spring_rule{
+        *this,
+        setting_of("spring_rule", "derived: k = EA/Δs, from the energy of the rod. constant: one k picked by hand, whatever N is")
+            .rebuilds(),
+        {{"derived", "derived from the energy"}, {"constant", "picked by hand"}}};
+    Number axial_stiffness{
+        *this, log_quantity("axial_stiffness", "EA", "N", 20, {1, 1e5}, {0, 1e12, true},
+                            "of the rod: Young's modulus times cross-section, the force per strain. The lecture calls it k")
+                   .rebuilds()};
+    Number picked_stiffness{*this, log_quantity("picked_stiffness", "k₀", "N/m", 200, {1, 1e5}, {0, 1e12, true},
+                                                "of each spring of the rod that is picked by hand")
+                                       .rebuilds()
+                                       .when([this] { return hangs() || by_hand(); })};
+    Number total_mass{*this, log_quantity("mass", "M", "kg", 1, {0.01, 100}, {0, 1e9, true},
+                                          "of the whole rod; each of the N points below the support carries M/N")
+                                 .rebuilds()};
+    Number length{*this, log_quantity("length", "L", "m", 1, {0.1, 10}, {1e-6, 1e6}, "of the rod at rest; Δs = L/N").rebuilds()};
+    Number gravity{*this, springs::gravity_downwards().rebuilds().when([this] { return hangs(); })};
+    Whole mode{*this,
+               quantity("mode", "j", "", 1, {1, 10}, {1, 200},
+                        "which mode swings; a chain of N masses has N of them, and the highest stands for what lies beyond")
+                   .rebuilds()
+                   .when([this] { return setting == Setting::wave; })};
+    Number amplitude{*this, log_quantity("amplitude", "A", "m", 0.03, {1e-3, 0.1}, {0, 1e3},
+                                         "largest displacement at the start, along the rod")
+                                .rebuilds()
+                                .when([this] { return !hangs(); })};
+    Number pulse_width{*this, log_quantity("pulse_width", "w", "m", 0.12, {0.02, 0.2}, {1e-6, 1e6},
+                                           "of the pulse A exp(−((s − s₀)/w)²), which starts at s₀ = 0.35 L")
+                                  .rebuilds()
+                                  .when([this] { return runs_a_pulse(); })};
+    Choice<Scheme> scheme{
+        *this, setting_of("scheme", "how forces become motion", Real(static_cast<int>(Scheme::velocity_verlet))).when([this] {
+            return !hangs_still();
+        }),
+        scheme_options()};
+    Number dt{*this, fixed_time_step(2e-3, {1e-4, 0.1}).when([this] { return !hangs_still(); })};
+    Number damping{*this,
+                   quantity("damping", "τ", "s", 0, {0, 0.1}, {0, 1e6},
+                            "each spring's damper is τ k, along the spring: a property of the material, whatever N is. 0: none")
+                       .rebuilds()
+                       .when([this] { return !hangs_still(); })};
 
     // --- declarations ---
     void declare_fields();
-    void declare_bounds();
     void declare_stages();
     void declare_probes();
     void declare_wave_probes();
@@ -93,8 +138,6 @@ private:
 
     // --- the stages ---
     void slope_stage();
-    void force_stage();
-    void external_stage();
     void begin_integration();
     void integrate();
     void end_integration();
@@ -117,8 +160,6 @@ private:
     Real least_swing() const;
     bool swings() const { return least_swing() > 0; }
     Real motion_energy() const;
-    Real rounding_energy() const;
-    Real energy_tolerance() const;
     Real imbalance_rounding() const;
     Real swing(Real omega, Real t) const;
     std::optional<Real> exact_displacement(Real s, Real t) const;
@@ -135,55 +176,18 @@ private:
     Real largest_strain() const;
     Real stable_time_step() const;
     Real fastest() const;  // rad/s
-    std::string too_large_a_step() const;
-    std::optional<Fix> stable_fix() const;
 
-    // --- how the numbers came about (rod_why.cpp, rod_why_motion.cpp, rod_why_probes.cpp) ---
-    Input why_segment() const;
-    Input why_node_mass() const;
+    // --- how the numbers came about (rod_why.cpp, rod_why_probes.cpp) ---
+    Input why_segment() const { return part("Δs = L / N", {length, segments}); }
+    Input why_node_mass() const { return part("m = M / N", {total_mass, segments}); }
     Input why_stiffness() const;
     Input why_axial_stiffness() const;
-    Explanation why_slope(Index segment, int component) const;
-    Explanation why_strain(Index segment) const;
-    Explanation why_energy_density(Index segment) const;
-    Explanation why_segment_energy(Index segment) const;
-    Explanation why_spring(const Question& q) const;
-    Explanation sum_over_neighbours(Index node, std::string formula, std::string_view symbol,
-                                    const std::function<Explanation(Index other)>& term) const;
-    Explanation why_force(const Question& q) const;
-    Explanation why_damping_force(Index node, int component) const;
-    Explanation why_external_force(Index node, int component) const;
-    Explanation why_balanced(Index node, int component) const;
-    Explanation why_displacement(Index node) const;
+    Explanation why_field(const Question& q) const;
     std::optional<Explanation> why_integrated(const Question& q) const;
-    Input why_acceleration(Index pass, Index node, int component) const;
-    Explanation why_row(Index node, int component, bool of_velocity) const;
-    Explanation why_solution(Index node, int component) const;
-    Explanation why_solved_position(Index node, int component) const;
-    Explanation why_solved_velocity(Index node, int component) const;
     void explain_probes();
-    Input why_continuum_tip() const;
-    Explanation why_elastic_energy() const;
-    Explanation why_kinetic_energy() const;
-    Explanation why_gravitational_energy() const;
-    Explanation why_force_difference() const;
-    Explanation why_imbalance() const;
-    Explanation why_mode_amplitude() const;
-    Explanation why_pulse_position() const;
 
     // --- the picture (rod_picture.cpp, rod_wave_picture.cpp) ---
-    void draw_hanging(Scene& picture) const;
-    void draw_hanging_rod(Scene& picture, Rule rule, Real x) const;
-    void draw_continuum(Scene& picture, Real x) const;
-    void draw_descent(Scene& picture, Real x, Real tip) const;
-    Real deepest() const;  // m, that a tip can come down to
-    VecX hanging_displacements(Rule rule) const;
     void draw_waves(Scene& picture) const;
-    void draw_straight_rod(Scene& picture) const;
-    void draw_wave(Scene& picture) const;
-    void draw_pulse_place(Scene& picture) const;
-    void draw_history(Scene& picture) const;
-    void write_notes(Scene& picture) const;
 
     // What a run is made of.
     Springs springs_;

@@ -29,84 +29,47 @@ std::vector<std::string_view> RodLesson::key_numbers() const {
 // ---------------------------------------------------------------------------------------------------------------- probes
 
 void RodLesson::declare_probes() {
-    const auto undamped_start = [this](Real) -> std::optional<Real> {
-        if (hangs_still() || damped()) return std::nullopt;
-        return start_energy_;
+    const auto undamped_start = [this](Real) {
+        return hangs_still() || damped() ? std::nullopt : std::optional<Real>(start_energy_);
     };
     probes = {
-        {.name = "tip_displacement",
-         .symbol = "u_L",
-         .unit = "m",
-         .help = "of the free end, along the rod; exact: of the continuum, M g L/(2EA) when it hangs at rest",
-         .value = [this] { return tip_displacement(); },
-         .exact = [this](Real t) { return exact_displacement(length, t); }},
-        {.name = "tip_over_continuum",
-         .help = "u_L over that of the continuum; exact: (N + 1)/N for derived springs, which tends to 1",
-         .value = [this]() -> std::optional<Real> {
-             if (!hangs_still() || gravity == 0) return std::nullopt;
-             return tip_displacement() / continuum().hanging_tip(gravity);
-         },
-         .exact = [this](Real) -> std::optional<Real> {
-             if (!hangs_still() || gravity == 0) return std::nullopt;
-             return chain().hanging_tip(gravity) / continuum().hanging_tip(gravity);
-         }},
-        {.name = "tip_of_chain",
-         .symbol = "u_N",
-         .unit = "m",
-         .help = "M g (N + 1)/(2k): what a chain of N springs k comes to, at rest",
-         .value = [this]() -> std::optional<Real> {
-             if (!hangs()) return std::nullopt;
-             return chain().hanging_tip(gravity);
-         }},
-        {.name = "stiffness",
-         .symbol = "k",
-         .unit = "N/m",
-         .help = "of each spring: EA/Δs, or what was picked",
-         .value = [this] { return stiffness(); }},
-        {.name = "chain_axial_stiffness",
-         .symbol = "k Δs",
-         .unit = "N",
-         .help = "EA of the rod that the springs amount to; exact: that of the rod",
-         .value = [this] { return chain_axial_stiffness(); },
-         .exact = [this](Real) { return std::optional<Real>(axial_stiffness); }},
-        {.name = "energy",
-         .symbol = "E",
-         .unit = "J",
-         .help = "kinetic, elastic and gravitational",
-         .value = [this] { return total_energy(); },
-         .exact = undamped_start},
-        {.name = "elastic_energy",
-         .symbol = "U",
-         .unit = "J",
-         .help = "Σ ½EAε² Δs; exact, of the continuum at rest: M²g²L/(6EA)",
-         .value = [this] { return elastic_energy(); },
-         .exact = [this](Real) -> std::optional<Real> {
-             if (!hangs_still()) return std::nullopt;
-             return continuum().hanging_energy(gravity);
-         }},
-        {.name = "kinetic_energy",
-         .symbol = "K",
-         .unit = "J",
-         .help = "½ Σ m v²",
-         .value = [this] { return kinetic_energy_now(); }},
-        {.name = "gravitational_energy",
-         .symbol = "V",
-         .unit = "J",
-         .help = "−Σ m g u_s: 0 with all mass at the support",
-         .value = [this] { return gravitational_energy_now(); }},
-        {.name = "force_difference",
-         .symbol = "Δf",
-         .unit = "N",
-         .help = "largest difference between −∂U/∂x and the forces of the springs: they are the same forces",
-         .value = [this] { return force_difference(); }},
-        {.name = "imbalance",
-         .symbol = "|f|",
-         .unit = "N",
-         .help = "largest force along the rod that springs leave unbalanced, on nodes that are free",
-         .value = [this]() -> std::optional<Real> {
-             if (!hangs_still()) return std::nullopt;
-             return imbalance();
-         }},
+        measured(
+            "tip_displacement", "u_L", "m",
+            "of the free end, along the rod; exact: of the continuum, M g L/(2EA) when it hangs at rest",
+            [this] { return tip_displacement(); }, [this](Real t) { return exact_displacement(length, t); }),
+        measured(
+            "tip_over_continuum", "", "",
+            "u_L over that of the continuum; exact: (N + 1)/N for derived springs, which tends to 1",
+            [this] {
+                return !hangs_still() || gravity == 0
+                           ? std::nullopt
+                           : std::optional<Real>(tip_displacement() / continuum().hanging_tip(gravity));
+            },
+            [this](Real) {
+                return !hangs_still() || gravity == 0
+                           ? std::nullopt
+                           : std::optional<Real>(chain().hanging_tip(gravity) / continuum().hanging_tip(gravity));
+            }),
+        measured("tip_of_chain", "u_N", "m", "M g (N + 1)/(2k): what a chain of N springs k comes to, at rest",
+                 [this] { return hangs() ? std::optional<Real>(chain().hanging_tip(gravity)) : std::nullopt; }),
+        measured("stiffness", "k", "N/m", "of each spring: EA/Δs, or what was picked", [this] { return stiffness(); }),
+        measured(
+            "chain_axial_stiffness", "k Δs", "N", "EA of the rod that the springs amount to; exact: that of the rod",
+            [this] { return chain_axial_stiffness(); }, [this](Real) { return std::optional<Real>(axial_stiffness); }),
+        measured(
+            "energy", "E", "J", "kinetic, elastic and gravitational", [this] { return total_energy(); }, undamped_start),
+        measured(
+            "elastic_energy", "U", "J", "Σ ½EAε² Δs; exact, of the continuum at rest: M²g²L/(6EA)",
+            [this] { return elastic_energy(); },
+            [this](Real) { return hangs_still() ? std::optional<Real>(continuum().hanging_energy(gravity)) : std::nullopt; }),
+        measured("kinetic_energy", "K", "J", "½ Σ m v²", [this] { return kinetic_energy_now(); }),
+        measured("gravitational_energy", "V", "J", "−Σ m g u_s: 0 with all mass at the support",
+                 [this] { return gravitational_energy_now(); }),
+        measured("force_difference", "Δf", "N",
+                 "largest difference between −∂U/∂x and the forces of the springs: they are the same forces",
+                 [this] { return force_difference(); }),
+        measured("imbalance", "|f|", "N", "largest force along the rod that springs leave unbalanced, on nodes that are free",
+                 [this] { return hangs_still() ? std::optional<Real>(imbalance()) : std::nullopt; }),
     };
 }
 

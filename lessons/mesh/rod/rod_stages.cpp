@@ -29,122 +29,96 @@ void RodLesson::declare_fields() {
                   VecX& memory = integrator_->memory();
                   return std::span<Real>(memory.data(), static_cast<std::size_t>(memory.size()));
               }}};
-    fields = {
-        in_plane("position", "x", "m", On::node, position_, "of the nodes"),
-        in_plane("velocity", "v", "m/s", On::node, velocity_, "of the nodes"),
-        scalar_field("displacement", "u", "m", On::node, displacement_, "along the rod, from where the node is at rest"),
-        in_plane("slope", "∂x/∂s", "", On::edge, slope_, "of each segment: how fast x runs along the rod at rest"),
-        scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched"),
-        scalar_field("energy_density", "½EAε²", "J/m", On::edge, energy_density_, "elastic energy per length of the rod at rest"),
-        scalar_field("segment_energy", "Uᵢ", "J", On::edge, segment_energy_, "of each segment: ½EAε² Δs"),
-        scalar_field("spring_stiffness", "k", "N/m", On::edge, stiffness_, "of each spring"),
-        scalar_field("tension", "T", "N", On::edge, tension_, "k (|xᵢ₊₁ − xᵢ| − Δs): positive where a spring pulls"),
-        in_plane("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_, "negative gradient of the energy of all segments"),
-        in_plane("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node"),
-        in_plane("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"),
-        in_plane("external_force", "fᵉ", "N", On::node, external_force_, "weight of the node"),
-    };
-    const auto named = [this](std::string_view name) -> Field& { return *std::ranges::find(fields, name, &Field::name); };
-    named("displacement").defined_by = {"position"};
-    named("displacement").view = [this] { return follow_positions(), view_of(displacement_)(); };
-    named("displacement").explain = [this](const Question& q) { return why_displacement(q.index); };
-    named("velocity").used = [this] { return !hangs_still(); };
-    named("damping_force").used = [this] { return damped(); };
-    named("external_force").used = [this] { return loaded(); };
-}
-
-// Of the strain, and what follows from it.
-void RodLesson::declare_bounds() {
+    // Of the strain, and what follows from it.
     const auto strain = [this] { return largest_strain(); };
     const auto force = [this, strain] { return 2 * chain_axial_stiffness() * strain() + total_mass * weight_acceleration(); };
     const auto reach = [this, strain] { return length * (2 + strain()); };
     const auto density = [this, strain] { return 0.5 * chain_axial_stiffness() * strain() * strain(); };
-    const std::vector<std::pair<std::string_view, std::function<Real()>>> bounds = {
-        {"position", reach},
-        {"velocity", [this, reach] { return reach() * (1 / dt + 2 * fastest()); }},
-        {"displacement", reach},
-        {"slope", [strain] { return 1 + strain(); }},
-        {"strain", strain},
-        {"energy_density", density},
-        {"segment_energy", [this, density] { return density() * segment(); }},
-        {"spring_stiffness", [this] { return 2 * stiffness(); }},
-        {"tension", force},
-        {"gradient_force", force},
-        {"spring_force", force},
-        {"damping_force", [] { return std::numeric_limits<Real>::max(); }},
-        {"external_force", [this] { return 2 * total_mass * weight_acceleration(); }}};
-    for (const auto& [name, bound] : bounds) std::ranges::find(fields, name, &Field::name)->bound = bound;
+    const auto moves = [this] { return !hangs_still(); };
+    fields = {
+        within(reach, in_plane("position", "x", "m", On::node, position_, "of the nodes")),
+        when(moves, within([this, reach] { return reach() * (1 / dt + 2 * fastest()); },
+                           in_plane("velocity", "v", "m/s", On::node, velocity_, "of the nodes"))),
+        within(reach,
+               scalar_field("displacement", "u", "m", On::node, displacement_, "along the rod, from where the node is at rest")),
+        within([strain] { return 1 + strain(); },
+               in_plane("slope", "∂x/∂s", "", On::edge, slope_, "of each segment: how fast x runs along the rod at rest")),
+        within(strain, scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched")),
+        within(density, scalar_field("energy_density", "½EAε²", "J/m", On::edge, energy_density_,
+                                     "elastic energy per length of the rod at rest")),
+        within([this, density] { return density() * segment(); },
+               scalar_field("segment_energy", "Uᵢ", "J", On::edge, segment_energy_, "of each segment: ½EAε² Δs")),
+        within([this] { return 2 * stiffness(); },
+               scalar_field("spring_stiffness", "k", "N/m", On::edge, stiffness_, "of each spring")),
+        within(force,
+               scalar_field("tension", "T", "N", On::edge, tension_, "k (|xᵢ₊₁ − xᵢ| − Δs): positive where a spring pulls")),
+        within(force, in_plane("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_,
+                               "negative gradient of the energy of all segments")),
+        within(force, in_plane("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node")),
+        when([this] { return damped(); },
+             within([] { return std::numeric_limits<Real>::max(); },
+                    in_plane("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"))),
+        when([this] { return loaded(); },
+             within([this] { return 2 * total_mass * weight_acceleration(); },
+                    in_plane("external_force", "fᵉ", "N", On::node, external_force_, "weight of the node"))),
+    };
+    // What a stage does not write.
+    Field& displacement = fields[2];
+    displacement.defined_by = {"position"};
+    displacement.view = [this] { return follow_positions(), view_of(displacement_)(); };
+    displacement.explain = [this](const Question& q) { return why_field(q); };
 }
 
 void RodLesson::declare_stages() {
+    const auto why = [this](const Question& q) { return why_field(q); };
     const auto moves = [this] { return !hangs_still(); };
     stages = {
-        {.name = "positions",
-         .formula = "∂x/∂s ≈ (xᵢ₊₁ − xᵢ)/Δs",
-         .source = "lecture C: the deformable rod, sample points s₀ … s_N",
-         .run = [this] { slope_stage(); },
-         .reads = {"position"},
-         .writes = {"slope"},
-         .explain = [this](const Question& q) { return why_slope(q.index, q.component); }},
-        {.name = "strain",
-         .formula = "ε = |∂x/∂s| − 1",
-         .source = "lecture C: strain of the rod",
-         .run = [this] { rod_strains(slope_, strain_); },
-         .reads = {"slope"},
-         .writes = {"strain"},
-         .explain = [this](const Question& q) { return why_strain(q.index); }},
-        {.name = "energy_density",
-         .formula = "½ EA ε²  in  U = ∫ ½ EA ε² ds;  springs picked by hand are a rod of EA = k₀ Δs",
-         .source = "lecture C: potential energy U = ∫ ½ k ε² ds; its k is EA",
-         .run = [this] { energy_density_ = 0.5 * chain_axial_stiffness() * strain_.array().square(); },
-         .reads = {"strain"},
-         .writes = {"energy_density"},
-         .explain = [this](const Question& q) { return why_energy_density(q.index); }},
-        {.name = "discrete_energy",
-         .formula = "U ≈ Σ ½ EA ε² Δs",
-         .source = "lecture C: the integral as a sum over the segments",
-         .run = [this] { segment_energy_ = segment() * energy_density_; },
-         .reads = {"energy_density"},
-         .writes = {"segment_energy"},
-         .explain = [this](const Question& q) { return why_segment_energy(q.index); }},
-        {.name = "springs",
-         .formula = "Uᵢ = ½ k (|xᵢ₊₁ − xᵢ| − Δs)²  with  k = EA/Δs;  tension T = k (|xᵢ₊₁ − xᵢ| − Δs)",
-         .source = "lecture C: we have just reinvented mass–spring systems",
-         .run =
-             [this] {
-                 stiffness_ = springs_.stiffness();
-                 spring_tension<2>(springs_, position_, tension_);
-             },
-         .reads = {"position", "segment_energy"},
-         .writes = {"spring_stiffness", "tension"},
-         .explain = [this](const Question& q) { return why_spring(q); }},
-        {.name = "forces",
-         .formula = "fᵢ = −∂U/∂xᵢ = Σ EA ε x̂ᵢⱼ;  as springs: fᵢ = Σ k (|xᵢⱼ| − Δs) x̂ᵢⱼ",
-         .source = "lecture C: net force on particle i; [Nealen2006 §3]",
-         .run = [this] { force_stage(); },
-         .reads = {"position", "slope", "strain"},
-         .writes = {"gradient_force", "spring_force"},
-         .explain = [this](const Question& q) { return why_force(q); }},
-        {.name = "damping_forces",
-         .formula = "fᵢ = Σ τ k (vᵢⱼ·x̂ᵢⱼ) x̂ᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
-         .source = "[Nealen2006 §3]: along the spring",
-         .run =
-             [this] {
-                 damping_force_.setZero();
-                 add_damping_forces<2>(springs_, SpringDamping::projected, position_, velocity_, damping_force_);
-             },
-         .reads = {"position", "velocity"},
-         .writes = {"damping_force"},
-         .active = [this] { return damped(); },
-         .explain = [this](const Question& q) { return why_damping_force(q.index, q.component); }},
-        {.name = "external_forces",
-         .formula = "fᵢ = (M/N) g",
-         .source = "gravity",
-         .run = [this] { external_stage(); },
-         .reads = {},
-         .writes = {"external_force"},
-         .active = [this] { return loaded(); },
-         .explain = [this](const Question& q) { return why_external_force(q.index, q.component); }},
+        stage_of(
+            "positions", "∂x/∂s ≈ (xᵢ₊₁ − xᵢ)/Δs", "lecture C: the deformable rod, sample points s₀ … s_N",
+            [this] { slope_stage(); }, {"position"}, {"slope"}, why),
+        stage_of(
+            "strain", "ε = |∂x/∂s| − 1", "lecture C: strain of the rod", [this] { rod_strains(slope_, strain_); }, {"slope"},
+            {"strain"}, why),
+        stage_of(
+            "energy_density", "½ EA ε²  in  U = ∫ ½ EA ε² ds;  springs picked by hand are a rod of EA = k₀ Δs",
+            "lecture C: potential energy U = ∫ ½ k ε² ds; its k is EA",
+            [this] { energy_density_ = 0.5 * chain_axial_stiffness() * strain_.array().square(); }, {"strain"},
+            {"energy_density"}, why),
+        stage_of(
+            "discrete_energy", "U ≈ Σ ½ EA ε² Δs", "lecture C: the integral as a sum over the segments",
+            [this] { segment_energy_ = segment() * energy_density_; }, {"energy_density"}, {"segment_energy"}, why),
+        stage_of(
+            "springs", "Uᵢ = ½ k (|xᵢ₊₁ − xᵢ| − Δs)²  with  k = EA/Δs;  tension T = k (|xᵢ₊₁ − xᵢ| − Δs)",
+            "lecture C: we have just reinvented mass–spring systems",
+            [this] {
+                stiffness_ = springs_.stiffness();
+                spring_tension<2>(springs_, position_, tension_);
+            },
+            {"position", "segment_energy"}, {"spring_stiffness", "tension"}, why),
+        stage_of(
+            "forces", "fᵢ = −∂U/∂xᵢ = Σ EA ε x̂ᵢⱼ;  as springs: fᵢ = Σ k (|xᵢⱼ| − Δs) x̂ᵢⱼ",
+            "lecture C: net force on particle i; [Nealen2006 §3]",
+            [this] {
+                gradient_force_.setZero();
+                add_rod_forces(chain_axial_stiffness(), slope_, strain_, gradient_force_);
+                spring_force_.setZero();
+                add_spring_forces<2>(springs_, position_, spring_force_);
+            },
+            {"position", "slope", "strain"}, {"gradient_force", "spring_force"}, why),
+        stage_of(
+            "damping_forces", "fᵢ = Σ τ k (vᵢⱼ·x̂ᵢⱼ) x̂ᵢⱼ,  vᵢⱼ = vⱼ − vᵢ", "[Nealen2006 §3]: along the spring",
+            [this] {
+                damping_force_.setZero();
+                add_damping_forces<2>(springs_, SpringDamping::projected, position_, velocity_, damping_force_);
+            },
+            {"position", "velocity"}, {"damping_force"}, why, [this] { return damped(); }),
+        stage_of(
+            "external_forces", "fᵢ = (M/N) g", "gravity",
+            [this] {
+                external_force_.setZero();
+                add_external_forces<2>({weight_acceleration() * along(), {}}, node_masses_, position_, external_force_);
+            },
+            {}, {"external_force"}, why, [this] { return loaded(); }),
         {.name = "integrate",
          .formula = "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",
          .formula_in_force = [this] { return info_of(scheme).formula; },
@@ -166,23 +140,11 @@ void RodLesson::declare_stages() {
          .active = [this] { return hangs_still(); },
          .again = [this] { return clock_[balanced] == 0; },
          .loop_from = "positions",
-         .explain = [this](const Question& q) { return why_balanced(q.index, q.component); }},
+         .explain = why},
     };
 }
 
 void RodLesson::slope_stage() { rod_slopes(segment(), position_, slope_); }
-
-void RodLesson::force_stage() {
-    gradient_force_.setZero();
-    add_rod_forces(chain_axial_stiffness(), slope_, strain_, gradient_force_);
-    spring_force_.setZero();
-    add_spring_forces<2>(springs_, position_, spring_force_);
-}
-
-void RodLesson::external_stage() {
-    external_force_.setZero();
-    add_external_forces<2>({weight_acceleration() * along(), {}}, node_masses_, position_, external_force_);
-}
 
 void RodLesson::follow_positions() {
     displacement_.resize(position_.cols());

@@ -1,10 +1,12 @@
 // Eight time integrators on motions whose exact solution is known: a mass on a spring, a pendulum, a stiff pair.
 #pragma once
-#include "scheme_runs.h"
-#include "stability_region.h"
+#include "kits/declare/declare.h"
+#include "kits/schemes/scheme_options.h"
 
 #include <pliant/lesson/registry.h>
 #include <pliant/time/rhythm.h>
+#include <pliant/time/scheme_runs.h>
+#include <pliant/time/stability_region.h>
 
 #include <memory>
 #include <optional>
@@ -13,8 +15,7 @@ namespace pliant::integration {
 
 enum class Compare { none, lecture, all };
 
-class IntegrationLesson final : public Lesson {
-public:
+struct IntegrationLesson final : Lesson {
     IntegrationLesson();
 
     int dimension() const override { return 2; }
@@ -34,26 +35,44 @@ public:
     }
     std::vector<std::string_view> key_numbers() const override { return {"energy", "error", "growth_measured"}; }
 
-private:
     // How far a step has come.
     static constexpr Real between_steps = 0, force_known = 1, predicted = 2;
 
     // --- parameters ---
-    Choice<System> system;
-    Choice<Scheme> scheme;
-    Number omega, zeta, dt;
-    Number x0, v0;
-    Number ratio;
-    Choice<Compare> compare;
-    Number newton_tolerance;
-    Whole newton_cap;
+    Choice<SwingingKind> system{
+        *this,
+        setting_of("system", "what moves; every mass is 1 kg").rebuilds(),
+        {{"oscillator", "mass on a spring"}, {"pendulum", "pendulum"}, {"stiff_pair", "soft and stiff spring"}}};
+    Choice<Scheme> scheme{*this, setting_of("scheme", "how a force becomes motion", 1).rebuilds(), scheme_options()};
+    Number omega{*this, log_quantity("omega", "ω", "rad/s", 2, {0.1, 100}, {0, 1e9},
+                                     "angular frequency: of the mass on the spring, of the soft spring of the pair, of small "
+                                     "swings of the pendulum, whose length is g/ω²")
+                            .rebuilds()};
+    Number zeta{*this, quantity("damping_ratio", "ζ", "", 0, {0, 1.5}, {0, 1e9},
+                                "of the drag −2ζω m v: from 1 on nothing swings any more; in the pair the same of both modes")
+                           .rebuilds()};
+    Number dt{*this, fixed_time_step(0.05, {1e-3, 10}, 1e6).rebuilds()};
+    Number x0{*this, quantity("x0", "x₀", "m", 1, {-2, 2}, {-1e6, 1e6},
+                              "place at the start; of the pendulum along its arc, of the pair of both masses")
+                         .rebuilds()};
+    Number v0{*this, quantity("v0", "v₀", "m/s", 0, {-5, 5}, {-1e6, 1e6}, "velocity at the start").rebuilds()};
+    Number ratio{*this, log_quantity("stiffness_ratio", "κ", "", 400, {1, 1e4}, {0, 1e8, true},
+                                     "stiffness of the spring between the two masses over that of the soft one")
+                            .rebuilds()
+                            .when([this] { return is(SwingingKind::stiff_pair); })};
+    Choice<Compare> compare{*this,
+                            setting_of("compare", "schemes that run beside the chosen one, from the same start", 1),
+                            {{"none", "none"}, {"lecture", "the lecture's three"}, {"all", "all eight"}}};
+    Number newton_tolerance{
+        *this, newton_tolerance_from(1e-9, "Newton's method stops when its step is shorter than this part of the swing")
+                   .rebuilds()
+                   .when([this] { return solves(); })};
+    Whole newton_cap{*this, newton_iterations().rebuilds().when([this] { return solves(); })};
 
     // --- declarations ---
     void declare_fields();
     void declare_stages();
     void declare_probes();
-    void declare_growth_probes();
-    void declare_work_probes();
     void declare_lines();
     void declare_checks();
 
@@ -67,10 +86,10 @@ private:
     bool implicit() const { return is_implicit(scheme); }
     // Is there an equation to solve, in the run or beside it?
     bool solves() const { return implicit() || compare != Compare::none; }
-    bool is(System one) const { return system == one; }
-    bool measures_map() const { return is(System::oscillator) && omega > 0; }
+    bool is(SwingingKind one) const { return system == one; }
+    bool measures_map() const { return is(SwingingKind::oscillator) && omega > 0; }
     NewtonOptions newton() const { return {newton_tolerance, static_cast<int>(Index(newton_cap))}; }
-    Method method(Scheme one) const { return {one, newton()}; }
+    SchemeMethod method(Scheme one) const { return {one, newton()}; }
     std::vector<Scheme> companions() const;          // the running scheme is not among them
     Index watched() const { return x_.size() - 1; }  // the mass that is plotted: of the pair the outer one
     Real rate() const { return motion_->slow_rate() > 0 ? motion_->slow_rate() : 1; }  // of the axis v/ω, 1/s
@@ -80,52 +99,29 @@ private:
     // --- what is measured (integration_readings.cpp) ---
     Real energy() const { return motion_->energy(x_, v_); }
     Real kinetic_energy() const { return 0.5 * v_.squaredNorm(); }
-    std::optional<Real> amplitude_of(Real energy) const;
     std::optional<Real> error() const;
-    std::optional<Mat<2>> measured_map() const;
     std::optional<Real> measured_growth() const;
-    std::optional<Real> measured_frequency() const;
-    std::optional<Real> theoretical_growth() const;
     std::optional<Real> theoretical_frequency() const;
-    std::optional<Real> artificial_damping() const;
     std::optional<Real> shadow_energy() const;
-    std::optional<Real> exact_period() const;
     std::optional<Real> order() const;
 
     // --- curves, of all schemes (integration_lines.cpp) ---
-    const Path& path_of(Scheme one) const;
+    const SchemePath& path_of(Scheme one) const;
     const ErrorCurve& errors_of(Scheme one) const;
-    void energy_curve(Scheme one, Curve& curve) const;
-    void growth_curve(Scheme one, Curve& curve) const;
-    void error_curve_of(Scheme one, bool over_cost, Curve& curve) const;
     bool compared(Scheme one) const;
-    Line of_all_schemes(Line line, void (IntegrationLesson::*sample)(Scheme, Curve&) const) const;
 
     // --- what holds, and what would mend a run (integration_checks.cpp) ---
     Real stable_time_step() const { return stability_limit(scheme, motion_->fast_rate(), zeta); }
     Real growth_per_step() const { return amplification(scheme, motion_->fast_rate(), zeta, dt); }
     bool stable() const { return growth_per_step() <= 1 + 1e-9; }
-    Real energy_tolerance() const;
-    std::optional<Fix> stable_fix() const;
-    std::optional<Fix> accurate_fix() const;
 
     // --- why a number is what it is (integration_why.cpp, integration_why_probes.cpp) ---
     using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);
     Explanation why_force(Index dof, std::string_view x_field, std::string_view v_field, Reading at, std::string_view mark) const;
     std::optional<Explanation> why_pass(const Question& q) const;
     std::optional<Explanation> why_predicted(const Question& q) const;
-    Explanation start_value(std::string formula, std::string symbol, Index dof) const;
-    Explanation why_prediction(Index dof) const;
-    Explanation why_row(Index dof, bool of_velocity) const;
-    Explanation why_residual(Index dof) const;
-    Explanation why_iterate(Index dof) const;
-    Explanation why_iterate_velocity(Index dof) const;
-    Input newton_direction(Index dof) const;
-    Input before_start(bool of_velocity, Index dof) const;
     Input unit_mass() const;
-    bool steps_back() const;  // does this step of BDF2 look at the one before?
     Explanation why_advanced(const Question& q) const;
-    Explanation why_balanced_velocity(Index dof) const;
     Explanation why_energy() const;
     Explanation why_kinetic_energy() const;
     Explanation why_potential_energy() const;
@@ -137,16 +133,7 @@ private:
 
     // --- the picture (integration_picture.cpp, region_picture.cpp) ---
     void draw_motion(Scene& scene) const;
-    void draw_springs(Scene& scene) const;
-    void draw_pendulum(Scene& scene) const;
-    void draw_portrait(Scene& scene) const;
-    void draw_exact_path(Scene& scene) const;
-    void draw_path(Scene& scene, Scheme one) const;
-    void draw_trial(Scene& scene) const;
     void draw_region(Scene& scene) const;
-    void draw_roots(Scene& scene) const;
-    void draw_legend(Scene& scene) const;
-    void write_notes(Scene& scene) const;
     Real portrait_reach() const;  // m: half the width of the portrait
     bool turns() const;           // does a pendulum's portrait show the whole turn?
     Position in_portrait(const Motion& at) const;
@@ -165,7 +152,7 @@ private:
     std::unique_ptr<DiagonalMass> mass_;
     std::unique_ptr<TimeIntegrator> integrator_;
 
-    mutable Paths paths_;
+    mutable SchemePaths paths_;
     struct Errors {
         SwingingOptions options;
         NewtonOptions newton;

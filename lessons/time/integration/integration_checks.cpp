@@ -18,56 +18,56 @@ constexpr Real most_phase = 0.25;  // rad per step: 25 steps in a swing
 constexpr Real slowest = 1e-3;     // steps shorter than this part of the present ones would take too long
 constexpr Real solved = 1e-6;      // part of the energy that a step of Newton's method may leave open
 
-Fix with_time_step(Real dt) {
-    const Real rounded = rounded_down(dt, 2);
-    return {fmt::format("Δt = {}", format_quantity(rounded, "s")), {{"time_step", format_exact(rounded)}}};
-}
-
 std::string name_of(Scheme scheme) {
     std::string name(info_of(scheme).name);
     if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
     return name;
 }
 
+// By how much the energy of a sound run may exceed that of the start: symplectic schemes let it swing about its mean, without end
+// but bounded; beyond the limit nothing is allowed.
+Real energy_tolerance(const IntegrationLesson& l) {
+    const Real start = l.motion_->energy(l.motion_->start_position(), l.motion_->start_velocity());
+    const Real rounding = l.implicit() ? solved : 1e-9;
+    if (!l.stable()) return rounding * start;
+    return start * (rounding + energy_excess(l.scheme, l.motion_->fast_rate() * l.dt, l.motion_->linear(), l.motion_->damped()));
+}
+
+// A shorter step, or where it would have to be very short or does not exist another scheme.
+std::optional<Fix> stable_fix(const IntegrationLesson& l) {
+    const Real limit = l.stable_time_step(), other = stability_limit(Scheme::semi_implicit_euler, l.motion_->fast_rate(), l.zeta);
+    if (limit > slowest * l.dt) return set_to(l.dt, rounded_down(margin * limit, 2));
+    if (l.scheme != Scheme::semi_implicit_euler && l.dt <= margin * other)
+        return Fix{"semi-implicit Euler", {{"scheme", "semi_implicit_euler"}}};
+    return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
+}
+
+std::optional<Fix> accurate_fix(const IntegrationLesson& l) {
+    return set_to(l.dt, rounded_down(margin * most_phase / l.motion_->slow_rate(), 2));
+}
+
 }  // namespace
 
 void IntegrationLesson::declare_checks() {
     assumptions = {
-        {.name = "stability",
-         .unit = "s",
-         .value = [this] { return Real(dt); },
-         .limit = [this] { return stable_time_step(); },
-         .formula =
-             "explicit Euler: Δt ≤ 2ζ/ω up to ζ = 1, none without damping, beyond it (2/ω)(ζ − √(ζ² − 1));  semi-implicit: Δt ≤ "
-             "(2/ω)(√(1 + ζ²) − ζ);  Verlet: 2/ω and Runge–Kutta 4: 2.83/ω without damping;  ω of the fastest mode",
-         .broken = "every step makes the motion larger, until nothing else is left of it",
-         .used = [this] { return !implicit() && omega > 0; },
-         .fix = [this] { return stable_fix(); }},
-        {.name = "accuracy",
-         .unit = "rad",
-         .value = [this] { return motion_->slow_rate() * dt; },
-         .limit = [] { return most_phase; },
-         .formula = "ωΔt ≤ ¼: 25 steps in a swing, of the slow mode",
-         .broken =
-             "a step is a large part of a swing: what is stable then still swings at a wrong rate, and schemes that damp stop it",
-         .used = [this] { return omega > 0; },
-         .fix = [this] { return accurate_fix(); }}};
+        assumption(
+            "stability", "s", [this] { return Real(dt); }, [this] { return stable_time_step(); },
+            "explicit Euler: Δt ≤ 2ζ/ω up to ζ = 1, none without damping, beyond it (2/ω)(ζ − √(ζ² − 1));  semi-implicit: Δt ≤ "
+            "(2/ω)(√(1 + ζ²) − ζ);  Verlet: 2/ω and Runge–Kutta 4: 2.83/ω without damping;  ω of the fastest mode",
+            "every step makes the motion larger, until nothing else is left of it", [this] { return !implicit() && omega > 0; },
+            [this] { return stable_fix(*this); }),
+        assumption(
+            "accuracy", "rad", [this] { return motion_->slow_rate() * dt; }, [] { return most_phase; },
+            "ωΔt ≤ ¼: 25 steps in a swing, of the slow mode",
+            "a step is a large part of a swing: what is stable then still swings at a wrong rate, and schemes that damp stop it",
+            [this] { return omega > 0; }, [this] { return accurate_fix(*this); })};
     conserved = {
-        {.probe = "energy", .law = Law::never_grows, .tolerance = [this] { return energy_tolerance(); }},
+        {.probe = "energy", .law = Law::never_grows, .tolerance = [this] { return energy_tolerance(*this); }},
         {.probe = "shadow_energy",
          .law = Law::constant,
          .tolerance = [this] { return 1e-9 * motion_->energy(motion_->start_position(), motion_->start_velocity()); },
          .expected =
              [this] { return scheme == Scheme::semi_implicit_euler && motion_->linear() && !motion_->damped() && stable(); }}};
-}
-
-// By how much the energy of a sound run may exceed that of the start: symplectic schemes let it swing about its mean, without end
-// but bounded; beyond the limit nothing is allowed.
-Real IntegrationLesson::energy_tolerance() const {
-    const Real start = motion_->energy(motion_->start_position(), motion_->start_velocity());
-    const Real rounding = implicit() ? solved : 1e-9;
-    if (!stable()) return rounding * start;
-    return start * (rounding + energy_excess(scheme, motion_->fast_rate() * dt, motion_->linear(), motion_->damped()));
 }
 
 namespace {
@@ -90,17 +90,6 @@ std::string IntegrationLesson::unrest() const {
     return fmt::format("it is damped so little that it would take {} steps", format_quantity(steps, "", 3));
 }
 
-// A shorter step, or where it would have to be very short or does not exist another scheme.
-std::optional<Fix> IntegrationLesson::stable_fix() const {
-    const Real limit = stable_time_step(), other = stability_limit(Scheme::semi_implicit_euler, motion_->fast_rate(), zeta);
-    if (limit > slowest * dt) return with_time_step(margin * limit);
-    if (scheme != Scheme::semi_implicit_euler && dt <= margin * other)
-        return Fix{"semi-implicit Euler", {{"scheme", "semi_implicit_euler"}}};
-    return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
-}
-
-std::optional<Fix> IntegrationLesson::accurate_fix() const { return with_time_step(margin * most_phase / motion_->slow_rate()); }
-
 std::string IntegrationLesson::blow_up_hint() const {
     if (implicit()) return "Lower time_step, or allow more newton_iterations";
     const Real limit = stable_time_step(), w = motion_->fast_rate();
@@ -118,9 +107,9 @@ std::string IntegrationLesson::blow_up_hint() const {
 }
 
 std::optional<Fix> IntegrationLesson::fix(const Failure&) const {
-    if (!implicit() && dt > stable_time_step()) return stable_fix();
+    if (!implicit() && dt > stable_time_step()) return stable_fix(*this);
     if (implicit() && newton_cap < 20) return Fix{"100 Newton iterations", {{"newton_iterations", "100"}}};
-    return with_time_step(dt / 4);
+    return set_to(dt, rounded_down(dt / 4, 2));
 }
 
 std::vector<std::pair<std::string, std::string>> IntegrationLesson::finer() const {

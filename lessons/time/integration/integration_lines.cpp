@@ -11,9 +11,45 @@ constexpr Real most_beside = 4;  // E/E₀
 constexpr int halvings = 8, samples = 97;
 constexpr std::size_t most_points = 600;  // of a curve over time
 
+using Sample = std::function<void(const IntegrationLesson&, Scheme, Curve&)>;
+
+// The run's own curve, the exact one where there is one, and those of the schemes beside it.
+Line of_all_schemes(const IntegrationLesson& l, Line line, const Sample& sample) {
+    line.sample = [&l, sample](Curve& c) { sample(l, l.scheme, c); };
+    for (const SchemeInfo& info : schemes())
+        line.others.push_back({.name = info.name, .sample = [&l, sample, one = info.scheme](Curve& c) {
+                                   if (l.compared(one) && one != l.scheme) sample(l, one, c);
+                               }});
+    return line;
+}
+
+void energy_curve(const IntegrationLesson& l, Scheme one, Curve& curve) {
+    const SchemePath& path = l.path_of(one);
+    const auto steps = std::min(path.energy.size(), static_cast<std::size_t>(l.counts_[0]) + 1);
+    const std::size_t stride = (steps + most_points - 1) / most_points;
+    if (path.energy[0] == 0) return;
+    for (std::size_t n = 0; n < steps; n += stride) {
+        // A l.scheme that blows up beside the run must not squeeze it.
+        const Real share = path.energy[n] / path.energy[0];
+        if (one != l.scheme && share > most_beside) break;
+        add(curve, static_cast<Real>(n) * l.dt, share);
+    }
+}
+
+// As far as it does not squeeze the other curves.
+void growth_curve(const IntegrationLesson& l, Scheme one, Curve& curve) {
+    constexpr Real outside = 2.5;
+    for (int k = 0; k < samples; ++k) {
+        const Real step = 3.2 / l.motion_->fast_rate() * k / (samples - 1);
+        const Real rho = amplification(one, l.motion_->fast_rate(), l.zeta, step);
+        if (rho > outside) break;
+        add(curve, step, rho);
+    }
+}
+
 }  // namespace
 
-const Path& IntegrationLesson::path_of(Scheme one) const {
+const SchemePath& IntegrationLesson::path_of(Scheme one) const {
     paths_.follow(motion_->options(), newton(), dt, watched());
     return paths_.of(one, static_cast<Index>(counts_[0]));
 }
@@ -27,17 +63,6 @@ const ErrorCurve& IntegrationLesson::errors_of(Scheme one) const {
     return *known.curve;
 }
 
-// The run's own curve, the exact one where there is one, and those of the schemes beside it.
-Line IntegrationLesson::of_all_schemes(Line line, void (IntegrationLesson::*sample)(Scheme, Curve&) const) const {
-    line.sample = [this, sample](Curve& c) { (this->*sample)(scheme, c); };
-    for (const SchemeInfo& info : schemes())
-        line.others.push_back({.name = info.name, .sample = [this, sample, one = info.scheme](Curve& c) {
-                                   c = {};
-                                   if (compared(one) && one != scheme) (this->*sample)(one, c);
-                               }});
-    return line;
-}
-
 void IntegrationLesson::declare_lines() {
     Line energies{.name = "energy_of_all",
                   .position_name = "t",
@@ -46,13 +71,11 @@ void IntegrationLesson::declare_lines() {
                   .sample = {},
                   .reference =
                       [this](Curve& c) {
-                          c = {};
                           const auto start = motion_->exact_energy(0);
                           if (!start || *start == 0) return;
                           for (int k = 0; k < samples; ++k) {
                               const Real t = time() * k / (samples - 1);
-                              if (const auto e = motion_->exact_energy(t))
-                                  c.position.push_back(t), c.value.push_back(*e / *start);
+                              if (const auto e = motion_->exact_energy(t)) add(c, t, *e / *start);
                           }
                       },
                   .value_name = "E/E₀"};
@@ -63,13 +86,9 @@ void IntegrationLesson::declare_lines() {
                 .sample = {},
                 .reference =
                     [this](Curve& c) {
-                        c = {};
                         const Real w = motion_->fast_rate(),
                                    slow = zeta > 1 ? 1 / (zeta + std::sqrt(zeta * zeta - 1)) : Real(zeta);
-                        for (int k = 0; k < samples; ++k) {
-                            const Real step = 3.2 / w * k / (samples - 1);
-                            c.position.push_back(step), c.value.push_back(std::exp(-slow * w * step));
-                        }
+                        add_range(c, 0, 3.2 / w, samples, [=](Real step) { return std::exp(-slow * w * step); });
                     },
                 .value_name = "factor ρ of a step",
                 .used = [this] { return omega > 0; }};
@@ -87,65 +106,24 @@ void IntegrationLesson::declare_lines() {
     over_cost.position_name = "force evaluations";
     over_cost.position_unit = "";
     over_cost.help = "the same errors over the work: force evaluations, and Newton iterations of implicit schemes";
-    lines = {of_all_schemes(std::move(energies), &IntegrationLesson::energy_curve),
-             of_all_schemes(std::move(growth), &IntegrationLesson::growth_curve)};
-    for (Line* line : {&over_step, &over_cost}) {
-        const bool cost = line == &over_cost;
-        line->sample = [this, cost](Curve& c) { error_curve_of(scheme, cost, c); };
-        for (const SchemeInfo& info : schemes())
-            line->others.push_back({.name = info.name, .sample = [this, cost, one = info.scheme](Curve& c) {
-                                        c = {};
-                                        if (compared(one) && one != scheme) error_curve_of(one, cost, c);
-                                    }});
-        lines.push_back(std::move(*line));
-    }
-    lines[1].others.push_back({.name = "measured now",
-                               .sample =
-                                   [this](Curve& c) {
-                                       c = {};
-                                       if (const auto rho = measured_growth()) c = {{Real(dt)}, {*rho}};
-                                   },
-                               .points = true});
-    lines[2].others.push_back({.name = "error now",
-                               .sample =
-                                   [this](Curve& c) {
-                                       c = {};
-                                       if (const auto e = error(); e && *e > 0) c = {{Real(dt)}, {*e}};
-                                   },
-                               .points = true});
-}
-
-void IntegrationLesson::energy_curve(Scheme one, Curve& curve) const {
-    curve = {};
-    const Path& path = path_of(one);
-    const auto steps = std::min(path.energy.size(), static_cast<std::size_t>(counts_[0]) + 1);
-    const std::size_t stride = (steps + most_points - 1) / most_points;
-    if (path.energy[0] == 0) return;
-    for (std::size_t n = 0; n < steps; n += stride) {
-        // A scheme that blows up beside the run must not squeeze it.
-        const Real share = path.energy[n] / path.energy[0];
-        if (one != scheme && share > most_beside) break;
-        curve.position.push_back(static_cast<Real>(n) * dt);
-        curve.value.push_back(share);
-    }
-}
-
-// As far as it does not squeeze the other curves.
-void IntegrationLesson::growth_curve(Scheme one, Curve& curve) const {
-    constexpr Real outside = 2.5;
-    curve = {};
-    for (int k = 0; k < samples; ++k) {
-        const Real step = 3.2 / motion_->fast_rate() * k / (samples - 1);
-        const Real rho = amplification(one, motion_->fast_rate(), zeta, step);
-        if (rho > outside) break;
-        curve.position.push_back(step);
-        curve.value.push_back(rho);
-    }
-}
-
-void IntegrationLesson::error_curve_of(Scheme one, bool over_cost, Curve& curve) const {
-    const ErrorCurve& errors = errors_of(one);
-    curve = {over_cost ? errors.cost : errors.dt, errors.error};
+    lines = {of_all_schemes(*this, std::move(energies), energy_curve), of_all_schemes(*this, std::move(growth), growth_curve),
+             of_all_schemes(*this, std::move(over_step),
+                            [](const IntegrationLesson& l, Scheme one, Curve& c) {
+                                c = {l.errors_of(one).dt, l.errors_of(one).error};
+                            }),
+             of_all_schemes(*this, std::move(over_cost), [](const IntegrationLesson& l, Scheme one, Curve& c) {
+                 c = {l.errors_of(one).cost, l.errors_of(one).error};
+             })};
+    lines[1].others.push_back({"measured now",
+                               [this](Curve& c) {
+                                   if (const auto rho = measured_growth()) c = {{Real(dt)}, {*rho}};
+                               },
+                               true});
+    lines[2].others.push_back({"error now",
+                               [this](Curve& c) {
+                                   if (const auto e = error(); e && *e > 0) c = {{Real(dt)}, {*e}};
+                               },
+                               true});
 }
 
 }  // namespace pliant::integration

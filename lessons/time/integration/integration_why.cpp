@@ -1,15 +1,91 @@
-// Why forces, passes and the end of a step are what they are.
+// Why forces, passes and the end of a step are what they are; and the probes: energies, the exact motion, growth and frequency by
+// theory.
 #include "integration.h"
+#include "kits/schemes/scheme_why.h"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cmath>
 
 namespace pliant::integration {
 namespace {
 
 std::string of_mass(std::string_view symbol, Index dof, std::string_view mark) {
     return fmt::format("{}_{}{}", symbol, dof + 1, mark);
+}
+
+Input before_start(const IntegrationLesson& l, bool of_velocity, Index dof) {
+    const Index n = l.x_.size(), first = (l.inside(l.force_known) ? 0 : 2 * n) + (of_velocity ? n : 0);
+    return Input::constant(of_velocity ? "v_b" : "x_b", l.before_[first + dof], of_velocity ? "m/s" : "m",
+                           of_velocity ? "velocity one step before the start" : "place one step before the start");
+}
+
+bool steps_back(const IntegrationLesson& l) {
+    return l.scheme == Scheme::bdf2 && l.counts_[0] > (l.inside(l.force_known) ? 0 : 1);
+}
+
+// x̂: where the mass would be at the time that is solved for if no force acted from now on.
+Explanation why_prediction(const IntegrationLesson& l, Index dof) {
+    const Input x = Input::before("x", "position", dof), v = Input::before("v", "velocity", dof), step = Input::of(l.dt);
+    if (l.scheme == Scheme::implicit_midpoint) return {"x̂ = x + ½ Δt v", {x, step, v}};
+    if (l.scheme == Scheme::newmark)
+        return {"x̂ = x + Δt v + ¼ Δt² f / m", {x, step, v, Input::now("f", "force", dof), l.unit_mass()}};
+    if (steps_back(l))
+        return {"x̂ = (4 x − x_b) / 3 + ⅔ Δt (4 v − v_b) / 3",
+                {x, before_start(l, false, dof), step, v, before_start(l, true, dof)}};
+    return {"x̂ = x + Δt v", {x, step, v}};
+}
+
+// What the iterate before the pass left unbalanced: m a − f, where the scheme says a = h_a (X − x̂).
+Explanation why_residual(const IntegrationLesson& l, Index dof) {
+    const ImplicitForm& form = l.integrator_->solver().form();
+    return {"r = m h_a (X_k − x̂) − f_k",
+            {l.unit_mass(), Input::constant("h_a", form.acceleration_rate, "1/s²", "of the scheme: a = h_a (X − x̂)"),
+             Input::earlier("X_k", "trial_position", dof), Input::part("x̂", "m", why_prediction(l, dof)),
+             Input::part("f_k", "N", l.why_force(dof, "trial_position", "trial_velocity", Input::earlier, "_k"))}};
+}
+
+// One row of H d = −r.
+Input newton_direction(const IntegrationLesson& l, Index dof) {
+    const ImplicitSolver& solver = l.integrator_->solver();
+    const SparseMatrix& H = solver.curvature();
+    const Input r = Input::now("r", "residual", dof),
+                slope = Input::constant("H", H.coeff(dof, dof), "N/m", "slope of the residual: inertia, drag and stiffness");
+    if (l.x_.size() == 1) return part("d = − r / H", {r, slope});
+    const Index other = 1 - dof;
+    return part("d = − (r + H_o d_o) / H",
+                {r, slope, Input::constant("H_o", H.coeff(dof, other), "N/m", "coupling to the other mass"),
+                 Input::constant("d_o", solver.direction()[other], "m", "direction of the other mass")});
+}
+
+Explanation why_iterate(const IntegrationLesson& l, Index dof) {
+    const ImplicitSolver& solver = l.integrator_->solver();
+    const Input from = Input::earlier("X_k", "trial_position", dof);
+    if (solver.residual() == 0) return {"X = X_k: nothing is left to balance", {from}};
+    return stepping::newton_iterate("X", "X", solver, dof, from, newton_direction(l, dof), std::nullopt);
+}
+
+// V = h_v (X − x_v), as each scheme says.
+Explanation why_iterate_velocity(const IntegrationLesson& l, Index dof) {
+    const Input X = Input::now("X", "trial_position", dof), x = Input::before("x", "position", dof), step = Input::of(l.dt);
+    if (l.scheme == Scheme::implicit_midpoint) return {"V = 2 (X − x) / Δt", {X, x, step}};
+    if (l.scheme == Scheme::newmark) return {"V = 2 (X − x) / Δt − v", {X, x, step, Input::before("v", "velocity", dof)}};
+    if (steps_back(l)) return {"V = (3 X − 4 x + x_b) / (2 Δt)", {X, x, before_start(l, false, dof), step}};
+    return {"V = (X − x) / Δt", {X, x, step}};
+}
+
+// With the force of the end of the step, and what Newton's method has left unbalanced.
+Explanation why_balanced_velocity(const IntegrationLesson& l, Index dof) {
+    VecX left;
+    l.integrator_->solver().imbalance(left);
+    const Input v = Input::before("v", "velocity", dof), step = Input::of(l.dt);
+    const Input f = Input::part("f′", "N", l.why_force(dof, "position", "velocity", Input::now, "′"));
+    const Input r = stepping::imbalance_left(left[dof]);
+    if (l.scheme == Scheme::newmark)
+        return {"v′ = v + ½ Δt (f + f′ + r) / m", {v, step, Input::now("f", "force", dof), f, r, l.unit_mass()}};
+    if (steps_back(l))
+        return {"v′ = (4 v − v_b) / 3 + ⅔ Δt (f′ + r) / m", {v, before_start(l, true, dof), step, f, r, l.unit_mass()}};
+    return {"v′ = v + Δt (f′ + r) / m", {v, step, f, r, l.unit_mass()}};
 }
 
 }  // namespace
@@ -21,10 +97,10 @@ Explanation IntegrationLesson::why_force(Index dof, std::string_view x_field, st
                                          std::string_view mark) const {
     const std::string x = fmt::format("x{}", mark), v = fmt::format("v{}", mark);
     if (omega == 0) return fixed_value("f = 0: without ω there is no spring, and no drag", 0);
-    if (is(System::oscillator))
+    if (is(SwingingKind::oscillator))
         return {fmt::format("f = − m (ω² {} + 2 ζ ω {})", x, v),
                 {unit_mass(), Input::of(omega), at(x, x_field, 0, 0), Input::of(zeta), at(v, v_field, 0, 0)}};
-    if (is(System::pendulum))
+    if (is(SwingingKind::pendulum))
         return {fmt::format("f = − m (g sin({} / l) + 2 ζ ω {})", x, v),
                 {unit_mass(), Input::constant("g", Swinging::gravity, "m/s²", "gravity"), at(x, x_field, 0, 0),
                  Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²"), Input::of(zeta), Input::of(omega),
@@ -48,35 +124,15 @@ Explanation IntegrationLesson::why_force(Index dof, std::string_view x_field, st
 // ---------------------------------------------------------------------------------------------------- where passes begin
 
 std::optional<Explanation> IntegrationLesson::why_predicted(const Question& q) const {
-    if (q.field == "trial_velocity") return implicit() ? why_iterate_velocity(q.index) : start_value("V = v", "v", q.index);
-    if (!implicit() || !integrator_->solver().began_at_prediction()) return start_value("X = x", "x", q.index);
-    Explanation e = why_prediction(q.index);
+    if (q.field == "trial_velocity") {
+        if (implicit()) return why_iterate_velocity(*this, q.index);
+        return Explanation{"V = v", {Input::before("v", "velocity", q.index)}};
+    }
+    if (!implicit() || !integrator_->solver().began_at_prediction())
+        return Explanation{"X = x", {Input::before("x", "position", q.index)}};
+    Explanation e = why_prediction(*this, q.index);
     e.formula.replace(0, std::string("x̂").size(), "X");
     return e;
-}
-
-Explanation IntegrationLesson::start_value(std::string formula, std::string symbol, Index dof) const {
-    const std::string_view field = symbol == "x" ? "position" : "velocity";
-    return {std::move(formula), {Input::before(symbol, field, dof)}, [](std::span<const Real> x) { return x[0]; }};
-}
-
-Input IntegrationLesson::before_start(bool of_velocity, Index dof) const {
-    const Index n = x_.size(), first = (inside(force_known) ? 0 : 2 * n) + (of_velocity ? n : 0);
-    return Input::constant(of_velocity ? "v_b" : "x_b", before_[first + dof], of_velocity ? "m/s" : "m",
-                           of_velocity ? "velocity one step before the start" : "place one step before the start");
-}
-
-bool IntegrationLesson::steps_back() const { return scheme == Scheme::bdf2 && counts_[0] > (inside(force_known) ? 0 : 1); }
-
-// x̂: where the mass would be at the time that is solved for if no force acted from now on.
-Explanation IntegrationLesson::why_prediction(Index dof) const {
-    const Input x = Input::before("x", "position", dof), v = Input::before("v", "velocity", dof), step = Input::of(dt);
-    if (scheme == Scheme::implicit_midpoint) return {"x̂ = x + ½ Δt v", {x, step, v}};
-    if (scheme == Scheme::newmark)
-        return {"x̂ = x + Δt v + ¼ Δt² f / m", {x, step, v, Input::now("f", "force", dof), unit_mass()}};
-    if (steps_back())
-        return {"x̂ = (4 x − x_b) / 3 + ⅔ Δt (4 v − v_b) / 3", {x, before_start(false, dof), step, v, before_start(true, dof)}};
-    return {"x̂ = x + Δt v", {x, step, v}};
 }
 
 Input IntegrationLesson::unit_mass() const { return Input::constant("m", 1, "kg", "of each mass"); }
@@ -85,119 +141,125 @@ Input IntegrationLesson::unit_mass() const { return Input::constant("m", 1, "kg"
 
 std::optional<Explanation> IntegrationLesson::why_pass(const Question& q) const {
     if (q.field == "pass_force") return why_force(q.index, "trial_position", "trial_velocity", Input::earlier, "_k");
-    if (q.field == "residual") return why_residual(q.index);
+    if (q.field == "residual") return why_residual(*this, q.index);
     const bool of_velocity = q.field == "trial_velocity";
-    if (!implicit()) return why_row(q.index, of_velocity);
-    return of_velocity ? why_iterate_velocity(q.index) : why_iterate(q.index);
-}
-
-// A row of the scheme's table: X = x + c Δt v + Δt² Σ p_j a_j, V = v + Δt Σ q_j a_j.
-Explanation IntegrationLesson::why_row(Index dof, bool of_velocity) const {
-    const auto passes = static_cast<std::size_t>(integrator_->passes());
-    const NystromRow& row = nystrom_table(scheme)[passes];
-    const std::array<Real, 4>& weights = of_velocity ? row.velocity : row.position;
-    const bool drifts = !of_velocity && row.c != 0;
-    Explanation e{.formula = of_velocity ? "V = v" : "X = x", .inputs = {}, .evaluate = {}};
-    e.inputs = {of_velocity ? Input::before("v", "velocity", dof) : Input::before("x", "position", dof), Input::of(dt)};
-    if (drifts) {
-        e.formula += " + c Δt v";
-        e.inputs.push_back(Input::constant("c", row.c, "", "the part of the step after which this force is evaluated"));
-        e.inputs.push_back(Input::before("v", "velocity", dof));
-    }
-    for (std::size_t j = 0; j < passes; ++j) {
-        if (weights[j] == 0) continue;
-        e.formula += fmt::format(" + {} w_{} a_{}", of_velocity ? "Δt" : "Δt²", j + 1, j + 1);
-        e.inputs.push_back(Input::constant(fmt::format("w_{}", j + 1), weights[j], "", "weight, from the table of the scheme"));
-        e.inputs.push_back(Input::constant(fmt::format("a_{}", j + 1), integrator_->acceleration(static_cast<Index>(j))[dof],
-                                           "m/s²", fmt::format("acceleration f/m that pass {} evaluated", j + 1)));
-    }
-    e.evaluate = [of_velocity, drifts](std::span<const Real> q) {
-        const Real step = of_velocity ? q[1] : q[1] * q[1];
-        Real sum = q[0];
-        if (drifts) sum += q[2] * q[1] * q[3];
-        for (std::size_t k = drifts ? 4 : 2; k + 1 < q.size(); k += 2) sum += step * q[k] * q[k + 1];
-        return sum;
-    };
-    return e;
-}
-
-// What the iterate before the pass left unbalanced: m a − f, where the scheme says a = h_a (X − x̂).
-Explanation IntegrationLesson::why_residual(Index dof) const {
-    const ImplicitForm& form = integrator_->solver().form();
-    return {"r = m h_a (X_k − x̂) − f_k",
-            {unit_mass(), Input::constant("h_a", form.acceleration_rate, "1/s²", "of the scheme: a = h_a (X − x̂)"),
-             Input::earlier("X_k", "trial_position", dof), Input::part("x̂", "m", why_prediction(dof)),
-             Input::part("f_k", "N", why_force(dof, "trial_position", "trial_velocity", Input::earlier, "_k"))}};
-}
-
-Explanation IntegrationLesson::why_iterate(Index dof) const {
-    const ImplicitSolver& solver = integrator_->solver();
-    const Input from = Input::earlier("X_k", "trial_position", dof);
-    if (solver.residual() == 0) return {"X = X_k: nothing is left to balance", {from}};
-    if (solver.searched())
-        return {"X = X_s + s d",
-                {Input::constant("X_s", solver.search_origin()[dof], "m", "the iterate where the search along a line started"),
-                 Input::constant("s", solver.fraction(), "", "the part of the direction that lowers the potential"),
-                 Input::constant("d", solver.search_direction()[dof], "m", "Newton's direction from there")},
-                [](std::span<const Real> x) { return x[0] + x[1] * x[2]; }};
-    return {"X = X_k + d", {from, newton_direction(dof)}};
-}
-
-// One row of H d = −r.
-Input IntegrationLesson::newton_direction(Index dof) const {
-    const ImplicitSolver& solver = integrator_->solver();
-    const SparseMatrix& H = solver.curvature();
-    Explanation e{"d = − r / H", {}, {}};
-    e.inputs = {Input::now("r", "residual", dof),
-                Input::constant("H", H.coeff(dof, dof), "N/m", "slope of the residual: inertia, drag and stiffness")};
-    e.evaluate = [](std::span<const Real> x) { return -x[0] / x[1]; };
-    if (x_.size() == 2) {
-        const Index other = 1 - dof;
-        e.formula = "d = − (r + H_o d_o) / H";
-        e.inputs.push_back(Input::constant("H_o", H.coeff(dof, other), "N/m", "coupling to the other mass"));
-        e.inputs.push_back(Input::constant("d_o", solver.direction()[other], "m", "direction of the other mass"));
-        e.evaluate = [](std::span<const Real> x) { return -(x[0] + x[2] * x[3]) / x[1]; };
-    }
-    return Input::part("d", "m", std::move(e));
-}
-
-// V = h_v (X − x_v), as each scheme says.
-Explanation IntegrationLesson::why_iterate_velocity(Index dof) const {
-    const Input X = Input::now("X", "trial_position", dof), x = Input::before("x", "position", dof), step = Input::of(dt);
-    if (scheme == Scheme::implicit_midpoint) return {"V = 2 (X − x) / Δt", {X, x, step}};
-    if (scheme == Scheme::newmark) return {"V = 2 (X − x) / Δt − v", {X, x, step, Input::before("v", "velocity", dof)}};
-    if (steps_back()) return {"V = (3 X − 4 x + x_b) / (2 Δt)", {X, x, before_start(false, dof), step}};
-    return {"V = (X − x) / Δt", {X, x, step}};
+    if (!implicit())
+        return stepping::table_row(of_velocity ? "V" : "X", *integrator_, of_velocity, q.index,
+                                   Input::before("x", "position", q.index), Input::before("v", "velocity", q.index), dt,
+                                   std::nullopt);
+    return of_velocity ? why_iterate_velocity(*this, q.index) : why_iterate(*this, q.index);
 }
 
 // ------------------------------------------------------------------------------------------------------------ the end
 
 Explanation IntegrationLesson::why_advanced(const Question& q) const {
     const bool of_velocity = q.field == "velocity";
-    if (scheme == Scheme::implicit_midpoint) {
-        const Input trial = of_velocity ? Input::now("V", "trial_velocity", q.index) : Input::now("X", "trial_position", q.index);
-        const Input start = of_velocity ? Input::before("v", "velocity", q.index) : Input::before("x", "position", q.index);
-        return {of_velocity ? "v′ = 2 V − v" : "x′ = 2 X − x", {trial, start}, [](std::span<const Real> x) {
-                    return 2 * x[0] - x[1];
-                }};
-    }
-    if (implicit() && of_velocity) return why_balanced_velocity(q.index);
-    return {of_velocity ? "v′ = V" : "x′ = X",
-            {of_velocity ? Input::now("V", "trial_velocity", q.index) : Input::now("X", "trial_position", q.index)},
-            [](std::span<const Real> x) { return x[0]; }};
+    const Input reached = of_velocity ? Input::now("V", "trial_velocity", q.index) : Input::now("X", "trial_position", q.index);
+    if (scheme == Scheme::implicit_midpoint)
+        return of_velocity ? Explanation{"v′ = 2 V − v", {reached, Input::before("v", "velocity", q.index)}}
+                           : Explanation{"x′ = 2 X − x", {reached, Input::before("x", "position", q.index)}};
+    if (implicit() && of_velocity) return why_balanced_velocity(*this, q.index);
+    return {of_velocity ? "v′ = V" : "x′ = X", {reached}};
 }
 
-// With the force of the end of the step, and what Newton's method has left unbalanced.
-Explanation IntegrationLesson::why_balanced_velocity(Index dof) const {
-    VecX left;
-    integrator_->solver().imbalance(left);
-    const Input v = Input::before("v", "velocity", dof), step = Input::of(dt);
-    const Input f = Input::part("f′", "N", why_force(dof, "position", "velocity", Input::now, "′"));
-    const Input r = Input::constant("r", left[dof], "N", "what the solver has left unbalanced");
-    if (scheme == Scheme::newmark)
-        return {"v′ = v + ½ Δt (f + f′ + r) / m", {v, step, Input::now("f", "force", dof), f, r, unit_mass()}};
-    if (steps_back()) return {"v′ = (4 v − v_b) / 3 + ⅔ Δt (f′ + r) / m", {v, before_start(true, dof), step, f, r, unit_mass()}};
-    return {"v′ = v + Δt (f′ + r) / m", {v, step, f, r, unit_mass()}};
+// ------------------------------------------------------------------------------------------------------------- energy
+
+Explanation IntegrationLesson::why_energy() const {
+    return {"E = K + U", {Input::now("K", "kinetic_energy", 0), Input::now("U", "potential_energy", 0)}};
+}
+
+Explanation IntegrationLesson::why_kinetic_energy() const {
+    Explanation e{x_.size() == 2 ? "K = ½ m (v_1² + v_2²)" : "K = ½ m v_1²", {unit_mass()}};
+    for (Index n = 0; n < x_.size(); ++n) e.inputs.push_back(Input::now(fmt::format("v_{}", n + 1), "velocity", n));
+    return e;
+}
+
+// With f_0, the force of the springs alone.
+Explanation IntegrationLesson::why_shadow_energy() const {
+    Explanation e{"Ẽ = E + ½ Δt Σ v f_0", {Input::now("E", "energy", 0), Input::of(dt)}, {}};
+    for (Index n = 0; n < x_.size(); ++n) {
+        Explanation pull{"f_0 = − Σ K x"};
+        const Index count = x_.size();
+        pull.evaluate = [](std::span<const Real> q) {
+            Real sum = 0;
+            for (std::size_t k = 0; k + 1 < q.size(); k += 2) sum -= q[k] * q[k + 1];
+            return sum;
+        };
+        pull.substitute = [](std::span<const Real> q) { return "−(" + products_text(q) + ")"; };
+        for (Index m = 0; m < count; ++m) {
+            pull.inputs.push_back(Input::constant("K", motion_->stiffness_matrix()(n, m), "N/m", "stiffness"));
+            pull.inputs.push_back(Input::now("x", "position", m));
+        }
+        e.inputs.push_back(Input::now("v", "velocity", n));
+        e.inputs.push_back(Input::part("f_0", "N", std::move(pull)));
+    }
+    e.evaluate = [](std::span<const Real> q) {
+        Real sum = 0;
+        for (std::size_t k = 2; k + 1 < q.size(); k += 2) sum += q[k] * q[k + 1];
+        return q[0] + q[1] / 2 * sum;
+    };
+    e.substitute = [](std::span<const Real> q) {
+        return as_factor(q[0]) + " + ½ · " + as_factor(q[1]) + " · (" + products_text(q.subspan(2)) + ")";
+    };
+    return e;
+}
+
+Explanation IntegrationLesson::why_potential_energy() const {
+    if (omega == 0) return fixed_value("U = 0: without ω there is no spring", 0);
+    if (is(SwingingKind::oscillator)) return {"U = ½ m ω² x²", {unit_mass(), Input::of(omega), Input::now("x", "position", 0)}};
+    if (is(SwingingKind::pendulum))
+        return {"U = m g l (1 − cos(x / l))",
+                {unit_mass(), Input::constant("g", Swinging::gravity, "m/s²", "gravity"),
+                 Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²"), Input::now("x", "position", 0)}};
+    return {"U = ½ m ω² x_1² + ½ m κ ω² (x_2 − x_1)²",
+            {unit_mass(), omega, Input::now("x_1", "position", 0), ratio, Input::now("x_2", "position", 1)}};
+}
+
+// -------------------------------------------------------------------------------------------------- the exact motion
+
+// Below critical damping, where it is short to write.
+Explanation IntegrationLesson::why_exact(bool of_velocity) const {
+    const char* symbol = of_velocity ? "v_e" : "x_e";
+    const auto motion = motion_->exact(watched(), time());
+    const Real now = motion ? (of_velocity ? motion->v : motion->x) : 0;
+    if (!is(SwingingKind::oscillator) || zeta >= 1 || omega == 0)
+        return fixed_value(fmt::format("{}: {}", symbol,
+                                       is(SwingingKind::pendulum)     ? "by Jacobi's elliptic functions"
+                                       : is(SwingingKind::stiff_pair) ? "the sum of two modes, each of them an oscillator"
+                                       : omega == 0                   ? "a free motion, x₀ + v₀ t"
+                                                    : "the sum of two decays, exp(−ω(ζ ± √(ζ² − 1)) t)"),
+                           now);
+    const Real turning = omega * std::sqrt((1 - zeta) * (1 + zeta));
+    std::vector<Input> inputs{Input::of(zeta), Input::of(omega), Input::constant("t", time(), "s", "the time"),
+                              Input::of(x0),   Input::of(v0),    Input::constant("ω_d", turning, "rad/s", "ω √(1 − ζ²)")};
+    if (of_velocity) return {"v_e = exp(− ζ ω t) (v₀ cos(ω_d t) − (ω² x₀ + ζ ω v₀) sin(ω_d t) / ω_d)", std::move(inputs)};
+    return {"x_e = exp(− ζ ω t) (x₀ cos(ω_d t) + (v₀ + ζ ω x₀) sin(ω_d t) / ω_d)", std::move(inputs)};
+}
+
+Explanation IntegrationLesson::why_error() const {
+    if (is(SwingingKind::stiff_pair)) return fixed_value("e: the larger one of the two masses, as a part of the swing", *error());
+    return {
+        "e = √((x − x_e)² + ((v − v_e) / w)²) / s",
+        {Input::now("x", "x", 0), Input::now("x_e", "exact_x", 0), Input::now("v", "v", 0), Input::now("v_e", "exact_v", 0),
+         Input::constant("w", rate(), "rad/s", "ω"), Input::constant("s", motion_->scale(), "m", "how far the start can swing")}};
+}
+
+// --------------------------------------------------------------------------------------------- growth and frequency
+
+Explanation IntegrationLesson::why_growth() const {
+    const Input w = Input::constant("ω", motion_->fast_rate(), "rad/s", "of the fastest mode"), step = Input::of(dt);
+    if (zeta == 0 && scheme == Scheme::explicit_euler) return {"ρ = √(1 + ω² Δt²)", {w, step}};
+    if (zeta == 0 && scheme == Scheme::implicit_euler) return {"ρ = 1 / √(1 + ω² Δt²)", {w, step}};
+    return fixed_value("ρ: the largest eigenvalue of the matrix that takes (x, Δt v) from one step to the next",
+                       growth_per_step());
+}
+
+Explanation IntegrationLesson::why_frequency() const {
+    if (zeta == 0 && (scheme == Scheme::semi_implicit_euler || scheme == Scheme::velocity_verlet))
+        return {"ω′ = 2 asin(ω Δt / 2) / Δt", {Input::of(omega), Input::of(dt)}};
+    return {"ω′ = φ / Δt",
+            {Input::constant("φ", phase_per_step(scheme, omega, zeta, dt), "rad", "angle of the eigenvalue of the step's matrix"),
+             Input::of(dt)}};
 }
 
 }  // namespace pliant::integration

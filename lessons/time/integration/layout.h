@@ -1,7 +1,6 @@
 // Where the parts of the picture stand: the portrait is the square from −1 to 1.
 #pragma once
 #include "integration.h"
-#include "stability_region.h"
 
 namespace pliant::integration {
 

@@ -51,16 +51,10 @@ void spring(Scene& scene, Real from, Real to, Real y, float width) {
     scene.lines.push_back(std::move(zigzag));
 }
 
-}  // namespace
-
-// -------------------------------------------------------------------------------------------------------- what moves
-
-void IntegrationLesson::draw_motion(Scene& scene) const { is(System::pendulum) ? draw_pendulum(scene) : draw_springs(scene); }
-
 // Over the portrait, at the same x; the inner mass of the pair stands to the left of the outer one.
-void IntegrationLesson::draw_springs(Scene& scene) const {
-    const Real reach = portrait_reach();
-    const Index n = x_.size();
+void draw_springs(const IntegrationLesson& l, Scene& scene) {
+    const Real reach = l.portrait_reach();
+    const Index n = l.x_.size();
     const auto rest = [n](Index mass) { return mass + 1 == n ? Real{0} : Real{-0.5}; };
     const auto place = [&](Index mass, Real x) {
         return position(std::clamp(rest(mass) + x / reach, Real{-1.1}, Real{1.1}), strip);
@@ -68,47 +62,73 @@ void IntegrationLesson::draw_springs(Scene& scene) const {
     scene.line(position(-1.2, strip - 0.2), position(-1.2, strip + 0.2), Ink::ground, 5);
     Real from = -1.2;
     for (Index mass = 0; mass < n; ++mass) {
-        if (const auto exact = motion_->exact(mass, time())) square(scene, place(mass, exact->x), Ink::rest, true);
-        const Position at = place(mass, x_[mass]);
-        if (omega > 0) spring(scene, from, at[0] - block, strip, mass == 1 ? 4.0f : 2.0f);
+        if (const auto exact = l.motion_->exact(mass, l.time())) square(scene, place(mass, exact->x), Ink::rest, true);
+        const Position at = place(mass, l.x_[mass]);
+        if (l.omega > 0) spring(scene, from, at[0] - block, strip, mass == 1 ? 4.0f : 2.0f);
         square(scene, at, Ink::velocity, false);
         from = at[0] + block;
     }
     // The force at the start, inside the step that it moves: as long as the stretch of the soft spring that it belongs to.
-    if (inside(force_known) && scene.show_arrows)
+    if (l.inside(l.force_known) && scene.show_arrows)
         for (Index mass = 0; mass < n; ++mass) {
-            const Real push = std::clamp(force_[mass] / (rate() * rate() * reach), Real{-1}, Real{1});
+            const Real push = std::clamp(l.force_[mass] / (l.rate() * l.rate() * reach), Real{-1}, Real{1});
             if (std::abs(push) < 0.02) continue;
-            const Position start = place(mass, x_[mass]);
+            const Position start = place(mass, l.x_[mass]);
             scene.arrow(start, position(start[0] + push, start[1]), Ink::force, "f");
         }
-    const Position at = place(n - 1, x_[n - 1]);
-    scene.line(at, in_portrait({x_[n - 1], v_[n - 1]}), Ink::accent, 1, true);
-    PointMarks masses{
-        .at = {}, .values = scene.values(*this, On::node), .ink = Ink::accent, .radius = 5, .pick = {.pickable = true}};
-    for (Index mass = 0; mass < n; ++mass) masses.at.push_back(place(mass, x_[mass]));
+    const Position at = place(n - 1, l.x_[n - 1]);
+    scene.line(at, l.in_portrait({l.x_[n - 1], l.v_[n - 1]}), Ink::accent, 1, true);
+    PointMarks masses{.at = {}, .values = scene.values(l, On::node), .ink = Ink::accent, .radius = 5, .pick = {.pickable = true}};
+    for (Index mass = 0; mass < n; ++mass) masses.at.push_back(place(mass, l.x_[mass]));
     scene.points.push_back(std::move(masses));
 }
 
-void IntegrationLesson::draw_pendulum(Scene& scene) const {
+void draw_pendulum(const IntegrationLesson& l, Scene& scene) {
     // Room for the bob over the pivot, where it may get there.
-    const Real pivot_y = turns() ? 1.64 : 1.75, rod = turns() ? 0.42 : 0.55;
+    const Real pivot_y = l.turns() ? 1.64 : 1.75, rod = l.turns() ? 0.42 : 0.55;
     const Position pivot = position(0, pivot_y);
     const auto bob = [&](Real x) {
-        const Real angle = omega > 0 ? x / motion_->length() : 0;
+        const Real angle = l.omega > 0 ? x / l.motion_->length() : 0;
         return position(rod * std::sin(angle), pivot_y - rod * std::cos(angle));
     };
     scene.line(position(-0.3, pivot_y), position(0.3, pivot_y), Ink::ground, 4);
-    if (const auto exact = motion_->exact(0, time())) {
+    if (const auto exact = l.motion_->exact(0, l.time())) {
         scene.line(pivot, bob(exact->x), Ink::rest, 2, true);
         scene.points.push_back({.at = {bob(exact->x)}, .ink = Ink::rest, .radius = 10});
     }
-    scene.line(pivot, bob(x_[0]), Ink::body, 3);
-    scene.points.push_back({.at = {bob(x_[0])},
-                            .values = scene.values(*this, On::node),
+    scene.line(pivot, bob(l.x_[0]), Ink::body, 3);
+    scene.points.push_back({.at = {bob(l.x_[0])},
+                            .values = scene.values(l, On::node),
                             .ink = Ink::velocity,
                             .radius = 10,
                             .pick = {.pickable = true}});
+}
+
+void draw_roots(const IntegrationLesson& l, Scene& scene) {
+    const auto shown = [](std::complex<Real> z) {
+        return in_plane(std::clamp(z.real(), region_left, region_right), std::clamp(z.imag(), -region_high, region_high));
+    };
+    const auto both = roots(l.motion_->fast_rate() * l.dt, l.zeta);
+    if (l.is(SwingingKind::stiff_pair))
+        for (const auto z : roots(l.motion_->slow_rate() * l.dt, l.zeta))
+            scene.points.push_back({.at = {shown(z)}, .ink = Ink::velocity, .radius = 4});
+    scene.points.push_back({.at = {shown(both[1])}, .ink = Ink::accent, .radius = 4});
+    scene.points.push_back({.at = {shown(both[0])},
+                            .ink = Ink::accent,
+                            .radius = 6,
+                            .pick = {.pickable = true, .on = On::handle, .first = root_handle}});
+    const bool outside = -both[0].real() > -region_left || both[0].imag() > region_high;
+    if (outside)
+        scene.label(shown(both[0]), fmt::format("|λΔt| = {}", format_quantity(std::abs(both[0]), "", 3)), Ink::accent,
+                    both[0].imag() > region_high ? 0 : 44, both[0].imag() > region_high ? 14 : -14);
+}
+
+}  // namespace
+
+// -------------------------------------------------------------------------------------------------------- what moves
+
+void IntegrationLesson::draw_motion(Scene& scene) const {
+    is(SwingingKind::pendulum) ? draw_pendulum(*this, scene) : draw_springs(*this, scene);
 }
 
 // ---------------------------------------------------------------------------------------------------- the plane of λΔt
@@ -133,26 +153,7 @@ void IntegrationLesson::draw_region(Scene& scene) const {
     for (const int re : {-4, -2}) scene.label(in_plane(re, 0), fmt::format("{}", re), Ink::text, 0, 10);
     for (const int im : {-2, 2}) scene.label(in_plane(0, im), fmt::format("{}i", im), Ink::text, 14, 0);
     scene.label(position(region_x, 1), "λΔt: stable where grey", Ink::text, 0, -10);
-    draw_roots(scene);
-}
-
-void IntegrationLesson::draw_roots(Scene& scene) const {
-    const auto shown = [](std::complex<Real> z) {
-        return in_plane(std::clamp(z.real(), region_left, region_right), std::clamp(z.imag(), -region_high, region_high));
-    };
-    const auto both = roots(motion_->fast_rate() * dt, zeta);
-    if (is(System::stiff_pair))
-        for (const auto z : roots(motion_->slow_rate() * dt, zeta))
-            scene.points.push_back({.at = {shown(z)}, .ink = Ink::velocity, .radius = 4});
-    scene.points.push_back({.at = {shown(both[1])}, .ink = Ink::accent, .radius = 4});
-    scene.points.push_back({.at = {shown(both[0])},
-                            .ink = Ink::accent,
-                            .radius = 6,
-                            .pick = {.pickable = true, .on = On::handle, .first = root_handle}});
-    const bool outside = -both[0].real() > -region_left || both[0].imag() > region_high;
-    if (outside)
-        scene.label(shown(both[0]), fmt::format("|λΔt| = {}", format_quantity(std::abs(both[0]), "", 3)), Ink::accent,
-                    both[0].imag() > region_high ? 0 : 44, both[0].imag() > region_high ? 14 : -14);
+    draw_roots(*this, scene);
 }
 
 // The start in the portrait, or the root: |λΔt| = ωΔt, and ζ = −Re λ/|λ|.

@@ -1,4 +1,4 @@
-#include "static_tests.h"
+#include <pliant/solids/static_tests.h>
 
 #include <pliant/continuum/moduli.h>
 #include <pliant/math/error.h>
@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace pliant::mass_spring {
+namespace pliant {
 namespace {
 
 // The same plates as those of test_block. u_y of a node at x on the plate of that side (-1/2 or 1/2).
@@ -127,4 +127,4 @@ void StaticTests::run(const SpringLattice& lattice, const Key& key) {
     key_ = key;
 }
 
-}  // namespace pliant::mass_spring
+}  // namespace pliant

@@ -1,15 +1,15 @@
-#include "stability_region.h"
+#include <pliant/time/stability_region.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace pliant::integration {
+namespace pliant {
 namespace {
 
-constexpr int columns = 120, rows = 60;  // of the upper half: the lower one is its mirror image
-constexpr Real level = 1 + 1e-9;
+constexpr int region_columns = 120, region_rows = 60;  // of the upper half: the lower one is its mirror image
+constexpr Real just_stable = 1 + 1e-9;
 
-Real part(Real from, Real to) { return (level - from) / (to - from); }
+Real crossing_part(Real from, Real to) { return (just_stable - from) / (to - from); }
 
 }  // namespace
 
@@ -22,25 +22,25 @@ Real growth_at(Scheme scheme, std::complex<Real> z) {
 StabilityRegion stability_region(Scheme scheme) {
     using Point = StabilityRegion::Point;
     const auto at = [](int i, int j) {
-        return Point{region_left + (region_right - region_left) * i / columns, region_high * j / rows};
+        return Point{region_left + (region_right - region_left) * i / region_columns, region_high * j / region_rows};
     };
     std::vector<Real> growth;
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i) growth.push_back(growth_at(scheme, {at(i, j)[0], at(i, j)[1]}));
+    for (int j = 0; j <= region_rows; ++j)
+        for (int i = 0; i <= region_columns; ++i) growth.push_back(growth_at(scheme, {at(i, j)[0], at(i, j)[1]}));
     StabilityRegion region;
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < region_rows; ++j)
+        for (int i = 0; i < region_columns; ++i) {
             constexpr std::array<std::array<int, 2>, 4> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
             std::vector<Point> inside, crossing;
             for (std::size_t c = 0; c < 4; ++c) {
                 const auto [di, dj] = corner[c];
                 const auto [ei, ej] = corner[(c + 1) % 4];
                 const Point a = at(i + di, j + dj), b = at(i + ei, j + ej);
-                const Real here = growth[static_cast<std::size_t>((j + dj) * (columns + 1) + i + di)];
-                const Real next = growth[static_cast<std::size_t>((j + ej) * (columns + 1) + i + ei)];
-                if (here <= level) inside.push_back(a);
-                if ((here <= level) == (next <= level)) continue;
-                const Real s = part(here, next);
+                const Real here = growth[static_cast<std::size_t>((j + dj) * (region_columns + 1) + i + di)];
+                const Real next = growth[static_cast<std::size_t>((j + ej) * (region_columns + 1) + i + ei)];
+                if (here <= just_stable) inside.push_back(a);
+                if ((here <= just_stable) == (next <= just_stable)) continue;
+                const Real s = crossing_part(here, next);
                 crossing.push_back({a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
                 inside.push_back(crossing.back());
             }
@@ -57,4 +57,4 @@ StabilityRegion stability_region(Scheme scheme) {
     return region;
 }
 
-}  // namespace pliant::integration
+}  // namespace pliant

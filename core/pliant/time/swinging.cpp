@@ -1,9 +1,9 @@
-#include "swinging.h"
+#include <pliant/time/swinging.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace pliant::integration {
+namespace pliant {
 
 bool SwingingOptions::operator==(const SwingingOptions& o) const {
     return system == o.system && omega == o.omega && zeta == o.zeta && stiffness_ratio == o.stiffness_ratio &&
@@ -13,7 +13,7 @@ bool SwingingOptions::operator==(const SwingingOptions& o) const {
 Swinging::Swinging(const SwingingOptions& options) : options_(options) {
     const Real omega = options_.omega, soft = omega * omega;
     length_ = gravity / soft;
-    if (options_.system == System::stiff_pair) {
+    if (options_.system == SwingingKind::stiff_pair) {
         const Real r = options_.stiffness_ratio;
         // In units of the soft spring: [1 + r, -r; -r, r] with eigenvalues a >= b, a b = r.
         const Real a = 0.5 + r + std::sqrt(0.25 + r * r), b = r / a;
@@ -78,8 +78,8 @@ Motion Swinging::exact_mode(Index mode, Real t) const {
 }
 
 std::optional<Motion> Swinging::exact(Index mass, Real t) const {
-    if (options_.system == System::oscillator) return damped_oscillator(options_.omega, options_.zeta, options_.start, t);
-    if (options_.system == System::pendulum) {
+    if (options_.system == SwingingKind::oscillator) return damped_oscillator(options_.omega, options_.zeta, options_.start, t);
+    if (options_.system == SwingingKind::pendulum) {
         if (damped()) return std::nullopt;
         return pendulum_ ? pendulum_->at(t) : damped_oscillator(0, 0, options_.start, t);
     }
@@ -107,4 +107,4 @@ std::optional<Real> Swinging::pendulum_period() const {
     return pendulum_->period();
 }
 
-}  // namespace pliant::integration
+}  // namespace pliant

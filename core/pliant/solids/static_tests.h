@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace pliant::mass_spring {
+namespace pliant {
 
 // Stiffness of a solid block of an isotropic material in the same test, by linear finite elements on the same cells: N/m, of
 // bending N m/rad. A sheet is in plane stress, as thick as its edges are long; a triangular lattice has the rectangle of its
@@ -60,4 +60,4 @@ private:
     mutable std::vector<Real> modulus_by_cells_;
 };
 
-}  // namespace pliant::mass_spring
+}  // namespace pliant

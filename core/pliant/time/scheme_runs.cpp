@@ -1,13 +1,13 @@
-#include "scheme_runs.h"
+#include <pliant/time/scheme_runs.h>
 
 #include <pliant/math/line_fit.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace pliant::integration {
+namespace pliant {
 
-SchemeRun::SchemeRun(const SwingingOptions& options, const Method& method)
+SchemeRun::SchemeRun(const SwingingOptions& options, const SchemeMethod& method)
     : system_(options),
       mass_(VecX::Ones(system_.size()), 1),
       integrator_(system_, mass_, method.scheme, method.newton),
@@ -25,7 +25,7 @@ bool SchemeRun::step(Real dt) {
     return v_.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= blown_up * system_.top_speed();
 }
 
-void Paths::follow(const SwingingOptions& options, NewtonOptions newton, Real dt, Index mass) {
+void SchemePaths::follow(const SwingingOptions& options, NewtonOptions newton, Real dt, Index mass) {
     if (options == options_ && dt == dt_ && mass == mass_ && newton.relative_step == newton_.relative_step &&
         newton.max_iterations == newton_.max_iterations)
         return;
@@ -33,14 +33,14 @@ void Paths::follow(const SwingingOptions& options, NewtonOptions newton, Real dt
     runs_ = {};
 }
 
-const Path& Paths::of(Scheme scheme, Index steps) {
+const SchemePath& SchemePaths::of(Scheme scheme, Index steps) {
     auto& [run, path] = runs_[static_cast<std::size_t>(scheme)];
     const auto note = [this, &run = run, &path = path] {
         path.motion.push_back({run->position()[mass_], run->velocity()[mass_]});
         path.energy.push_back(run->system().energy(run->position(), run->velocity()));
     };
     if (!run) {
-        run = std::make_unique<SchemeRun>(options_, Method{scheme, newton_});
+        run = std::make_unique<SchemeRun>(options_, SchemeMethod{scheme, newton_});
         note();
     }
     const auto wanted = static_cast<std::size_t>(std::min(steps, longest)) + 1;
@@ -53,7 +53,7 @@ const Path& Paths::of(Scheme scheme, Index steps) {
     return path;
 }
 
-ErrorCurve error_curve(const SwingingOptions& options, const Method& method, int halvings) {
+ErrorCurve error_curve(const SwingingOptions& options, const SchemeMethod& method, int halvings) {
     ErrorCurve curve;
     const Swinging system(options);
     if (options.omega == 0 || !system.exact(0, 0)) return curve;
@@ -96,4 +96,4 @@ std::optional<Real> measured_order(const ErrorCurve& curve) {
     return fit ? std::optional(fit->slope) : std::nullopt;
 }
 
-}  // namespace pliant::integration
+}  // namespace pliant

@@ -6,12 +6,12 @@
 
 #include <optional>
 
-namespace pliant::integration {
+namespace pliant {
 
-enum class System { oscillator, pendulum, stiff_pair };
+enum class SwingingKind { oscillator, pendulum, stiff_pair };
 
 struct SwingingOptions {
-    System system = System::oscillator;
+    SwingingKind system = SwingingKind::oscillator;
     Real omega = 1;            // rad/s, >= 0: of the mass on the (soft) spring, of small swings of the pendulum
     Real zeta = 0;             // damping ratio, >= 0; in the pair the same of both modes
     Real stiffness_ratio = 1;  // of the pair: stiff spring over soft one
@@ -27,8 +27,8 @@ public:
     explicit Swinging(const SwingingOptions& options);
 
     const SwingingOptions& options() const { return options_; }
-    Index size() const { return options_.system == System::stiff_pair ? 2 : 1; }
-    bool linear() const { return options_.system != System::pendulum; }
+    Index size() const { return options_.system == SwingingKind::stiff_pair ? 2 : 1; }
+    bool linear() const { return options_.system != SwingingKind::pendulum; }
 
     // K [N/m] and C [N s/m] of the linear systems; of the pendulum those of small swings.
     const Mat<2>& stiffness_matrix() const { return K_; }
@@ -72,4 +72,4 @@ private:
     SparseMatrix matrix_;
 };
 
-}  // namespace pliant::integration
+}  // namespace pliant

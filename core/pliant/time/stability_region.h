@@ -6,7 +6,7 @@
 #include <complex>
 #include <vector>
 
-namespace pliant::integration {
+namespace pliant {
 
 // The set of all z = omega dt (-zeta + i sqrt(1 - zeta^2)) whose amplification is at most 1, for -1 <= zeta <= 1.
 struct StabilityRegion {
@@ -23,4 +23,4 @@ StabilityRegion stability_region(Scheme scheme);
 // The growth of a motion with these roots.
 Real growth_at(Scheme scheme, std::complex<Real> z);
 
-}  // namespace pliant::integration
+}  // namespace pliant

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace pliant::mass_spring {
+namespace pliant {
 
 class SpringBlock {
 public:
@@ -32,6 +32,8 @@ public:
     // The springs of a family: from first to before last.
     Index first(SpringFamily family) const { return first_[family]; }
     Index last(SpringFamily family) const { return first_[family + 1]; }
+    // The firsts of all families, and behind them the number of springs.
+    const std::array<Index, spring_families + 1>& families() const { return first_; }
     const VecX& mass() const { return mass_; }  // kg, one per node
     const DiagonalMass& inertia() const { return inertia_; }
 
@@ -55,4 +57,4 @@ private:
     DiagonalMass inertia_;
 };
 
-}  // namespace pliant::mass_spring
+}  // namespace pliant

@@ -1,4 +1,4 @@
-#include "spring_block.h"
+#include <pliant/solids/spring_block.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace pliant::mass_spring {
+namespace pliant {
 
 namespace {
 
@@ -103,4 +103,4 @@ Real SpringBlock::smallest_block_cell(const Points<3>& x) const {
     return smallest;
 }
 
-}  // namespace pliant::mass_spring
+}  // namespace pliant

@@ -1,18 +1,17 @@
 // The same motion by other schemes and other steps: what is drawn and plotted beside the run itself. Computed when it is looked
 // at, never in a step.
 #pragma once
-#include "swinging.h"
+#include <pliant/time/swinging.h>
 
-#include <pliant/lesson/lesson.h>
 #include <pliant/time/time_integrator.h>
 
 #include <array>
 #include <memory>
 #include <vector>
 
-namespace pliant::integration {
+namespace pliant {
 
-struct Method {
+struct SchemeMethod {
     Scheme scheme = Scheme::semi_implicit_euler;
     NewtonOptions newton{};
 };
@@ -20,7 +19,7 @@ struct Method {
 // A run from the start of the motion.
 class SchemeRun {
 public:
-    SchemeRun(const SwingingOptions& options, const Method& method);
+    SchemeRun(const SwingingOptions& options, const SchemeMethod& method);
 
     // False when Newton's method failed, or the motion has become larger than what its energy allows by `blown_up`.
     bool step(Real dt);
@@ -41,19 +40,19 @@ private:
 };
 
 // One scheme's path: the state of one mass and the energy after every step.
-struct Path {
+struct SchemePath {
     std::vector<Motion> motion;
     std::vector<Real> energy;  // J
     bool ended = false;        // blown up
 };
 
 // The paths of all schemes from the start, in lockstep.
-class Paths {
+class SchemePaths {
 public:
     // Forgets what belongs to other parameters.
     void follow(const SwingingOptions& options, NewtonOptions newton, Real dt, Index mass);
     // Of `steps` steps, or as many as there are: at most `longest`.
-    const Path& of(Scheme scheme, Index steps);
+    const SchemePath& of(Scheme scheme, Index steps);
 
     static constexpr Index longest = 10000;
 
@@ -64,7 +63,7 @@ private:
     Index mass_ = 0;
     struct Runner {
         std::unique_ptr<SchemeRun> run;
-        Path path;
+        SchemePath path;
     };
     std::array<Runner, 8> runs_;
 };
@@ -74,8 +73,8 @@ struct ErrorCurve {
     std::vector<Real> dt, error, cost;  // s, part of the scale, force evaluations
 };
 // halvings: of the step, from about one radian of the fastest mode on. Empty without a solution in closed form.
-ErrorCurve error_curve(const SwingingOptions& options, const Method& method, int halvings);
+ErrorCurve error_curve(const SwingingOptions& options, const SchemeMethod& method, int halvings);
 // The slope of log error against log dt over its smallest steps; empty when rounding is all there is.
 std::optional<Real> measured_order(const ErrorCurve& curve);
 
-}  // namespace pliant::integration
+}  // namespace pliant

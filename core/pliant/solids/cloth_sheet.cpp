@@ -1,8 +1,8 @@
-#include "cloth_sheet.h"
+#include <pliant/solids/cloth_sheet.h>
 
 #include <cmath>
 
-namespace pliant::cloth {
+namespace pliant {
 namespace {
 
 NodeLattice<3> lattice_of(Index nodes, Real side) {
@@ -24,7 +24,7 @@ ClothSheet::ClothSheet(Index nodes, Real side) : nodes_(nodes), side_(side) {
                 triangles_.insert(triangles_.end(), {{a, b, d}, {a, d, c}});
         }
     std::vector<Spring> list;
-    for (const Family family : {structural, shear, bending}) {
+    for (const SpringFamily family : {structural, shear, bending}) {
         first_[family] = static_cast<Index>(list.size());
         append_springs<3>(rest_,
                           family == structural ? lattice.structural()
@@ -32,7 +32,7 @@ ClothSheet::ClothSheet(Index nodes, Real side) : nodes_(nodes), side_(side) {
                                                : lattice.bending(),
                           0, 0, list);
     }
-    first_[family_count] = static_cast<Index>(list.size());
+    first_[spring_families] = static_cast<Index>(list.size());
     springs_ = Springs(rest_.cols(), list);
     of_node_.resize(static_cast<std::size_t>(rest_.cols()));
     for (Index s = 0; s < springs_.size(); ++s)
@@ -40,7 +40,7 @@ ClothSheet::ClothSheet(Index nodes, Real side) : nodes_(nodes), side_(side) {
 }
 
 void ClothSheet::set_springs(const Stiffnesses& stiffness, Real damping) {
-    for (const Family family : {structural, shear, bending}) {
+    for (const SpringFamily family : {structural, shear, bending}) {
         const Index count = last(family) - first(family);
         springs_.set_stiffness(first(family), count, stiffness[family]);
         springs_.set_damping(first(family), count, stiffness[family] > 0 ? damping : 0);
@@ -52,7 +52,7 @@ void ClothSheet::set_mass(Real total, const std::vector<Index>& fixed) {
     inertia_ = DiagonalMass(mass_, 3, fixed);
 }
 
-Real ClothSheet::energy(Family family, PointsIn<3> x) const {
+Real ClothSheet::energy(SpringFamily family, PointsIn<3> x) const {
     Real energy = 0;
     for (Index s = first(family); s < last(family); ++s) {
         const Real elongation = (x.col(springs_.j(s)) - x.col(springs_.i(s))).norm() - springs_.rest_length()[s];
@@ -70,4 +70,4 @@ Real ClothSheet::shadow(PointsIn<3> x) const {
     return std::abs(twice) / 2;
 }
 
-}  // namespace pliant::cloth
+}  // namespace pliant

@@ -1,18 +1,16 @@
 // A square sheet of point masses, joined by structural, shear and bending springs.
 #pragma once
-#include <pliant/mesh/lattice.h>
+#include <pliant/mesh/spring_lattice.h>
 #include <pliant/solids/springs.h>
 #include <pliant/time/mass.h>
 
 #include <array>
 
-namespace pliant::cloth {
-
-enum Family { structural, shear, bending, family_count };
+namespace pliant {
 
 class ClothSheet {
 public:
-    using Stiffnesses = std::array<Real, family_count>;  // N/m of each family
+    using Stiffnesses = std::array<Real, spring_families>;  // N/m of each family
 
     // nodes: along each side, at least 2; side: m.
     ClothSheet(Index nodes, Real side);
@@ -33,9 +31,11 @@ public:
 
     const Springs& springs() const { return springs_; }
     // The springs of a family: from first to before last.
-    Index first(Family family) const { return first_[family]; }
-    Index last(Family family) const { return first_[family + 1]; }
-    Family family_of(Index spring) const {
+    Index first(SpringFamily family) const { return first_[family]; }
+    Index last(SpringFamily family) const { return first_[family + 1]; }
+    // The firsts of all families, and behind them the number of springs.
+    const std::array<Index, spring_families + 1>& families() const { return first_; }
+    SpringFamily family_of(Index spring) const {
         return spring < last(structural) ? structural : spring < last(shear) ? shear : bending;
     }
     // The springs of a node, in their order.
@@ -43,7 +43,7 @@ public:
     const VecX& mass() const { return mass_; }  // kg, one per node
     const DiagonalMass& inertia() const { return inertia_; }
 
-    Real energy(Family family, PointsIn<3> x) const;  // J
+    Real energy(SpringFamily family, PointsIn<3> x) const;  // J
     // Area that the edge of the sheet encloses when seen from above, m^2: folds that lie over each other cancel.
     Real shadow(PointsIn<3> x) const;
 
@@ -53,10 +53,10 @@ private:
     Points<3> rest_;
     std::vector<NodeTriple> triangles_;
     Springs springs_;
-    std::array<Index, family_count + 1> first_{};  // of each family in springs_
+    std::array<Index, spring_families + 1> first_{};  // of each family in springs_
     std::vector<std::vector<Index>> of_node_;
     VecX mass_;
     DiagonalMass inertia_;
 };
 
-}  // namespace pliant::cloth
+}  // namespace pliant

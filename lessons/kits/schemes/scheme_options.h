@@ -1,0 +1,32 @@
+// The time integrators as options of a choice, and the parameters of a step.
+#pragma once
+#include "kits/declare/declare.h"
+
+#include <pliant/time/scheme.h>
+
+#include <vector>
+
+namespace pliant {
+
+// The first `count` schemes, in the order of the enumeration; 3 are those of the lecture.
+inline std::vector<Option> scheme_options(std::size_t count = schemes().size()) {
+    std::vector<Option> options;
+    for (const SchemeInfo& info : schemes())
+        if (options.size() < count) options.push_back({info.key, info.name});
+    return options;
+}
+
+inline ParameterInfo fixed_time_step(Real initial, Interval useful, Real longest = 10) {
+    return log_quantity("time_step", "Δt", "s", initial, useful, {0, longest, true}, "fixed");
+}
+
+inline ParameterInfo newton_tolerance_from(Real initial, std::string_view help) {
+    return log_quantity("newton_tolerance", "τ", "", initial, {1e-12, 1e-2}, {1e-14, 1, false, true}, help);
+}
+
+inline ParameterInfo newton_iterations() {
+    return quantity("newton_iterations", "", "", 100, {1, 100}, {1, 10000},
+                    "most iterations of a time step; a step that needs more is reported, not accepted");
+}
+
+}  // namespace pliant

@@ -1,0 +1,30 @@
+// Stages that nets of springs share, but for what the lesson runs and how it explains it.
+#pragma once
+#include "kits/declare/declare.h"
+
+#include <pliant/solids/springs.h>
+
+namespace pliant::springs {
+
+inline Stage spring_forces_stage(std::function<void()> run, std::vector<std::string_view> writes, Why why,
+                                 std::function<bool()> active = {}) {
+    return stage_of("spring_forces", "fᵢ = k (|xᵢⱼ| − l) xᵢⱼ/|xᵢⱼ|,  xᵢⱼ = xⱼ − xᵢ",
+                    "lecture: mass–spring system; [Nealen2006 §3]", std::move(run), {"position"}, std::move(writes),
+                    std::move(why), std::move(active));
+}
+
+inline Stage damping_forces_stage(std::function<void()> run, Why why, std::function<SpringDamping()> mode,
+                                  std::function<bool()> active) {
+    return in_force(
+        [mode] { return formula_of(mode()); },
+        stage_of("damping_forces", "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
+                 "lecture: mass–spring system; [Nealen2006 §3]", std::move(run), {"position", "velocity"}, {"damping_force"},
+                 std::move(why), std::move(active)));
+}
+
+inline Stage external_forces_stage(std::function<void()> run, Why why, std::function<bool()> active) {
+    return stage_of("external_forces", "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)", "gravity, and a spring to the pointer",
+                    std::move(run), {"position"}, {"external_force"}, std::move(why), std::move(active));
+}
+
+}  // namespace pliant::springs
