@@ -2,6 +2,7 @@
 #include "stress_strain.h"
 
 #include "kits/material/material_parameters.h"
+#include "kits/tensors/tensor_why.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ Explanation StressStrainLesson::why_load(const Question& q) const {
 
 Input StressStrainLesson::normal_input(int k) const {
     const std::string symbol = fmt::format("n_{}", axis_name(k));
-    return Input::part(symbol, "", {fmt::format("{} = {}(θ)", symbol, k == 0 ? "cos" : "sin"), {angle}});
+    return Input::part(symbol, "", {fmt::format("{} = {}(θ)", symbol, k == 0 ? "cos" : "sin"), {why::in_radians("θ", angle)}});
 }
 
 Explanation StressStrainLesson::why_traction(const Question& q) const {
