@@ -1,7 +1,7 @@
 // The figure: the quantity on the grid, the path back of one cell, and its samples under a magnifying glass.
 #include "advection_lesson.h"
 
-#include "fluids/flow/grid_picture.h"
+#include "kits/grid2d/grid_picture.h"
 
 #include <pliant/text/format.h>
 
@@ -24,8 +24,8 @@ void AdvectionLesson::draw(Scene& scene) const {
         write_notes(scene);
         return;
     }
-    flow::draw_field(scene, *this, *grid_);
-    if (scene.show_arrows) flow::draw_velocity(scene, *grid_, advection_->flow(), 1.2, 12);
+    grid2d::draw_field(scene, *this, *grid_);
+    if (scene.show_arrows) grid2d::draw_velocity(scene, *grid_, advection_->flow(), 1.2, 12);
     scene.box(position(0, 0), position(1, 1), flow().periodic() ? Ink::rest : Ink::ground, flow().periodic() ? 2 : 4,
               flow().periodic());
     draw_path(scene);
@@ -65,7 +65,7 @@ void AdvectionLesson::draw_all_schemes(Scene& scene) const {
 
 void AdvectionLesson::draw_path(Scene& scene) const {
     const Index cell = selected();
-    const Departure<2> d = advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt());
+    const Departure<2> d = departure_of(cell);
     const auto at = [this](const GridPlace<2>& x) { return position(dx() * x[0], dx() * x[1]); };
     const Position arrival = at(d.arrival), departure = at(d.free_departure);
     const bool midpoint = back_trace == BackTrace::midpoint;
@@ -87,7 +87,7 @@ void AdvectionLesson::draw_path(Scene& scene) const {
 // The samples around the departure place, enlarged, with their weights.
 void AdvectionLesson::draw_magnifier(Scene& scene) const {
     const Index cell = selected();
-    const GridPlace<2> place = advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt()).departure;
+    const GridPlace<2> place = departure_of(cell).departure;
     const PaddedField<2>& old = advection_->carried();
     const InterpolationStencil<2> stencil = interpolation_stencil<2>(old, place);
     const Index across = 4;
@@ -106,7 +106,7 @@ void AdvectionLesson::draw_magnifier(Scene& scene) const {
     const bool of_quantity = scene.colour_by.field == "quantity" || shown_values.empty();
     for (Index j = 0; j < across; ++j)
         for (Index i = 0; i < across; ++i) {
-            const Index c = flow::sample_beyond(grid_->cells(), {first[0] + i, first[1] + j}).index;
+            const Index c = sample_beyond(grid_->cells(), {first[0] + i, first[1] + j}).index;
             map.values.push_back(of_quantity ? static_cast<float>(previous_[c]) : shown_values[static_cast<std::size_t>(c)]);
         }
     scene.grids.push_back(std::move(map));
@@ -137,8 +137,7 @@ void AdvectionLesson::write_notes(Scene& scene) const {
     scene.notes.push_back(fmt::format("Δx = {}, Δt = C Δx/U = {}", format_quantity(dx(), "m", 3), format_quantity(dt(), "s", 3)));
     scene.notes.push_back(turns);
     const Index cell = selected();
-    const InterpolationStencil<2> stencil = interpolation_stencil<2>(
-        advection_->carried(), advection_->departure(grid_->cells().place(grid_->cells().coordinates(cell)), dt()).departure);
+    const InterpolationStencil<2> stencil = interpolation_stencil<2>(advection_->carried(), departure_of(cell).departure);
     const Real correction = corrected() ? (previous_[cell] - returned_[cell]) / 2 : Real{0};
     std::string sum;
     Real value = 0;

@@ -20,62 +20,39 @@ constexpr Index finest = 256;
 void DiffusionLesson::declare_checks() {
     const auto careful = [this] { return is_explicit() && !literal(); };
     assumptions = {
-        {.name = "explicit limit",
-         .value = [this] { return rate(); },
-         .limit = [this] { return limit(); },
-         .formula = "νΔt/Δx² ≤ 1/2 in 1D, 1/4 in 2D",
-         .broken = "the shortest wave overshoots: each step turns its sign and makes it larger, until nothing else is seen",
-         .used = careful,
-         .fix = [this] { return stable_again(); }},
-        {.name = "the slide's formula is complete",
-         .value = [] { return Real{2}; },
-         .limit = [] { return Real{0}; },
-         .formula = "terms left out: the old u, and 1/Δx²",
-         .broken = "u ← νΔt Σ keeps only the increment, and of that not the 1/Δx²: the first step leaves almost nothing of u",
-         .used = [this] { return literal(); },
-         .fix =
-             [] {
-                 return std::optional(Fix{"form = careful", {{"form", "careful"}}});
-             }},
-        {.name = "mode resolved in time",
-         .value = [this] { return rate() * modes_.laplace_factor(mode); },
-         .limit = [] { return most_decay; },
-         .formula = "ν|k|²Δt ≤ 0.5, of the watched mode",
-         .broken = "it decays by much within one step: the factor of the scheme is not exp(−ν|k|²Δt), stable or not",
-         .fix = [this] { return finer_in_time(); }},
-        {.name = "mode resolved in space",
-         .value = [this] { return modes_.phase(mode) / (2 * std::numbers::pi); },
-         .limit = [] { return most_waves; },
-         .formula = "at least 8 cells per wave",
-         .broken = "the stencil lets a short wave live too long; with fewer than 2 cells per wave the cells show another wave",
-         .fix = [this] { return finer_in_space(); }}};
+        assumption_of(
+            "explicit limit", "", [this] { return rate(); }, [this] { return limit(); }, "νΔt/Δx² ≤ 1/2 in 1D, 1/4 in 2D",
+            "the shortest wave overshoots: each step turns its sign and makes it larger, until nothing else is seen")
+            .when(careful)
+            .mended_by([this] { return stable_again(); }),
+        assumption_of(
+            "the slide's formula is complete", "", [] { return Real{2}; }, [] { return Real{0}; },
+            "terms left out: the old u, and 1/Δx²",
+            "u ← νΔt Σ keeps only the increment, and of that not the 1/Δx²: the first step leaves almost nothing of u")
+            .when([this] { return literal(); })
+            .mended_by(Fix{"form = careful", {{"form", "careful"}}}),
+        assumption_of(
+            "mode resolved in time", "", [this] { return rate() * modes_.laplace_factor(mode); }, [] { return most_decay; },
+            "ν|k|²Δt ≤ 0.5, of the watched mode",
+            "it decays by much within one step: the factor of the scheme is not exp(−ν|k|²Δt), stable or not")
+            .mended_by([this] { return fix_by(diffusion_number, rounded_down(0.8 * most_decay / modes_.laplace_factor(mode))); }),
+        assumption_of(
+            "mode resolved in space", "", [this] { return modes_.phase(mode) / (2 * std::numbers::pi); },
+            [] { return most_waves; }, "at least 8 cells per wave",
+            "the stencil lets a short wave live too long; with fewer than 2 cells per wave the cells show another wave")
+            .mended_by([this] { return finer_in_space(); })};
     const auto sound = [this] { return !literal() && (!is_explicit() || rate() <= limit()); };
-    conserved = {{.probe = "sum",
-                  .law = Law::constant,
-                  .tolerance = [this] { return 1e-9 * scale() * static_cast<Real>(u_.size()); },
-                  .expected = [this] { return boundary != Boundary::fixed && !literal(); },
-                  .cancels = [this] { return u_.lpNorm<1>(); }},
-                 {.probe = "max",
-                  .law = Law::never_grows,
-                  .tolerance = [this] { return (is_explicit() ? 1e-12 : 1e-12 + 2 * tolerance) * scale(); },
-                  .expected = [this, sound] { return boundary != Boundary::fixed && sound(); }}};
-}
-
-std::optional<Fix> DiffusionLesson::stable_again() const {
-    const Real r = rounded_down(0.9 * limit());
-    return Fix{fmt::format("r = {}", format_quantity(r, "")), {{"diffusion_number", format_exact(r)}}};
-}
-
-std::optional<Fix> DiffusionLesson::finer_in_time() const {
-    const Real r = rounded_down(0.8 * most_decay / modes_.laplace_factor(mode));
-    return Fix{fmt::format("r = {}", format_quantity(r, "")), {{"diffusion_number", format_exact(r)}}};
+    conserved = {{"sum", Law::constant, [this] { return 1e-9 * scale() * static_cast<Real>(u_.size()); },
+                  [this] { return boundary != Boundary::fixed && !literal(); }, [this] { return u_.lpNorm<1>(); }},
+                 {"max", Law::never_grows, [this] { return (is_explicit() ? 1e-12 : 1e-12 + 2 * tolerance) * scale(); },
+                  [this, sound] { return boundary != Boundary::fixed && sound(); }}};
 }
 
 // As many cells as the wave needs, or a wave that the most cells can show.
 std::optional<Fix> DiffusionLesson::finer_in_space() const {
-    const Real waves = modes_.phase(mode) / (2 * std::numbers::pi) * static_cast<Real>(Index(resolution));
+    const Real waves = modes_.phase(mode) / (2 * std::numbers::pi) * resolution.value();
     const auto cells = static_cast<Index>(std::ceil(waves / most_waves - 1e-9));
-    if (cells <= finest) return Fix{fmt::format("n = {}", cells), {{"resolution", std::to_string(cells)}}};
+    if (cells <= finest) return fix_by(resolution, static_cast<Real>(cells));
     return Fix{"m = 3, n = 64", {{"mode", "3"}, {"resolution", "64"}}};
 }
 
@@ -92,12 +69,6 @@ std::string DiffusionLesson::blow_up_hint() const {
         "every "
         "step. Lower diffusion_number to {} or less, or set scheme to implicit",
         format_quantity(rate(), "", 3), limit_text, shortest, format_quantity(1 - shortest * rate(), "", 3), limit());
-}
-
-std::optional<Fix> DiffusionLesson::fix(const Failure&) const {
-    if (literal()) return Fix{"form = careful, r = 0.2", {{"form", "careful"}, {"diffusion_number", "0.2"}}};
-    if (is_explicit()) return stable_again();
-    return Fix{"r = 1", {{"diffusion_number", "1"}}};
 }
 
 // With r as it is, half the cell size means a quarter of the time step: both errors fall alike.

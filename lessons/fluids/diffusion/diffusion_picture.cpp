@@ -24,11 +24,6 @@ Real rounded_up(Real x) {
 
 }  // namespace
 
-void DiffusionLesson::draw(Scene& scene) const {
-    dims() == 1 ? draw_row(scene) : draw_square(scene);
-    write_notes(scene);
-}
-
 Vec<2> DiffusionLesson::cell_middle(const Counts<2>& at) const {
     const Real x = (static_cast<Real>(at[0]) + 0.5) * dx();
     return {x, dims() == 1 ? 0.5 * (strip_low + strip_high) * length : (static_cast<Real>(at[1]) + 0.5) * dx()};

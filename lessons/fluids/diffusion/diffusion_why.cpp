@@ -1,6 +1,6 @@
 // How each number came about.
 #include "diffusion.h"
-#include "fluids/flow/grid_why.h"
+#include "kits/grid2d/grid_why.h"
 
 #include <cmath>
 
@@ -10,7 +10,6 @@ namespace pliant::diffusion {
 namespace {
 
 using From = Input::From;
-using Values = std::span<const Real>;
 
 std::string joined(const std::vector<Input>& inputs) {
     std::string sum;
@@ -18,27 +17,7 @@ std::string joined(const std::vector<Input>& inputs) {
     return sum;
 }
 
-// Of the inputs number `first` to the last but `after`.
-Real sum_between(Values x, std::size_t first, std::size_t after) {
-    Real sum = 0;
-    for (std::size_t k = first; k + after < x.size(); ++k) sum += x[k];
-    return sum;
-}
-
 }  // namespace
-
-Input DiffusionLesson::why_rate() const {
-    return viscosity > 0 ? Input::of(diffusion_number) : Input::constant("r", 0, "", "νΔt/Δx² without viscosity");
-}
-
-Input DiffusionLesson::why_dx() const {
-    return Input::part("Δx", "m", {"Δx = L / n", {Input::of(length), Input::of(resolution)}});
-}
-
-Explanation DiffusionLesson::why_time_step() const {
-    if (viscosity == 0) return fixed_value("Δt = 1   (any: without viscosity nothing diffuses)", 1);
-    return {"Δt = r Δx² / ν", {Input::of(diffusion_number), why_dx(), Input::of(viscosity)}};
-}
 
 // What the stencil takes from around a cell; beyond a wall what continues u there.
 std::vector<Input> DiffusionLesson::why_neighbours(Index cell, Input::From from, const char* mark) const {
@@ -46,7 +25,7 @@ std::vector<Input> DiffusionLesson::why_neighbours(Index cell, Input::From from,
     for (const Neighbour& n : neighbours()) {
         Counts<2> at = lattice_.coordinates(cell);
         at[n.axis] += n.step;
-        beside.push_back(flow::sample(fmt::format("u{}_{}", mark, n.name), from, "u", flow::sample_beyond(lattice_, at)));
+        beside.push_back(grid2d::sample(fmt::format("u{}_{}", mark, n.name), from, "u", sample_beyond(lattice_, at)));
     }
     return beside;
 }
@@ -57,15 +36,14 @@ std::optional<Explanation> DiffusionLesson::why_neighbourhood(const Question& q)
     std::vector<Input> inputs = why_neighbours(q.index, From::before, "");
     std::string formula = fmt::format("s = {} − {} u", joined(inputs), inputs.size());
     inputs.push_back(Input::before("u", "u", q.index));
-    return Explanation{std::move(formula), std::move(inputs),
-                       [](Values x) { return sum_between(x, 0, 1) - static_cast<Real>(x.size() - 1) * x.back(); }};
+    return Explanation{std::move(formula), std::move(inputs)};
 }
 
 Explanation DiffusionLesson::why_updated(Index cell) const {
     const Input s = Input::now("s", "stencil", cell);
     if (literal())
         return {.formula = "u′ = ν Δt s   (as on the slide: the number of ν Δt in m²)",
-                .inputs = {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), s},
+                .inputs = {viscosity, Input::part("Δt", "s", why_time_step()), s},
                 .wrong_unit = true};
     return {"u′ = u + r s", {Input::before("u", "u", cell), why_rate(), s}};
 }
@@ -104,42 +82,16 @@ Explanation DiffusionLesson::why_amplitude(std::string_view field) const {
     return weighted_sum("A = Σ w u over the cells, w = φ/Σφ²", terms);
 }
 
-Explanation DiffusionLesson::why_factor() const {
-    return {"G = A / A_b", {Input::part("A", "m/s", why_amplitude("u")), Input::part("A_b", "m/s", why_amplitude("u_before"))}};
-}
-
 Explanation DiffusionLesson::why_theory() const {
-    Input Lambda = Input::part(
-        "Λ", "",
-        {fmt::format("Λ = {} sin(κ / 2)²", 4 * dims()),
-         {Input::constant("κ", modes_.phase(mode), "rad", "phase from one cell to the next: 2πm/n, or πm/n between walls")}});
+    Input Lambda =
+        part(fmt::format("Λ = {} sin(κ / 2)²", 4 * dims()),
+             {Input::constant("κ", modes_.phase(mode), "rad", "phase from one cell to the next: 2πm/n, or πm/n between walls")});
     if (literal())
         return {.formula = "G_r = −ν Δt Λ",
-                .inputs = {Input::of(viscosity), Input::part("Δt", "s", why_time_step()), std::move(Lambda)},
+                .inputs = {viscosity, Input::part("Δt", "s", why_time_step()), std::move(Lambda)},
                 .wrong_unit = true};
     if (is_explicit()) return {"G_r = 1 − r Λ", {why_rate(), std::move(Lambda)}};
     return {"G_r = 1 / (1 + r Λ)", {why_rate(), std::move(Lambda)}};
-}
-
-Explanation DiffusionLesson::why_exact_factor() const {
-    return {dims() == 1 ? "G_ν = exp(−r κ²)" : "G_ν = exp(−2 r κ²)",
-            {why_rate(), Input::constant("κ", modes_.phase(mode), "rad", "k Δx: phase from one cell to the next")},
-            [d = dims()](Values x) { return std::exp(-d * x[0] * x[1] * x[1]); }};
-}
-
-Explanation DiffusionLesson::why_extreme(bool largest) const {
-    Index at = 0;
-    largest ? u_.maxCoeff(&at) : u_.minCoeff(&at);
-    return {fmt::format("{} u = u   (of all cells: cell {})", largest ? "max" : "min", at), {Input::now("u", "u", at)}};
-}
-
-Explanation DiffusionLesson::why_error() const {
-    Index at = 0;
-    Real largest = -1;
-    for (Index c = 0; c < u_.size(); ++c)
-        if (const Real off = std::abs(u_[c] - *exact(c, elapsed_[1])); off > largest) largest = off, at = c;
-    return {fmt::format("max|u − u_exact| = |u − u_x|   (largest in cell {})", at),
-            {Input::now("u", "u", at), Input::constant("u_x", *exact(at, elapsed_[1]), "m/s", "solution of ∂u/∂t = ν∇²u")}};
 }
 
 }  // namespace pliant::diffusion

@@ -1,6 +1,5 @@
 // The stencil of the selected cell: its cells in the picture, the same magnified with weights and values, and what they exchange.
 #include "diffusion.h"
-#include "fluids/flow/face_samples.h"
 
 #include <pliant/text/format.h>
 
@@ -64,7 +63,7 @@ void DiffusionLesson::draw_neighbour(Scene& scene, const Magnifier& large, const
     Counts<2> at = selected();
     const bool beyond = lattice_.neighbour(at, n.axis, n.step) < 0;
     at[n.axis] += n.step;
-    const flow::SampleBeyond sample = flow::sample_beyond(lattice_, at);
+    const SampleBeyond sample = sample_beyond(lattice_, at);
     const Real beside = sample.factor * u_[sample.index] + sample.offset, gain = rate() * (beside - u_[selected_cell()]);
     const Vec<2> way = n.step * Vec<2>::Unit(n.axis), half = large.half[n.axis] * way, apart = large.apart[n.axis] * way;
     const Weights w = weights();

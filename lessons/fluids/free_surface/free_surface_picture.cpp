@@ -1,7 +1,7 @@
 // The picture: the liquid up to its surface, its velocity, the tank with what stands in it, and a gauge of the volume.
-#include "fluids/flow/grid_picture.h"
-#include "fluids/flow/liquid_picture.h"
 #include "free_surface.h"
+#include "kits/grid2d/grid_picture.h"
+#include "kits/grid2d/liquid_picture.h"
 
 #include <pliant/text/format.h>
 
@@ -32,7 +32,7 @@ void FreeSurface::draw(Scene& picture) const {
                         j = std::clamp<Index>(static_cast<Index>(x[1] / dx()), 0, rows() - 1);
             return phi[i + resolution * j] < 0;
         };
-        flow::draw_velocity(picture, liquid_->grid(), fields_of_flow_.flow(), arrow_speed(), most_arrows, wet);
+        grid2d::draw_velocity(picture, liquid_->grid(), fields_of_flow_.flow(), arrow_speed(), most_arrows, wet);
     }
     draw_start(picture);
     draw_tank(picture);
@@ -52,10 +52,10 @@ Real FreeSurface::arrow_speed() const {
 
 void FreeSurface::draw_liquid(Scene& picture) const {
     const Field* field = find_field(picture.colour_by.field);
-    if (field && (field->on == On::x_face || field->on == On::y_face)) flow::draw_field(picture, *this, liquid_->grid());
+    if (field && (field->on == On::x_face || field->on == On::y_face)) grid2d::draw_field(picture, *this, liquid_->grid());
     const bool over_field = !picture.grids.empty();
-    flow::draw_liquid(picture, liquid_->grid(), liquid_->distance(),
-                      over_field ? std::vector<float>() : picture.values(*this, On::cell));
+    grid2d::draw_liquid(picture, liquid_->grid(), liquid_->distance(),
+                        over_field ? std::vector<float>() : picture.values(*this, On::cell));
     // Where numbers on faces fill the tank, of the liquid only its surface is drawn.
     if (over_field) picture.triangles.pop_back();
 }

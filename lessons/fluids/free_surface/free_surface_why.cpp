@@ -12,7 +12,7 @@ namespace {
 
 using From = Input::From;
 using Values = std::span<const Real>;
-using flow::face_field;
+using grid2d::face_field;
 
 constexpr std::array<const char*, 4> ways{"left", "right", "below", "above"};
 
@@ -33,13 +33,8 @@ Explanation mean_of_neighbours(std::string_view symbol, std::string_view field, 
 
 }  // namespace
 
-flow::GridWhy FreeSurface::why_on_grid() const {
-    const flow::Surface surface{&liquid_->distance(), condition == SurfaceCondition::at_surface};
-    return {liquid_->grid(), Input::of(dt), surface};
-}
-
 Explanation FreeSurface::kept(int axis, Index face) const {
-    if (liquid_->grid().prescribed(axis, face)) return flow::kept_by_wall(axis, face);
+    if (liquid_->grid().prescribed(axis, face)) return grid2d::kept_by_wall(axis, face);
     return {"u′ = u   (no liquid beside the face)", {Input::before("u", face_field(axis), face)}};
 }
 
@@ -52,37 +47,22 @@ Explanation FreeSurface::why_solid(int axis, Index face) const {
     }();
     if (grid.prescribed(axis, face) && on_paddle)
         return {axis == 0 ? "u′ = U   (the face belongs to the paddle)" : "v′ = U   (above and below the paddle)",
-                {Input::constant("U", axis == 0 ? paddle_speed(time()) : 0, "m/s", "velocity of the paddle across the face")},
-                [](Values x) { return x[0]; }};
+                {Input::constant("U", axis == 0 ? paddle_speed(time()) : 0, "m/s", "velocity of the paddle across the face")}};
     return kept(axis, face);
 }
 
 Explanation FreeSurface::why_force(int axis, Index face) const {
-    if (liquid_->grid().prescribed(axis, face)) return flow::kept_by_wall(axis, face);
+    if (liquid_->grid().prescribed(axis, face)) return grid2d::kept_by_wall(axis, face);
     const Input before = Input::before("u", face_field(axis), face);
     if (axis == 0) return {"u′ = u   (gravity does not act sideways)", {before}};
-    return {"u′ = u − Δt g", {before, Input::of(dt), Input::of(gravity)}};
-}
-
-Explanation FreeSurface::why_advected(int axis, Index face) const {
-    if (why_on_grid().closed(axis, face)) return kept(axis, face);
-    return flow::AdvectionWhy(liquid_->grid(), liquid_->advection(), dt, Input::of(dt)).velocity(axis, face);
+    return {"u′ = u − Δt g", {before, dt, gravity}};
 }
 
 std::optional<Explanation> FreeSurface::why_projection(const Question& q) const {
-    const flow::GridWhy why = why_on_grid();
-    if (q.field == "divergence_before") return why.divergence(q.index, From::before);
-    if (q.field == "pressure") return why.pressure(q.index);
-    const bool applied = liquid_->projection().converged();
-    if (q.field == "divergence_after") return applied ? why.divergence(q.index, From::now) : why.remaining_divergence(q.index);
-    if (!applied) return std::nullopt;
-    const int axis = flow::axis_of(q.field);
-    return why.closed(axis, q.index) ? kept(axis, q.index) : why.projected(axis, q.index);
-}
-
-Explanation FreeSurface::why_carried(Index cell) const {
-    const LevelSet<2>& surface = liquid_->surface();
-    return flow::AdvectionWhy(surface.box(), surface.advection(), dt, Input::of(dt)).quantity("distance", cell);
+    const bool on_faces = q.field == "u_on_faces" || q.field == "v_on_faces", converged = liquid_->projection().converged();
+    const int axis = grid2d::axis_of(q.field);
+    if (on_faces && converged && why_on_grid().closed(axis, q.index)) return kept(axis, q.index);
+    return why_on_grid().projection(q, converged);
 }
 
 Explanation FreeSurface::why_continued(int axis, Index face) const {
@@ -112,7 +92,7 @@ Explanation FreeSurface::why_redistanced(Index cell) const {
         return mean_of_neighbours("φ", "distance", cells, layers, cell);
     }
     if (surface.distance().minCoeff() >= 0 || surface.distance().maxCoeff() < 0)
-        return {"φ′ = φ   (there is no surface)", {before}, [](Values x) { return x[0]; }};
+        return {"φ′ = φ   (there is no surface)", {before}};
     if (surface.beside_surface(cell))
         return {"φ′ = φ / (1, or √(s_x² + s_y²) where that is not within 0.7 … 1.5)   (beside the surface)",
                 {before, Input::part("s_x", "", why_slope(cell, 0, "s_x")), Input::part("s_y", "", why_slope(cell, 1, "s_y"))},
@@ -143,34 +123,26 @@ Explanation FreeSurface::why_redistanced(Index cell) const {
 
 // -------------------------------------------------------------------------------------------------------------- probes
 
-namespace {
-Explanation at_a_crossing(std::string symbol, std::string_view meaning, Real centre, Index fluid, Index air, Real dx) {
+// Where the surface crosses the way between two cell centres. along: of the fluid cell's row or column.
+Explanation FreeSurface::at_crossing(const std::string& symbol, const std::string& meaning, const Crossing& at,
+                                     Index along) const {
     return {fmt::format("{} = x_c + Δx φ_f / (φ_f − φ_a)", symbol),
-            {Input::constant("x_c", centre, "m", std::string(meaning)), Input::constant("Δx", dx, "m", "edge of a cell"),
-             Input::now("φ_f", "distance", fluid), Input::now("φ_a", "distance", air)}};
+            {Input::constant("x_c", (static_cast<Real>(along) + 0.5) * dx(), "m", meaning), why_on_grid().dx(),
+             Input::now("φ_f", "distance", at.fluid), Input::now("φ_a", "distance", at.air)}};
 }
-}  // namespace
 
 Explanation FreeSurface::why_front() const {
     const Crossing at = front();
     if (at.fluid < 0) return fixed_value("x_f = 0   (there is no liquid)", 0);
-    if (at.air < 0) return {"x_f = W   (the liquid reaches the right wall)", {Input::of(tank_width)}};
-    const Real centre = (static_cast<Real>(at.fluid % resolution) + 0.5) * dx();
-    return at_a_crossing("x_f", "centre of the last cell of liquid", centre, at.fluid, at.air, dx());
-}
-
-Explanation FreeSurface::why_offset() const {
-    return {
-        "Δp = p − g max(h_w − ½ Δx, 0)",
-        {Input::now("p", "pressure", 0), Input::of(gravity), Input::part("h_w", "m", why_height_at_wall()), why_on_grid().dx()}};
+    if (at.air < 0) return {"x_f = W   (the liquid reaches the right wall)", {tank_width}};
+    return at_crossing("x_f", "centre of the last cell of liquid", at, at.fluid % resolution);
 }
 
 Explanation FreeSurface::why_height_at_wall() const {
     const Crossing at = height_in(0);
     if (at.fluid < 0) return fixed_value("h_w = 0   (the floor is dry at the wall)", 0);
     if (at.air < 0) return fixed_value("h_w = H   (the liquid reaches the lid)", tank_top());
-    const Real centre = (static_cast<Real>(at.fluid / resolution) + 0.5) * dx();
-    return at_a_crossing("h_w", "centre of the highest cell of liquid", centre, at.fluid, at.air, dx());
+    return at_crossing("h_w", "centre of the highest cell of liquid", at, at.fluid / resolution);
 }
 
 }  // namespace pliant::free_surface

@@ -17,19 +17,10 @@ constexpr Real fewest_cells = 8;           // across the disc
 
 }  // namespace
 
-std::optional<Fix> NavierStokes::shorter_step(Real cells) const {
-    const Real step = rounded_down(cells * dx() / max_speed(velocity_));
-    return Fix{fmt::format("Δt = {}", format_quantity(step, "s")), {{"time_step", format_exact(step)}}};
-}
-
 // Where the Reynolds number sets the viscosity, a smaller one.
-std::optional<Fix> NavierStokes::thicker_fluid(Real wanted) const {
-    if (scene().reynolds_length > 0) {
-        const Real Re = rounded_down(reynolds * nu() / wanted);
-        return Fix{fmt::format("Re = {}", format_quantity(Re, "")), {{"reynolds", format_exact(Re)}}};
-    }
-    const Real thicker = -rounded_down(-wanted);
-    return Fix{fmt::format("ν = {}", format_quantity(thicker, "m²/s")), {{"viscosity", format_exact(thicker)}}};
+Fix NavierStokes::thicker_fluid(Real wanted) const {
+    if (scene().reynolds_length > 0) return fix_by(reynolds, rounded_down(reynolds * nu() / wanted));
+    return fix_by(viscosity, -rounded_down(-wanted));
 }
 
 void NavierStokes::declare_checks() {
@@ -39,71 +30,50 @@ void NavierStokes::declare_checks() {
         return tolerance * (projection_ ? projection_->initial_divergence() : Real{0}) * (1 + 1e-6) + rounding();
     };
     assumptions = {
-        {.name = "divergence-free",
-         .unit = "1/s",
-         .value = [this] { return divergence_left(); },
-         .limit = kept_by_solver,
-         .formula = "max|∇·u| ≤ τ max|∇·ũ|",
-         .broken =
-             "a stage behind the projection, or no projection, leaves divergence: fluid is made and lost in every step, and "
-             "the velocity that is drawn is not that of an incompressible fluid",
-         .used = [this] { return time() > 0; },
-         .fix =
-             [this] {
-                 return with_projection
-                            ? Fix{"the lecture's order", {{"order", "lecture"}}}
-                            : Fix{"project, in the lecture's order", {{"with_projection", "true"}, {"order", "lecture"}}};
-             }},
-        {.name = "courant number",
-         .value = [this] { return courant_number(*grid_, velocity_, dt); },
-         .limit = [] { return largest_courant; },
-         .formula = "max|u| Δt/Δx ≤ 5",
-         .broken = "still stable, but the particle paths cut through vortices and walls: the flow is smeared and late",
-         .used = [this] { return bool(with_advection); },
-         .fix = [this] { return shorter_step(4); }},
-        {.name = "interpolation viscosity",
-         .unit = "m²/s",
-         .value = [this] { return interpolation_viscosity(); },
-         .limit = [this] { return nu(); },
-         .formula = "s(1 − s)Δx²/(2Δt) ≤ ν, s: fraction of a cell crossed per step",
-         .broken = "linear interpolation smooths the flow more than its own viscosity does: vortices die too soon",
-         .used = [this, viscous] { return viscous() && advection == Advection::semi_lagrangian; },
-         .fix =
-             [] {
-                 return Fix{"MacCormack", {{"advection", "mac_cormack"}}};
-             }},
-        {.name = "cell reynolds number",
-         .value = [this] { return max_speed(velocity_) * dx() / nu(); },
-         .limit = [] { return largest_cell_reynolds; },
-         .formula = "max|u| Δx/ν ≤ 2",
-         .broken = "boundary layers and the smallest vortices are thinner than a cell: what is seen is the grid's",
-         .used = viscous,
-         .fix = [this] { return thicker_fluid(max_speed(velocity_) * dx() / largest_cell_reynolds * 1.2); }},
-        {.name = "disc of cells",
-         .unit = "",
-         .value = [] { return fewest_cells; },
-         .limit = [this] { return scene().obstacle * static_cast<Real>(Index(resolution)); },
-         .formula = "8 ≤ D/Δx",
-         .broken = "a disc of so few squares is no disc: its wake is that of a block",
-         .used = [this] { return scene().obstacle > 0; },
-         .fix = [this]() -> std::optional<Fix> {
-             const auto n = static_cast<Index>(std::ceil(fewest_cells / scene().obstacle));
-             return Fix{fmt::format("{} cells per L", n), {{"resolution", std::to_string(n)}}};
-         }}};
-    conserved = {{.probe = "max_divergence",
-                  .law = Law::zero,
-                  .tolerance = kept_by_solver,
-                  .expected = [this] { return bool(with_projection); }},
-                 {.probe = "kinetic_energy",
-                  .law = Law::never_grows,
-                  .tolerance = [this] { return 1e-9 * std::max(initial_energy_, specific_energy()); },
-                  .expected =
-                      [this] {
-                          const Drives& drives = scene().drives;
-                          return order == Order::lecture && with_projection && !(with_forces && forced()) && !drives.lid &&
-                                 !drives.inflow;
-                      },
-                  .cancels = [this] { return specific_energy(); }}};
+        assumption_of(
+            "divergence-free", "1/s", [this] { return divergence_left(); }, kept_by_solver, "max|∇·u| ≤ τ max|∇·ũ|",
+            "a stage behind the projection, or no projection, leaves divergence: fluid is made and lost in every step, and "
+            "the velocity that is drawn is not that of an incompressible fluid")
+            .when([this] { return time() > 0; })
+            .mended_by([this] {
+                return with_projection
+                           ? Fix{"the lecture's order", {{"order", "lecture"}}}
+                           : Fix{"project, in the lecture's order", {{"with_projection", "true"}, {"order", "lecture"}}};
+            }),
+        assumption_of(
+            "courant number", "", [this] { return courant_number(*grid_, velocity_, dt); }, [] { return largest_courant; },
+            "max|u| Δt/Δx ≤ 5",
+            "still stable, but the particle paths cut through vortices and walls: the flow is smeared and late")
+            .when([this] { return bool(with_advection); })
+            .mended_by([this] { return fix_by(dt, rounded_down(4 * dx() / max_speed(velocity_))); }),
+        assumption_of(
+            "interpolation viscosity", "m²/s", [this] { return interpolation_viscosity(); }, [this] { return nu(); },
+            "s(1 − s)Δx²/(2Δt) ≤ ν, s: fraction of a cell crossed per step",
+            "linear interpolation smooths the flow more than its own viscosity does: vortices die too soon")
+            .when([this, viscous] { return viscous() && advection == grid2d::Carrying::linear; })
+            .mended_by(Fix{"MacCormack", {{"advection", "mac_cormack"}}}),
+        assumption_of(
+            "cell reynolds number", "", [this] { return max_speed(velocity_) * dx() / nu(); },
+            [] { return largest_cell_reynolds; }, "max|u| Δx/ν ≤ 2",
+            "boundary layers and the smallest vortices are thinner than a cell: what is seen is the grid's")
+            .when(viscous)
+            .mended_by([this] { return thicker_fluid(max_speed(velocity_) * dx() / largest_cell_reynolds * 1.2); }),
+        assumption_of(
+            "disc of cells", "", [] { return fewest_cells; }, [this] { return scene().obstacle * resolution.value(); },
+            "8 ≤ D/Δx", "a disc of so few squares is no disc: its wake is that of a block")
+            .when([this] { return scene().obstacle > 0; })
+            .mended_by([this]() -> std::optional<Fix> {
+                const auto n = static_cast<Index>(std::ceil(fewest_cells / scene().obstacle));
+                return Fix{fmt::format("{} cells per L", n), {{"resolution", std::to_string(n)}}};
+            })};
+    conserved = {{"max_divergence", Law::zero, kept_by_solver, [this] { return bool(with_projection); }},
+                 {"kinetic_energy", Law::never_grows, [this] { return 1e-9 * std::max(initial_energy_, specific_energy()); },
+                  [this] {
+                      const Drives& drives = scene().drives;
+                      return order == Order::lecture && with_projection && !(with_forces && forced()) && !drives.lid &&
+                             !drives.inflow;
+                  },
+                  [this] { return specific_energy(); }}};
 }
 
 // Steady: what has changed in the time in which the fastest fluid goes the length L is a small part of its speed.

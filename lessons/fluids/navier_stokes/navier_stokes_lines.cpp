@@ -1,67 +1,62 @@
 // Profiles: on the centre lines of boxes, against published numbers for the cavity, and across channels, against closed forms.
-#include "cavity_tables.h"
 #include "navier_stokes.h"
 
+#include <pliant/fluids/cavity_tables.h>
 #include <pliant/fluids/channel_flow.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace pliant::navier_stokes {
+namespace {
+
+// At the walls and in the middle of every row of cells.
+template <class Speed>
+void sample_across(Index rows, Real dx, Curve& curve, const Speed& speed) {
+    curve = {};
+    for (Index i = -1; i <= rows; ++i) {
+        const Real y = std::clamp((static_cast<Real>(i) + Real(0.5)) * dx, Real(0), static_cast<Real>(rows) * dx);
+        curve.position.push_back(y);
+        curve.value.push_back(speed(y));
+    }
+}
+
+}  // namespace
 
 void NavierStokes::declare_lines() {
     const auto walled = [this] { return scene().readings.centre_lines; };
     lines = {
-        {.name = "u_center",
-         .unit = "m/s",
-         .position_name = "y",
-         .position_unit = "m",
-         .help = "horizontal velocity on the vertical line through the middle; the table is that of the steady square cavity at "
-                 "Re = 100",
-         .sample = [this](Curve& curve) { profile(0, curve); },
-         .reference = [this](Curve& curve) { published_profile(0, curve); },
-         .reference_name = "Ghia et al. 1982",
-         .value_name = "u on the vertical centre line",
-         .reference_points = true,
-         .used = walled},
-        {.name = "v_center",
-         .unit = "m/s",
-         .position_name = "x",
-         .position_unit = "m",
-         .help = "vertical velocity on the horizontal line through the middle; the table is that of the steady square cavity at "
-                 "Re = 100",
-         .sample = [this](Curve& curve) { profile(1, curve); },
-         .reference = [this](Curve& curve) { published_profile(1, curve); },
-         .reference_name = "Ghia et al. 1982",
-         .value_name = "v on the horizontal centre line",
-         .reference_points = true,
-         .used = walled},
-        {.name = "profile",
-         .unit = "m/s",
-         .position_name = "y",
-         .position_unit = "m",
-         .help = "velocity along the channel, from wall to wall; pushed, the steady one is G y (H − y)/(2ν), drawn when it is "
-                 "near; dragged, U y/H",
-         .sample = [this](Curve& curve) { profile(0, curve); },
-         .reference = [this](Curve& curve) { scene().drives.lid ? present_profile(curve) : steady_profile(curve); },
-         .reference_name = "closed form",
-         .used = [this] { return scene().readings.profile; },
-         .others = {{.name = "closed form at this time",
-                     .sample = [this](Curve& curve) { scene().drives.lid ? void() : present_profile(curve); }},
-                    {.name = "steady: U y/H",
-                     .sample = [this](Curve& curve) { scene().drives.lid ? steady_profile(curve) : void(); }}}}};
+        line_of("u_center", "m/s", "y", "m",
+                "horizontal velocity on the vertical line through the middle; the table is that of the steady square cavity at "
+                "Re = 100",
+                [this](Curve& curve) { profile(0, curve); })
+            .against(
+                "Ghia et al. 1982", [this](Curve& curve) { published_profile(0, curve); }, true)
+            .measures("u on the vertical centre line")
+            .when(walled),
+        line_of("v_center", "m/s", "x", "m",
+                "vertical velocity on the horizontal line through the middle; the table is that of the steady square cavity at "
+                "Re = 100",
+                [this](Curve& curve) { profile(1, curve); })
+            .against(
+                "Ghia et al. 1982", [this](Curve& curve) { published_profile(1, curve); }, true)
+            .measures("v on the horizontal centre line")
+            .when(walled),
+        line_of("profile", "m/s", "y", "m",
+                "velocity along the channel, from wall to wall; pushed, the steady one is G y (H − y)/(2ν), drawn when it is "
+                "near; dragged, U y/H",
+                [this](Curve& curve) { profile(0, curve); })
+            .against("closed form", [this](Curve& curve) { scene().drives.lid ? present_profile(curve) : steady_profile(curve); })
+            .when([this] { return scene().readings.profile; })
+            .beside({{.name = "closed form at this time",
+                      .sample = [this](Curve& curve) { scene().drives.lid ? void() : present_profile(curve); }},
+                     {.name = "steady: U y/H",
+                      .sample = [this](Curve& curve) { scene().drives.lid ? steady_profile(curve) : void(); }}})};
 }
 
-// The component across `axis` on the centre line along the other axis: at the walls and at every row of faces between.
+// The component across `axis` on the centre line along the other axis.
 void NavierStokes::profile(int axis, Curve& curve) const {
-    curve.position.clear();
-    curve.value.clear();
-    const Index rows = grid_->cell_counts()[1 - axis];
-    for (Index i = -1; i <= rows; ++i) {
-        const Real along = std::clamp((static_cast<Real>(i) + Real(0.5)) * dx(), Real(0), static_cast<Real>(rows) * dx());
-        curve.position.push_back(along);
-        curve.value.push_back(velocity_on_centre_line(axis, along));
-    }
+    sample_across(grid_->cell_counts()[1 - axis], dx(), curve, [&](Real along) { return velocity_on_centre_line(axis, along); });
 }
 
 GridPlace<2> NavierStokes::place_on_centre_line(int axis, Real along) const {
@@ -73,30 +68,25 @@ GridPlace<2> NavierStokes::place_on_centre_line(int axis, Real along) const {
     return place;
 }
 
-Real NavierStokes::velocity_on_centre_line(int axis, Real along) const {
-    return fields_of_flow_.flow().component(axis).at(place_on_centre_line(axis, along));
-}
-
 // ------------------------------------------------------------------------------------------------------------- the cavity
 
 // A lid that moves to the left makes the mirror image.
 void NavierStokes::published_profile(int axis, Curve& curve) const {
-    curve.position.clear();
-    curve.value.clear();
+    curve = {};
     const Counts<2>& cells = grid_->cell_counts();
     const bool square_cavity = scene().drives.lid && cells[0] == cells[1];
     if (!square_cavity || lid_speed == 0 || std::abs(reynolds - 100) > 0.5 || !with_viscosity) return;
     const bool mirrored = lid_speed < 0;
-    const auto add = [&](const TableRow& row) {
+    const auto add = [&](const cavity::TableRow& row) {
         curve.position.push_back(width() * (axis == 1 && mirrored ? 1 - row.position : row.position));
         curve.value.push_back((axis == 0 ? Real(lid_speed) : std::abs(lid_speed)) * row.velocity);
     };
     if (axis == 0)
-        std::for_each(u_on_vertical_line.begin(), u_on_vertical_line.end(), add);
+        std::for_each(cavity::u_on_vertical_line.begin(), cavity::u_on_vertical_line.end(), add);
     else if (mirrored)
-        std::for_each(v_on_horizontal_line.rbegin(), v_on_horizontal_line.rend(), add);
+        std::for_each(cavity::v_on_horizontal_line.rbegin(), cavity::v_on_horizontal_line.rend(), add);
     else
-        std::for_each(v_on_horizontal_line.begin(), v_on_horizontal_line.end(), add);
+        std::for_each(cavity::v_on_horizontal_line.begin(), cavity::v_on_horizontal_line.end(), add);
 }
 
 std::optional<NavierStokes::Difference> NavierStokes::largest_from_table() const {
@@ -108,7 +98,7 @@ std::optional<NavierStokes::Difference> NavierStokes::largest_from_table() const
         for (std::size_t k = 0; k < published.position.size(); ++k) {
             const Real along = published.position[k];
             const Difference here{axis, along, velocity_on_centre_line(axis, along), published.value[k]};
-            if (!largest || here.size() > largest->size()) largest = here;
+            if (!largest || here > *largest) largest = here;
         }
     }
     return largest;
@@ -129,20 +119,6 @@ Real NavierStokes::closed_form(Real y) const {
     if (scene().drives.lid) return couette_start_up(y, height(), lid_speed, viscous_time());
     return poiseuille_start_up(y, height(), with_forces ? Real(body_force) : Real{0}, with_viscosity ? nu() : Real{0}, time());
 }
-
-namespace {
-// At the walls and in the middle of every row of cells.
-template <class Speed>
-void sample_across(Index rows, Real dx, Curve& curve, const Speed& speed) {
-    curve.position.clear();
-    curve.value.clear();
-    for (Index i = -1; i <= rows; ++i) {
-        const Real y = std::clamp((static_cast<Real>(i) + Real(0.5)) * dx, Real(0), static_cast<Real>(rows) * dx);
-        curve.position.push_back(y);
-        curve.value.push_back(speed(y));
-    }
-}
-}  // namespace
 
 void NavierStokes::present_profile(Curve& curve) const {
     if (!has_closed_form()) return;
@@ -169,7 +145,7 @@ std::optional<NavierStokes::Difference> NavierStokes::largest_from_closed_form()
     for (Index j = 0; j < grid_->cell_counts()[1]; ++j) {
         const Real y = (static_cast<Real>(j) + Real(0.5)) * dx();
         const Difference here{0, y, velocity_on_centre_line(0, y), closed_form(y)};
-        if (!largest || here.size() > largest->size()) largest = here;
+        if (!largest || here > *largest) largest = here;
     }
     return largest;
 }

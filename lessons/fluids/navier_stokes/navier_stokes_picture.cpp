@@ -1,5 +1,5 @@
 // The figure: a heat map of the field that is chosen, the velocity as arrows, the walls, and what drives the fluid.
-#include "fluids/flow/grid_picture.h"
+#include "kits/grid2d/grid_picture.h"
 #include "navier_stokes.h"
 
 #include <pliant/text/format.h>
@@ -31,9 +31,9 @@ void circle(Scene& scene, const Vec<2>& centre, Real radius, Ink ink, float widt
 }  // namespace
 
 void NavierStokes::draw(Scene& picture) const {
-    flow::draw_field(picture, *this, *grid_);
+    grid2d::draw_field(picture, *this, *grid_);
     if (picture.show_arrows)
-        flow::draw_velocity(picture, *grid_, fields_of_flow_.flow(), arrow_speed(), scene().obstacle > 0 ? 24 : 18);
+        grid2d::draw_velocity(picture, *grid_, fields_of_flow_.flow(), arrow_speed(), scene().obstacle > 0 ? 24 : 18);
     if (scene().obstacle > 0) draw_obstacle(picture);
     draw_walls(picture);
     draw_drives(picture);
@@ -42,12 +42,6 @@ void NavierStokes::draw(Scene& picture) const {
     const Real above = scene().drives.lid ? 0.18 : 0.06;
     picture.frame(position(-0.06 * size, -0.06 * size),
                   position(width() + 0.06 * size, height() + above * std::max(Real(size), height())));
-}
-
-// The speed whose arrow is as long as the arrows are apart. It does not follow the flow, so that arrows compare over time.
-Real NavierStokes::arrow_speed() const {
-    const Real U = reference_speed();
-    return scene().arrow_speed * (U > 0 ? U : 1);
 }
 
 void NavierStokes::draw_walls(Scene& picture) const {
@@ -64,28 +58,13 @@ void NavierStokes::draw_walls(Scene& picture) const {
     if (!picture.show_labels) return;
     if (grid_->periodic(0))
         picture.label(position(0.5 * W, 0), grid_->periodic(1) ? "periodic in x and y" : "periodic in x", Ink::text, 0, 14);
-    if (scene().drives.inflow) draw_openings(picture);
-}
-
-void NavierStokes::draw_openings(Scene& picture) const {
-    picture.label(position(0, height()), "in: U = " + format_quantity(inflow, "m/s"), Ink::velocity, 40, -16);
-    picture.label(position(width(), height()), "out: U", Ink::velocity, -24, -16);
+    if (!scene().drives.inflow) return;
+    picture.label(position(0, H), "in: U = " + format_quantity(inflow, "m/s"), Ink::velocity, 40, -16);
+    picture.label(position(W, H), "out: U", Ink::velocity, -24, -16);
 }
 
 void NavierStokes::draw_obstacle(Scene& picture) const {
-    TriangleMarks squares{.corners = {}, .triangles = {}, .ink = Ink::ground};
-    const Lattice<2>& cells = grid_->cells();
-    for (Index c = 0; c < cells.size(); ++c) {
-        if (grid_->is_fluid(c)) continue;
-        const Counts<2> at = cells.coordinates(c);
-        const int first = static_cast<int>(squares.corners.size());
-        for (int k = 0; k < 4; ++k)
-            squares.corners.push_back(
-                position(static_cast<Real>(at[0] + (k & 1)) * dx(), static_cast<Real>(at[1] + (k >> 1)) * dx()));
-        squares.triangles.push_back({first, first + 1, first + 3});
-        squares.triangles.push_back({first, first + 3, first + 2});
-    }
-    picture.triangles.push_back(std::move(squares));
+    grid2d::draw_solids(picture, *grid_);
     const Vec<2> centre = size * obstacle_centre(scene());
     circle(picture, centre, size * scene().obstacle / 2, Ink::ground, 2);
     if (!scene().readings.wake || !picture.show_labels) return;
@@ -98,16 +77,18 @@ void NavierStokes::draw_obstacle(Scene& picture) const {
 
 void NavierStokes::draw_drives(Scene& picture) const {
     const Real W = width(), H = height();
+    // Above the upper wall, with its label.
+    const auto along_wall = [&](Real half, Ink ink, const std::string& label) {
+        const Real above = H + 0.035 * size;
+        if (half != 0)
+            picture.arrows.push_back(
+                {.from = {position(0.72 * W - half, above)}, .to = {position(0.72 * W + half, above)}, .ink = ink, .width = 4});
+        if (picture.show_labels) picture.label(position(0.72 * W, above), label, ink, 0, -16);
+    };
     if (scene().drives.lid) {
         picture.line(position(0, H), position(W, H), Ink::accent, wall_width + 2);
-        const Real above = H + 0.035 * size, half = 0.14 * W * std::clamp(Real(lid_speed), Real(-1), Real(1));
-        if (lid_speed != 0)
-            picture.arrows.push_back({.from = {position(0.72 * W - half, above)},
-                                      .to = {position(0.72 * W + half, above)},
-                                      .ink = Ink::accent,
-                                      .width = 4});
-        if (picture.show_labels)
-            picture.label(position(0.72 * W, above), "wall: U = " + format_quantity(lid_speed, "m/s"), Ink::accent, 0, -16);
+        along_wall(0.14 * W * std::clamp(Real(lid_speed), Real(-1), Real(1)), Ink::accent,
+                   "wall: U = " + format_quantity(lid_speed, "m/s"));
     }
     if (with_forces && stirred()) {
         const Vec<2> middle = stirrer_place(time()), push = (stirring > 0 ? 0.09 : -0.09) * size * stirrer_heading(time());
@@ -116,15 +97,8 @@ void NavierStokes::draw_drives(Scene& picture) const {
             {.from = {position<2>(middle)}, .to = {position<2>(middle + push)}, .ink = Ink::force, .width = 4});
         if (picture.show_labels) picture.label(position<2>(middle), "f", Ink::force, 0, -16);
     }
-    if (with_forces && uniform_force()[0] != 0) {
-        const Real above = H + 0.035 * size, half = body_force > 0 ? 0.1 * W : -0.1 * W;
-        picture.arrows.push_back({.from = {position(0.72 * W - half, above)},
-                                  .to = {position(0.72 * W + half, above)},
-                                  .ink = Ink::force,
-                                  .width = 4});
-        if (picture.show_labels)
-            picture.label(position(0.72 * W, above), "G = " + format_quantity(body_force, "m/s²"), Ink::force, 0, -16);
-    }
+    if (with_forces && uniform_force()[0] != 0)
+        along_wall(body_force > 0 ? 0.1 * W : -0.1 * W, Ink::force, "G = " + format_quantity(body_force, "m/s²"));
     if (scene().drives.smoke) {
         const SmokeSource source = smoke_source();
         circle(picture, size * source.centre, size * source.radius, Ink::accent, 2.5f);

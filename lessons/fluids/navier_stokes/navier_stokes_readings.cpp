@@ -24,189 +24,126 @@ void NavierStokes::declare_fields() {
              state_array("u_compared", "m/s", compared_[0]),
              state_array("v_compared", "m/s", compared_[1])};
     const auto projected = [this] { return bool(with_projection); };
-    fields = {{.name = "velocity",
-               .symbol = "u",
-               .unit = "m/s",
-               .on = On::cell,
-               .rank = Rank::vector,
-               .components = 2,
-               .view = [this] { return flow::numbers(fields_of_flow_.centre_velocity()); },
-               .help = "at cell centres, the mean of the two faces across each axis, where it is stored",
-               .defined_by = {"u_on_faces", "v_on_faces"},
-               .explain = [this](const Question& q) { return why_on_grid().cell_velocity(q.index, q.component); }},
-              {.name = "speed",
-               .symbol = "|u|",
-               .unit = "m/s",
-               .on = On::cell,
-               .view = [this] { return flow::numbers(fields_of_flow_.speed()); },
-               .defined_by = {"velocity"},
-               .explain = [this](const Question& q) { return why_on_grid().speed(q.index); }},
-              {.name = "vorticity",
-               .symbol = "ω",
-               .unit = "1/s",
-               .on = On::cell,
-               .view = [this] { return flow::numbers(fields_of_flow_.vorticity()); },
-               .help = "∂v/∂x − ∂u/∂y: twice the rate at which the fluid turns, positive to the left",
-               .defined_by = {"u_on_faces", "v_on_faces"},
-               .explain = [this](const Question& q) { return why_on_grid().vorticity(q.index); }},
-              {.name = "divergence",
-               .symbol = "∇·u",
-               .unit = "1/s",
-               .on = On::cell,
-               .view = [this] { return largest_divergence(), flow::numbers(divergence_now_); },
-               .help = "of the velocity as it stands now, behind any stage: what flows out of each cell, per area",
-               .defined_by = {"u_on_faces", "v_on_faces"},
-               .explain = [this](const Question& q) { return why_on_grid().divergence(q.index, Input::From::now); }},
-              {.name = "divergence_before",
-               .symbol = "∇·ũ",
-               .unit = "1/s",
-               .on = On::cell,
-               .view = view_of(divergence_before_),
-               .help = "of the velocity that enters the projection: what flows out of each cell, per area",
-               .used = projected},
-              {.name = "divergence_after",
-               .symbol = "∇·u",
-               .unit = "1/s",
-               .on = On::cell,
-               .view = view_of(divergence_after_),
-               .help = "of the velocity that the projection leaves; after a pass of its solver, that which the pressure so far "
-                       "would leave",
-               .used = projected},
-              {.name = "pressure",
-               .symbol = "p",
-               .unit = "m²/s²",
-               .on = On::cell,
-               .view = view_of(pressure_),
-               .help = "kinematic pressure p/ρ: the lecture's Δt ∇²p = ∇·u has no ρ. Its mean is 0, since a closed box fixes p "
-                       "up to a constant",
-               .used = projected},
-              {.name = "u_on_faces",
-               .symbol = "u",
-               .unit = "m/s",
-               .on = On::x_face,
-               .view = view_of(velocity_[0]),
-               .help = "x component of the velocity, where it is stored: on the upright faces of the cells",
-               .bound = [] { return largest_velocity; }},
-              {.name = "v_on_faces",
-               .symbol = "v",
-               .unit = "m/s",
-               .on = On::y_face,
-               .view = view_of(velocity_[1]),
-               .help = "y component of the velocity, where it is stored: on the level faces of the cells",
-               .bound = [] { return largest_velocity; }},
-              {.name = "smoke",
-               .symbol = "s",
-               .on = On::cell,
-               .view = view_of(smoke_),
-               .help = "how much of a cell is smoke, 1 where it is made; it is carried along and lifted by its warmth",
-               .bound = [] { return 1 + 1e-9; },
-               .used = [this] { return scene().drives.smoke; }}};
+    const auto velocity = [this]() -> const FaceField<2>& { return velocity_; };
+    const auto why = [this] { return why_on_grid(); };
+    fields = {
+        grid2d::velocity_field(fields_of_flow_, why,
+                               "at cell centres, the mean of the two faces across each axis, where it is stored"),
+        grid2d::speed_field(fields_of_flow_, why),
+        scalar_field(
+            "vorticity", "ω", "1/s", On::cell, [this] { return as_span(fields_of_flow_.vorticity()); },
+            "∂v/∂x − ∂u/∂y: twice the rate at which the fluid turns, positive to the left")
+            .follows({"u_on_faces", "v_on_faces"}, [why](const Question& q) { return why().vorticity(q.index); }),
+        scalar_field(
+            "divergence", "∇·u", "1/s", On::cell,
+            [this] { return largest_divergence(), as_span(std::as_const(divergence_now_)); },
+            "of the velocity as it stands now, behind any stage: what flows out of each cell, per area")
+            .follows({"u_on_faces", "v_on_faces"},
+                     [why](const Question& q) { return why().divergence(q.index, Input::From::now); }),
+        scalar_field("divergence_before", "∇·ũ", "1/s", On::cell, divergence_before_,
+                     "of the velocity that enters the projection: what flows out of each cell, per area")
+            .when(projected),
+        scalar_field("divergence_after", "∇·u", "1/s", On::cell, divergence_after_,
+                     "of the velocity that the projection leaves; after a pass of its solver, that which the pressure so far "
+                     "would leave")
+            .when(projected),
+        scalar_field("pressure", "p", "m²/s²", On::cell, pressure_,
+                     "kinematic pressure p/ρ: the lecture's Δt ∇²p = ∇·u has no ρ. Its mean is 0, since a closed box fixes p "
+                     "up to a constant")
+            .when(projected),
+        grid2d::stored_velocity(0, velocity, largest_velocity),
+        grid2d::stored_velocity(1, velocity, largest_velocity),
+        scalar_field("smoke", "s", "", On::cell, smoke_,
+                     "how much of a cell is smoke, 1 where it is made; it is carried along and lifted by its warmth")
+            .stops_at(1 + 1e-9)
+            .when([this] { return scene().drives.smoke; })};
 }
 
 // -------------------------------------------------------------------------------------------------------------- probes
 
 void NavierStokes::declare_probes() {
-    const auto size_of = [this](const VecX& field) {
-        return with_projection ? std::optional(field.lpNorm<Eigen::Infinity>()) : std::nullopt;
-    };
+    const auto projected = [this] { return bool(with_projection); };
+    const auto watched = [this] { return scene().readings.wake; };
     probes = {
-        {.name = "kinetic_energy",
-         .symbol = "e",
-         .unit = "J/kg",
-         .help = "½|u|² per mass, mean over the fluid; times ρ and the area it is the energy per metre of depth",
-         .value = [this] { return specific_energy(); },
-         .exact = [this](Real t) -> std::optional<Real> {
-             if (!scene().readings.decay) return std::nullopt;
-             const Real ahead = with_viscosity ? nu() * (t - time()) : Real{0};
-             return initial_energy_ * std::exp(-16 * pi * pi * (viscous_time() + ahead) / (size * size));
-         }},
-        {.name = "max_divergence",
-         .symbol = "max|∇·u|",
-         .unit = "1/s",
-         .help = "what the projection leaves",
-         .value = [this, size_of] { return size_of(divergence_after_); },
-         .explain = [this] { return flow::largest("max|∇·u|", divergence_after_, "divergence_after"); }},
-        {.name = "max_divergence_before",
-         .symbol = "max|∇·ũ|",
-         .unit = "1/s",
-         .help = "what the projection was given",
-         .value = [this, size_of] { return size_of(divergence_before_); },
-         .explain = [this] { return flow::largest("max|∇·ũ|", divergence_before_, "divergence_before"); }},
-        {.name = "divergence_left",
-         .symbol = "max|∇·u|",
-         .unit = "1/s",
-         .help = "of the velocity as it stands; at the end of a step in the lecture's order it is what the projection leaves",
-         .value = [this] { return largest_divergence(); },
-         .explain = [this] { return largest_divergence(), flow::largest("max|∇·u|", divergence_now_, "divergence"); }},
-        {.name = "max_speed",
-         .symbol = "max|u|",
-         .unit = "m/s",
-         .help = "largest component of the velocity on any face",
-         .value = [this] { return pliant::max_speed(velocity_); },
-         .explain = [this] { return why_max_speed(); }},
-        {.name = "cfl",
-         .symbol = "CFL",
-         .help = "Courant number max|u| Δt/Δx: cells that the fastest fluid crosses in a step",
-         .value = [this] { return courant_number(*grid_, velocity_, dt); },
-         .explain = [this] { return why_on_grid().courant(velocity_); }},
-        {.name = "solver_iterations",
-         .help = "of the pressure solver in the latest step",
-         .value = [this] { return projection_ ? static_cast<Real>(projection_->iterations()) : 0; }},
-        {.name = "reynolds_number",
-         .symbol = "Re",
-         .help = "U L/ν: of the cavity with the lid's speed, of the vortex street with the disc's diameter and the inflow, "
-                 "elsewhere with the fastest fluid",
-         .value = [this] { return reynolds_number(); },
-         .explain = [this] { return why_reynolds(); }},
-        {.name = "table_difference",
-         .unit = "m/s",
-         .help = "largest difference on both centre lines from the table of the steady square cavity at Re = 100",
-         .value = [this] { return size_of_difference(largest_from_table()); },
-         .explain = [this] { return why_table_difference(); }},
-        {.name = "effective_viscosity",
-         .unit = "m²/s",
-         .help = "viscosity that the decay of the Taylor–Green energy amounts to, −ln(e/e₀) L²/(16π²t); what exceeds ν is "
-                 "the method's",
-         .value = [this] { return effective_viscosity(); },
-         .exact = [this](Real) { return effective_viscosity() ? std::optional(viscous_time() / time()) : std::nullopt; },
-         .explain = [this] { return why_effective_viscosity(); }}};
-}
-
-void NavierStokes::declare_wake_probes() {
-    const auto watched = [this](auto value) {
-        return [this, value]() -> std::optional<Real> {
-            if (!scene().readings.wake) return std::nullopt;
-            return value();
-        };
-    };
-    probes.insert(probes.end(),
-                  {{.name = "profile_difference",
-                    .unit = "m/s",
-                    .help = "largest difference across the channel from the closed form at this time",
-                    .value = [this] { return size_of_difference(largest_from_closed_form()); },
-                    .explain = [this] { return why_profile_difference(); }},
-                   {.name = "wake_velocity",
-                    .symbol = "v",
-                    .unit = "m/s",
-                    .help = "across the stream, 2½ diameters behind the middle of the disc: it swings with the vortices",
-                    .value = watched([this] { return wake_velocity(); }),
-                    .explain =
-                        [this] {
-                            return Explanation{"v = v_face   (the face nearest to the mark)",
-                                               {Input::now("v_face", "v_on_faces", wake_face_)}};
-                        }},
-                   {.name = "strouhal",
-                    .symbol = "St",
-                    .help = "D/(U T), where T is the mean of the latest periods (at most 4) of the velocity in the wake",
-                    .value = watched([this] { return strouhal(); }),
-                    .explain = [this] { return why_strouhal(); }},
-                   {.name = "smoke_volume",
-                    .unit = "m²",
-                    .help = "of all smoke, per metre of depth",
-                    .value = [this]() -> std::optional<Real> {
-                        if (!scene().drives.smoke) return std::nullopt;
-                        return smoke_.sum() * dx() * dx();
-                    }}});
+        probe_of("kinetic_energy", "e", "J/kg",
+                 "½|u|² per mass, mean over the fluid; times ρ and the area it is the energy per metre of depth",
+                 [this] { return specific_energy(); })
+            .exactly([this](Real t) -> std::optional<Real> {
+                if (!scene().readings.decay) return std::nullopt;
+                const Real ahead = with_viscosity ? nu() * (t - time()) : Real{0};
+                return initial_energy_ * std::exp(-16 * pi * pi * (viscous_time() + ahead) / (size * size));
+            }),
+        grid2d::largest_probe("max_divergence", "max|∇·u|", "1/s", "what the projection leaves", divergence_after_,
+                              "divergence_after")
+            .when(projected),
+        grid2d::largest_probe("max_divergence_before", "max|∇·ũ|", "1/s", "what the projection was given", divergence_before_,
+                              "divergence_before")
+            .when(projected),
+        probe_of(
+            "divergence_left", "max|∇·u|", "1/s",
+            "of the velocity as it stands; at the end of a step in the lecture's order it is what the projection leaves",
+            [this] { return largest_divergence(); },
+            [this] { return largest_divergence(), grid2d::largest("max|∇·u|", divergence_now_, "divergence"); }),
+        probe_of(
+            "max_speed", "max|u|", "m/s", "largest component of the velocity on any face",
+            [this] { return pliant::max_speed(velocity_); }, [this] { return why_max_speed(); }),
+        probe_of(
+            "cfl", "CFL", "", "Courant number max|u| Δt/Δx: cells that the fastest fluid crosses in a step",
+            [this] { return courant_number(*grid_, velocity_, dt); }, [this] { return why_on_grid().courant(velocity_); }),
+        probe_of("solver_iterations", "", "", "of the pressure solver in the latest step",
+                 [this] { return projection_ ? static_cast<Real>(projection_->iterations()) : 0; }),
+        probe_of(
+            "reynolds_number", "Re", "",
+            "U L/ν: of the cavity with the lid's speed, of the vortex street with the disc's diameter and the inflow, "
+            "elsewhere with the fastest fluid",
+            [this] {
+                const Real length = scene().reynolds_length;
+                return (length > 0 ? reference_speed() * length : pliant::max_speed(velocity_)) * size / nu();
+            },
+            [this] { return why_reynolds(); })
+            .when([this] { return with_viscosity && nu() > 0; }),
+        probe_of(
+            "table_difference", "", "m/s",
+            "largest difference on both centre lines from the table of the steady square cavity at Re = 100",
+            [this] { return largest_from_table(); }, [this] { return why_difference(*largest_from_table(), "u_table"); }),
+        probe_of(
+            "effective_viscosity", "", "m²/s",
+            "viscosity that the decay of the Taylor–Green energy amounts to, −ln(e/e₀) L²/(16π²t); what exceeds ν is "
+            "the method's",
+            [this] { return -std::log(specific_energy() / initial_energy_) * size * size / (16 * pi * pi * time()); },
+            [this]() -> Explanation {
+                return {
+                    "ν_eff = −ln(e / e₀) L² / (16 π² t)",
+                    {Input::now("e", "kinetic_energy", 0), Input::constant("e₀", initial_energy_, "J/kg", "at the start"), size,
+                     Input::constant("π", pi, "", "3.14159…"), Input::constant("t", time(), "s", "time since the start")}};
+            })
+            .exactly([this](Real) { return viscous_time() / time(); })
+            .when([this] { return scene().readings.decay && time() > 0 && specific_energy() > 0; }),
+        probe_of(
+            "profile_difference", "", "m/s", "largest difference across the channel from the closed form at this time",
+            [this] { return largest_from_closed_form(); },
+            [this] { return why_difference(*largest_from_closed_form(), "u_exact"); }),
+        probe_of(
+            "wake_velocity", "v", "m/s",
+            "across the stream, 2½ diameters behind the middle of the disc: it swings with the vortices",
+            [this] { return wake_velocity(); },
+            [this]() -> Explanation {
+                return {"v = v_face   (the face nearest to the mark)", {Input::now("v_face", "v_on_faces", wake_face_)}};
+            })
+            .when(watched),
+        probe_of(
+            "strouhal", "St", "", "D/(U T), where T is the mean of the latest periods (at most 4) of the velocity in the wake",
+            [this] { return scene().obstacle * size / (inflow * *wake_.period()); },
+            [this]() -> Explanation {
+                const Input diameter = Input::constant("d", scene().obstacle, "", "diameter of the disc in units of L");
+                return {"St = D / (U T)",
+                        {part("D = d L", {diameter, size}), inflow,
+                         Input::constant("T", *wake_.period(), "s", "mean of the latest periods of the wake's v")}};
+            })
+            .when([this] { return scene().readings.wake && wake_.period() && inflow != 0; }),
+        probe_of("smoke_volume", "", "m²", "of all smoke, per metre of depth", [this] {
+            return smoke_.sum() * dx() * dx();
+        }).when([this] { return scene().drives.smoke; })};
 }
 
 // Leaves the divergence of each cell in divergence_now_.
@@ -215,30 +152,10 @@ Real NavierStokes::largest_divergence() const {
     return divergence_now_.lpNorm<Eigen::Infinity>();
 }
 
-std::optional<Real> NavierStokes::size_of_difference(const std::optional<Difference>& difference) {
-    return difference ? std::optional(difference->size()) : std::nullopt;
-}
-
 std::vector<std::string_view> NavierStokes::shown(std::vector<std::string_view> names) const {
     if (order != Order::lecture || !with_projection)
         std::ranges::replace(names, std::string_view("max_divergence"), std::string_view("divergence_left"));
     return names;
-}
-
-Real NavierStokes::specific_energy() const {
-    return pliant::kinetic_energy(*grid_, velocity_) / (grid_->cell_volume() * static_cast<Real>(grid_->fluid_cells()));
-}
-
-std::optional<Real> NavierStokes::reynolds_number() const {
-    if (!with_viscosity || nu() == 0) return std::nullopt;
-    const Real length = scene().reynolds_length;
-    return length > 0 ? reference_speed() * length * size / nu() : pliant::max_speed(velocity_) * size / nu();
-}
-
-std::optional<Real> NavierStokes::effective_viscosity() const {
-    const Real energy = specific_energy();
-    if (!scene().readings.decay || time() == 0 || energy <= 0) return std::nullopt;
-    return -std::log(energy / initial_energy_) * size * size / (16 * pi * pi * time());
 }
 
 // What linear interpolation adds where the fluid crosses s cells per step, at the root mean square of the speed:
@@ -247,14 +164,6 @@ Real NavierStokes::interpolation_viscosity() const {
     const Real cells = std::sqrt(2 * specific_energy()) * dt / dx();
     const Real s = cells - std::floor(cells);
     return s * (1 - s) * dx() * dx() / (2 * dt);
-}
-
-Real NavierStokes::wake_velocity() const { return velocity_[1][wake_face_]; }
-
-std::optional<Real> NavierStokes::strouhal() const {
-    const auto period = wake_.period();
-    if (!period || inflow == 0) return std::nullopt;
-    return scene().obstacle * size / (inflow * *period);
 }
 
 }  // namespace pliant::navier_stokes

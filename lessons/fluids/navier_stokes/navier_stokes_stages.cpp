@@ -1,6 +1,7 @@
 // The stages of a step, in the lecture's order or another.
 #include "navier_stokes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,52 +20,44 @@ constexpr Real pull_radius = 0.06, pull_stiffness = 40;  // L, 1/s²
 
 void NavierStokes::declare_stages() {
     stages = {
-        {.name = "external_forces",
-         .formula = "ũ ← u + Δt f,   f: force per unit mass",
-         .source = "Utrecht slides, Navier–Stokes equations; Stam1999 §2.2",
-         .run = [this] { external_forces(); },
-         .reads = {"velocity"},
-         .writes = {"u_on_faces", "v_on_faces"},
-         .active = [this] { return with_forces && forced(); },
-         .explain = [this](const Question& q) { return why_force(flow::axis_of(q.field), q.index); }},
-        {.name = "advection",
-         .formula = "ũ(x) ← ũ(x_d),   x_d = x − Δt ũ(x − ½Δt ũ(x)): where it was a step ago",
-         .source = "semi-Lagrangian: Stam1999 §2.2, Bridson2007 §3; monotone cubic: FritschCarlson1980; MacCormack: Selle2008",
-         .run = [this] { advect(); },
-         .reads = {"velocity"},
-         .writes = {"u_on_faces", "v_on_faces"},
-         .active = [this] { return bool(with_advection); },
-         .explain = [this](const Question& q) { return why_advected().velocity(flow::axis_of(q.field), q.index); }},
-        {.name = "viscosity",
-         .formula = "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
-         .formula_in_force = [this]() -> std::string_view {
-             return scheme == Scheme::implicit_euler ? "ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ_old" : "ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)";
-         },
-         .source = "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §2.2",
-         .run = [this] { diffuse(); },
-         .reads = {"velocity"},
-         .writes = {"u_on_faces", "v_on_faces"},
-         .active = [this] { return with_viscosity && nu() > 0; },
-         .explain = [this](const Question& q) { return why_diffused(flow::axis_of(q.field), q.index); }},
-        {.name = "projection",
-         .formula = "Δt ∇²p = ∇·ũ,   u ← ũ − Δt ∇p",
-         .source = "Utrecht slides, pressure projection (p is p/ρ); Chorin1968; Bridson2007 §4.3",
-         .run = [this] { projection_pass(); },
-         .reads = {"velocity", "pressure"},
-         .writes = {"divergence_before", "pressure", "divergence_after", "u_on_faces", "v_on_faces"},
-         .active = [this] { return bool(with_projection); },
-         .again = [this] { return !projection_->converged(); },
-         .begin = [this] { begin_projection(); },
-         .end = [this] { end_projection(); },
-         .explain = [this](const Question& q) { return why_projection(q); }},
-        {.name = "smoke",
-         .formula = "s(x) ← s(x − Δt u(x − ½Δt u(x))),   s = 1 in the source",
-         .source = "Stam1999 §2.4: a substance is carried by the flow",
-         .run = [this] { carry_smoke(); },
-         .reads = {"velocity", "smoke"},
-         .writes = {"smoke"},
-         .active = [this] { return scene().drives.smoke; },
-         .explain = [this](const Question& q) { return why_smoke(q.index); }}};
+        stage_of("external_forces", "ũ ← u + Δt f,   f: force per unit mass",
+                 "Utrecht slides, Navier–Stokes equations; Stam1999 §2.2", [this] { external_forces(); })
+            .maps({"velocity"}, {"u_on_faces", "v_on_faces"})
+            .when([this] { return with_forces && forced(); })
+            .because([this](const Question& q) { return why_force(grid2d::axis_of(q.field), q.index); }),
+        stage_of("advection", "ũ(x) ← ũ(x_d),   x_d = x − Δt ũ(x − ½Δt ũ(x)): where it was a step ago",
+                 "semi-Lagrangian: Stam1999 §2.2, Bridson2007 §3; monotone cubic: FritschCarlson1980; MacCormack: Selle2008",
+                 [this] { advect(); })
+            .maps({"velocity"}, {"u_on_faces", "v_on_faces"})
+            .when([this] { return bool(with_advection); })
+            .because([this](const Question& q) { return why_advected().velocity(grid2d::axis_of(q.field), q.index); }),
+        stage_of("viscosity", "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
+                 "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §2.2",
+                 [this] { diffuse(); })
+            .shows([this]() -> std::string_view {
+                return scheme == Scheme::implicit_euler ? "ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ_old" : "ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)";
+            })
+            .maps({"velocity"}, {"u_on_faces", "v_on_faces"})
+            .when([this] { return with_viscosity && nu() > 0; })
+            .because([this](const Question& q) {
+                const VecX* residual =
+                    scheme == Scheme::implicit_euler ? &diffusion_->residual(grid2d::axis_of(q.field)) : nullptr;
+                return why_on_grid().diffused(nu_input(), residual, grid2d::axis_of(q.field), q.index);
+            }),
+        stage_of("projection", "Δt ∇²p = ∇·ũ,   u ← ũ − Δt ∇p",
+                 "Utrecht slides, pressure projection (p is p/ρ); Chorin1968; Bridson2007 §4.3", [this] { projection_pass(); })
+            .maps({"velocity", "pressure"}, {"divergence_before", "pressure", "divergence_after", "u_on_faces", "v_on_faces"})
+            .repeats([this] { return !projection_->converged(); }, [this] { begin_projection(); }, [this] { end_projection(); })
+            .when([this] { return bool(with_projection); })
+            .because([this](const Question& q) { return why_on_grid().projection(q, projection_->converged()); }),
+        stage_of("smoke", "s(x) ← s(x − Δt u(x − ½Δt u(x))),   s = 1 in the source",
+                 "Stam1999 §2.4: a substance is carried by the flow", [this] { carry_smoke(); })
+            .maps({"velocity", "smoke"}, {"smoke"})
+            .when([this] { return scene().drives.smoke; })
+            .because([this](const Question& q) {
+                if (std::ranges::binary_search(source_cells_, q.index)) return fixed_value("s = 1   (a cell of the source)", 1);
+                return why_advected().quantity("smoke", q.index);
+            })};
     for (Stage& s : stages)
         s.end = [this, name = s.name, end = s.end] {
             if (end) end();
@@ -115,10 +108,6 @@ void NavierStokes::compare_velocity() {
 
 // ------------------------------------------------------------------------------------------------------------------ forces
 
-bool NavierStokes::forced() const {
-    return stirred() || pull_.has_value() || uniform_force() != Vec<2>::Zero() || (scene().drives.smoke && buoyancy != 0);
-}
-
 // The middle of the stirrer: a figure of eight around the middle of the box.
 Vec<2> NavierStokes::stirrer_place(Real time) const {
     const Real angle = 2 * pi * time / stirrer_period;
@@ -149,15 +138,9 @@ void NavierStokes::external_forces() {
 
 // --------------------------------------------------------------------------------------------------- the fluid's own terms
 
-AdvectionSettings NavierStokes::advection_settings() const {
-    return {.trace = back_trace,
-            .interpolation = advection == Advection::monotone_cubic ? Interpolation::monotone_cubic : Interpolation::linear,
-            .mac_cormack = advection == Advection::mac_cormack};
-}
-
 // The scheme may be changed on the way.
 void NavierStokes::prepare_advection() {
-    const AdvectionSettings wanted = advection_settings();
+    const AdvectionSettings wanted = grid2d::settings_of(advection, back_trace);
     if (!advection_ || advection_->settings() != wanted) advection_ = std::make_unique<SemiLagrangian<2>>(*grid_, wanted);
 }
 
@@ -209,7 +192,7 @@ void NavierStokes::fill_source() {
     const Lattice<2>& cells = grid_->cells();
     for (Index c = 0; c < cells.size(); ++c) {
         const GridPlace<2> at = cells.place(cells.coordinates(c));
-        const Vec<2> place = Vec<2>(at[0], at[1]) / static_cast<Real>(Index(resolution));
+        const Vec<2> place = Vec<2>(at[0], at[1]) / resolution.value();
         if ((place - source.centre).norm() < source.radius) source_cells_.push_back(c);
     }
     for (const Index cell : source_cells_) smoke_[cell] = 1;

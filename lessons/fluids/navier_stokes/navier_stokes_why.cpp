@@ -11,11 +11,8 @@ namespace pliant::navier_stokes {
 namespace {
 
 using From = Input::From;
-using Values = std::span<const Real>;
 
 }  // namespace
-
-flow::GridWhy NavierStokes::why_on_grid() const { return {*grid_, Input::of(dt)}; }
 
 // The acceleration by a jet along an axis at a face.
 Input NavierStokes::why_jet(const std::string& symbol, const Jet& jet, Input strength, Real direction, int axis,
@@ -35,25 +32,20 @@ Input NavierStokes::why_jet(const std::string& symbol, const Jet& jet, Input str
         {symbol + (reached ? " = a d exp(−½ (r/ρ)²)" : " = 0 a d (r/ρ)   (nothing beyond 4 ρ)"),
          {Input::constant("r", std::sqrt(square), "m", "distance of the face from the middle of the jet"),
           Input::constant("ρ", jet.radius, "m", "radius of the jet"), std::move(strength),
-          Input::constant("d", direction, "", axis == 0 ? "x of the jet's direction" : "y of the jet's direction")},
-         [reached](Values x) { return reached ? x[2] * x[3] * std::exp(-0.5 * (x[0] / x[1]) * (x[0] / x[1])) : Real{0}; }});
-}
-
-Input NavierStokes::why_buoyancy(Index face) const {
-    return Input::part("f_smoke", "m/s²",
-                       {"f_smoke = β ½ (s_below + s_above)",
-                        {Input::of(buoyancy), flow::sample("s_below", From::before, "smoke", grid_->cell_beside(1, face, 0)),
-                         flow::sample("s_above", From::before, "smoke", grid_->cell_beside(1, face, 1))}});
+          Input::constant("d", direction, "", axis == 0 ? "x of the jet's direction" : "y of the jet's direction")}});
 }
 
 Explanation NavierStokes::why_force(int axis, Index face) const {
-    if (why_on_grid().closed(axis, face)) return flow::kept_by_wall(axis, face);
-    Explanation why{"", {flow::sample("u", From::before, flow::face_field(axis), face), Input::of(dt)}, {}};
+    if (why_on_grid().closed(axis, face)) return grid2d::kept_by_wall(axis, face);
+    Explanation why{"", {grid2d::sample("u", From::before, grid2d::face_field(axis), face), dt}};
     if (stirred())
         why.inputs.push_back(why_jet("f_stirrer", stirrer_jet(force_time_), Input::of(stirring, "a"),
                                      stirrer_heading(force_time_)[axis], axis, face));
-    if (axis == 0 && scene().drives.body_force) why.inputs.push_back(Input::of(body_force));
-    if (axis == 1 && scene().drives.smoke) why.inputs.push_back(why_buoyancy(face));
+    if (axis == 0 && scene().drives.body_force) why.inputs.push_back(body_force);
+    if (axis == 1 && scene().drives.smoke)
+        why.inputs.push_back(part("f_smoke = β ½ (s_below + s_above)",
+                                  {buoyancy, grid2d::sample("s_below", From::before, "smoke", grid_->cell_beside(1, face, 0)),
+                                   grid2d::sample("s_above", From::before, "smoke", grid_->cell_beside(1, face, 1))}));
     if (pull_) {
         const Jet jet = hand_jet();
         const Real strength = jet.acceleration.norm();
@@ -61,43 +53,40 @@ Explanation NavierStokes::why_force(int axis, Index face) const {
                                      Input::constant("a", strength, "m/s²", "40 1/s² times the length of the pull"),
                                      strength > 0 ? jet.acceleration[axis] / strength : 0, axis, face));
     }
+    if (why.inputs.size() == 2) return {"u′ = u   (no force along this axis)", {why.inputs.front()}};
     std::string sum;
     for (std::size_t k = 2; k < why.inputs.size(); ++k) sum += (k > 2 ? " + " : "") + why.inputs[k].symbol;
-    if (sum.empty()) {
-        // No force of the scene acts along this axis.
-        why.inputs.pop_back();
-        why.formula = "u′ = u   (no force along this axis)";
-        why.evaluate = [](Values x) { return x[0]; };
-        why.substitute = [](Values x) { return fmt::format("{:.6g}", x[0]); };
-        return why;
-    }
     why.formula = why.inputs.size() > 3 ? "u′ = u + Δt (" + sum + ")" : "u′ = u + Δt " + sum;
-    why.evaluate = [](Values x) {
-        Real f = 0;
-        for (std::size_t k = 2; k < x.size(); ++k) f += x[k];
-        return x[0] + x[1] * f;
-    };
     return why;
 }
 
-Explanation NavierStokes::why_diffused(int axis, Index face) const {
-    const VecX* residual = scheme == Scheme::implicit_euler ? &diffusion_->residual(axis) : nullptr;
-    return why_on_grid().diffused(nu_input(), residual, axis, face);
+// -------------------------------------------------------------------------------------------------------------- probes
+
+Explanation NavierStokes::why_max_speed() const {
+    const int axis = velocity_[0].lpNorm<Eigen::Infinity>() >= velocity_[1].lpNorm<Eigen::Infinity>() ? 0 : 1;
+    Index face = 0;
+    velocity_[axis].cwiseAbs().maxCoeff(&face);
+    return {fmt::format("max|u| = |u_face|   (largest of all faces: number {} across {})", face, axis == 0 ? "x" : "y"),
+            {grid2d::sample("u_face", From::now, grid2d::face_field(axis), face)}};
 }
 
-std::optional<Explanation> NavierStokes::why_projection(const Question& q) const {
-    const flow::GridWhy why = why_on_grid();
-    if (q.field == "divergence_before") return why.divergence(q.index, From::before);
-    if (q.field == "pressure") return why.pressure(q.index);
-    const bool applied = projection_->converged();
-    if (q.field == "divergence_after") return applied ? why.divergence(q.index, From::now) : why.remaining_divergence(q.index);
-    if (!applied) return std::nullopt;
-    return why.projected(flow::axis_of(q.field), q.index);
+Explanation NavierStokes::why_reynolds() const {
+    if (scene().reynolds_length == 0)
+        return {"Re = U L / ν   (U: the fastest fluid)", {Input::now("U", "max_speed", 0), size, nu_input()}};
+    return {"Re = |U| l L / ν", {speed_parameter(), reynolds_length_input(), size, nu_input()}};
 }
 
-Explanation NavierStokes::why_smoke(Index cell) const {
-    if (std::ranges::binary_search(source_cells_, cell)) return fixed_value("s = 1   (a cell of the source)", 1);
-    return why_advected().quantity("smoke", cell);
+// The velocity on a line through the middle, from the samples around the place, beside what is expected there.
+Explanation NavierStokes::why_difference(const Difference& d, const std::string& expected) const {
+    const std::string meaning = expected == "u_table"
+                                    ? fmt::format("published, at {} = {:.6g} m", d.axis == 0 ? "y" : "x", d.along)
+                                    : fmt::format("closed form at y = {:.6g} m", d.along);
+    return {fmt::format("|Δu| = |u_line − {}|   (where it is largest)", expected),
+            {Input::part("u_line", "m/s",
+                         grid2d::interpolated("u_line", grid_->faces(d.axis), grid2d::face_field(d.axis),
+                                              place_on_centre_line(d.axis, d.along), From::now,
+                                              "the samples around the place on the line")),
+             Input::constant(expected, d.expected, "m/s", meaning)}};
 }
 
 }  // namespace pliant::navier_stokes

@@ -116,6 +116,12 @@ std::span<const FlowScene> scenes() {
     return table;
 }
 
+std::vector<Option> scene_options() {
+    std::vector<Option> options;
+    for (const FlowScene& s : scenes()) options.push_back({s.key, s.label});
+    return options;
+}
+
 Vec<2> obstacle_centre(const FlowScene& scene) { return {0.45, 0.47 * scene.height}; }
 
 SmokeSource smoke_source() { return {{0.5, 0.1}, 0.07}; }

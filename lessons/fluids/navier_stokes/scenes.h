@@ -2,6 +2,7 @@
 // its entry.
 #pragma once
 #include <pliant/fluids/staggered_grid.h>
+#include <pliant/lesson/parameter.h>
 
 #include <span>
 #include <string_view>
@@ -55,6 +56,7 @@ struct FlowScene {
 };
 
 std::span<const FlowScene> scenes();
+std::vector<Option> scene_options();
 
 // Cells along both axes. The height is rounded to whole cells, at least one.
 Counts<2> cells_of(const FlowScene& scene, const SceneSettings& settings);

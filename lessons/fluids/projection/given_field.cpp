@@ -10,7 +10,6 @@ namespace pliant::projection {
 namespace {
 
 using std::numbers::pi;
-using Values = std::span<const Real>;
 
 Vec<2> metres(const Lattice<2>& lattice, Real dx, Index index) {
     const GridPlace<2> place = lattice.place(lattice.coordinates(index));
@@ -72,7 +71,6 @@ Explanation GivenField::why_pushed(const std::string& left, const Push& push, in
     why.inputs.push_back(Input::constant("ρ", push.radius, "m", "radius of the push"));
     if (push.shape == Push::Shape::along) {
         why.formula += " = s exp(−½ (r/ρ)²)";
-        why.evaluate = [](Values v) { return v[0] * std::exp(-0.5 * (v[1] / v[2]) * (v[1] / v[2])); };
         return why;
     }
     const char* meaning = push.shape == Push::Shape::around   ? "across the way from the middle, turned to the left"
@@ -80,37 +78,26 @@ Explanation GivenField::why_pushed(const std::string& left, const Push& push, in
                                                               : "way from the middle";
     why.inputs.push_back(Input::constant("d", heading(push, x)[axis], "m", meaning));
     why.formula += " = s (d / ρ) exp(½ − ½ (r/ρ)²)";
-    why.evaluate = [](Values v) { return v[0] * (v[3] / v[2]) * std::exp(0.5 - 0.5 * (v[1] / v[2]) * (v[1] / v[2])); };
     return why;
 }
 
 Explanation GivenField::why(const std::string& left, int axis, const Lattice<2>& lattice, Real dx, Index index,
                             Real value) const {
     const Vec<2> x = metres(lattice, dx, index);
-    const auto product = [](Values v) { return v[0] * v[1]; };
-    switch (kind_) {
-        case Given::random:
-            return {left + " = U q",
-                    {speed_input_, Input::constant("q", speed_ == 0 ? 0 : value / speed_, "", "number from the seed")},
-                    product};
-        case Given::checkerboard:
-            return {left + " = U q",
-                    {speed_input_, Input::constant("q", parity(lattice, index), "", "+1 and −1 in turn, along x and along y")},
-                    product};
-        case Given::gradient: {
-            const char* along = axis == 0 ? "x" : "y";
-            const char* across = axis == 0 ? "y" : "x";
-            return {
-                fmt::format("{} = U sin(2π {} / L) cos(2π {} / L)", left, along, across),
+    if (kind_ == Given::random)
+        return {left + " = U q",
+                {speed_input_, Input::constant("q", speed_ == 0 ? 0 : value / speed_, "", "number from the seed")}};
+    if (kind_ == Given::checkerboard)
+        return {left + " = U q",
+                {speed_input_, Input::constant("q", parity(lattice, index), "", "+1 and −1 in turn, along x and along y")}};
+    if (kind_ == Given::gradient) {
+        const char* along = axis == 0 ? "x" : "y";
+        const char* across = axis == 0 ? "y" : "x";
+        return {fmt::format("{} = U sin(2π {} / L) cos(2π {} / L)", left, along, across),
                 {speed_input_, Input::constant(along, x[axis], "m", "of the place"),
-                 Input::constant(across, x[1 - axis], "m", "of the place"), Input::constant("L", 1, "m", "side of the square")},
-                [](Values v) { return v[0] * std::sin(2 * pi * v[1] / v[3]) * std::cos(2 * pi * v[2] / v[3]); }};
-        }
-        case Given::through_flow:
-            return fixed_value(left + " = 0   (at rest before the inflow is felt)", 0);
-        default:
-            break;
+                 Input::constant(across, x[1 - axis], "m", "of the place"), Input::constant("L", 1, "m", "side of the square")}};
     }
+    if (kind_ == Given::through_flow) return fixed_value(left + " = 0   (at rest before the inflow is felt)", 0);
     std::vector<Input> terms;
     for (std::size_t k = 0; k < pushes_.size(); ++k) {
         const std::string symbol = fmt::format("f{}", k + 1);

@@ -14,16 +14,6 @@ const Registration<Projection> registration{
 
 constexpr Real push_radius = 0.11;  // m
 
-Points<2> columns(const AxisArrays<2>& cells) {
-    Points<2> points(2, cells[0].size());
-    for (int a = 0; a < 2; ++a) points.row(a) = cells[a].transpose();
-    return points;
-}
-
-void from_columns(const Points<2>& points, AxisArrays<2>& cells) {
-    for (int a = 0; a < 2; ++a) cells[a] = points.row(a).transpose();
-}
-
 }  // namespace
 
 // ------------------------------------------------------------------------------------------------------ the initial state
@@ -58,7 +48,7 @@ GivenField Projection::given_field() const {
         default:
             break;
     }
-    return {given, speed, Input::of(speed), periodic(), std::move(pushes)};
+    return {given, speed, speed, periodic(), std::move(pushes)};
 }
 
 void Projection::reset() {
@@ -80,104 +70,71 @@ void Projection::reset() {
     for (VecX& component : central_.components) component = VecX::Zero(cells);
     tally_.setZero();
     give();
-    if (staggered())
-        histories_.reset(*grid_, tentative_, dt, settings());
-    else
-        histories_.reset(*grid_, centre_, dt, settings());
+    staggered() ? histories_.reset(*grid_, tentative_, dt, settings()) : histories_.reset(*grid_, centre_, dt, settings());
 }
 
-// The velocity at the cell centres, for pictures and parts.
-void Projection::renew_centre() {
-    if (staggered())
-        cell_velocity(*grid_, velocity_, centre_);
-    else
-        centre_ = columns(central_);
+void Projection::divergence_of(VecX& out) const {
+    staggered() ? divergence(*grid_, velocity_, out) : central_divergence(grid_->cells(), dx(), centre_, out);
 }
 
 // ------------------------------------------------------------------------------------------------------------- the stages
 
 void Projection::declare_stages() {
-    stages = {{.name = "tentative_velocity",
-               .formula = "ũ: given;  on walls and solids the velocity of the wall",
-               .source = "survey, best guess velocity ũ; Utrecht slides, pressure projection",
-               .run = [this] { give(); },
-               .reads = {},
-               .writes = {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"},
-               .explain = [this](const Question& q) { return why_given(q); }},
-              {.name = "divergence",
-               .formula = "d̃ = ∇·ũ = (flux out of the cell) / Δx²",
-               .source = "Utrecht slides: the flux through all faces of each cell is to be zero; Bridson2007 §4.3",
-               .run = [this] { take_divergence(); },
-               .reads = {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"},
-               .writes = {"divergence_before"},
-               .explain = [this](const Question& q) { return why_divergence(q.index, Input::From::before); }},
-              {.name = "pressure",
-               .formula = "Δt ∇²p = d̃,  one pass of the solver after the other",
-               .source = "Utrecht slides, Δt ∇²p = ∇·u (p is p/ρ); Chorin1968; Bridson2007 §4.3",
-               .run = [this] { pressure_pass(); },
-               .reads = {"divergence_before"},
-               .writes = {"pressure", "divergence_after"},
-               .again = [this] { return staggered() ? !projection_->converged() : !central_projection_->converged(); },
-               .begin = [this] { begin_pressure(); },
-               .explain = [this](const Question& q) { return why_pressure_pass(q); }},
-              {.name = "disturbance",
-               .formula = "p ← p + A q,  q = ±1 in turn from cell to cell",
-               .source = "the checkerboard that a collocated grid does not see: HarlowWelch1965",
-               .run = [this] { disturb(); },
-               .reads = {"pressure"},
-               .writes = {"pressure"},
-               .active = [this] { return disturbance != 0; },
-               .explain = [this](const Question& q) { return why_disturbed(q.index); }},
-              {.name = "projection",
-               .formula = "u = ũ − Δt ∇p",
-               .source = "Utrecht slides, u(t+Δt) = u(t) − Δt ∇p; survey, pressure projection",
-               .run = [this] { project(); },
-               .reads = {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells", "pressure"},
-               .writes = {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells", "divergence_after"},
-               .explain =
-                   [this](const Question& q) {
-                       return q.field == "divergence_after" ? why_divergence(q.index, Input::From::now) : why_projected(q);
-                   }},
-              {.name = "helmholtz_parts",
-               .formula = "ũ = Δt ∇p + s + m,  ∇·s = 0,  m: mean flow around a periodic box",
-               .source = "Helmholtz decomposition; Bridson2007 §4.3; Chorin1968",
-               .run = [this] { split(); },
-               .reads = {"pressure", "u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"},
-               .writes = {"gradient_part", "solenoidal_part"},
-               .explain = [this](const Question& q) { return why_part(q); }}};
+    stages = {
+        stage_of("tentative_velocity", "ũ: given;  on walls and solids the velocity of the wall",
+                 "survey, best guess velocity ũ; Utrecht slides, pressure projection", [this] { give(); })
+            .maps({}, {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"})
+            .because([this](const Question& q) { return why_given(q); }),
+        stage_of("divergence", "d̃ = ∇·ũ = (flux out of the cell) / Δx²",
+                 "Utrecht slides: the flux through all faces of each cell is to be zero; Bridson2007 §4.3",
+                 [this] { take_divergence(); })
+            .maps({"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"}, {"divergence_before"})
+            .because([this](const Question& q) { return why_divergence(q.index, Input::From::before); }),
+        stage_of("pressure", "Δt ∇²p = d̃,  one pass of the solver after the other",
+                 "Utrecht slides, Δt ∇²p = ∇·u (p is p/ρ); Chorin1968; Bridson2007 §4.3", [this] { pressure_pass(); })
+            .maps({"divergence_before"}, {"pressure", "divergence_after"})
+            .repeats([this] { return staggered() ? !projection_->converged() : !central_projection_->converged(); },
+                     [this] { begin_pressure(); })
+            .because([this](const Question& q) { return why_pressure_pass(q); }),
+        stage_of("disturbance", "p ← p + A q,  q = ±1 in turn from cell to cell",
+                 "the checkerboard that a collocated grid does not see: HarlowWelch1965", [this] { disturb(); })
+            .maps({"pressure"}, {"pressure"})
+            .when([this] { return disturbance != 0; })
+            .because([this](const Question& q) -> Explanation {
+                if (!grid_->is_fluid(q.index)) return fixed_value("p′ = 0   (a solid cell)", 0);
+                return {"p′ = p + A q",
+                        {Input::before("p", "pressure", q.index), disturbance,
+                         Input::constant("q", parity(q.index), "", "+1 and −1 in turn, along x and along y")}};
+            }),
+        stage_of("projection", "u = ũ − Δt ∇p", "Utrecht slides, u(t+Δt) = u(t) − Δt ∇p; survey, pressure projection",
+                 [this] { project(); })
+            .maps({"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells", "pressure"},
+                  {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells", "divergence_after"})
+            .because([this](const Question& q) { return why_pressure_pass(q); }),
+        stage_of("helmholtz_parts", "ũ = Δt ∇p + s + m,  ∇·s = 0,  m: mean flow around a periodic box",
+                 "Helmholtz decomposition; Bridson2007 §4.3; Chorin1968", [this] { split(); })
+            .maps({"pressure", "u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"}, {"gradient_part", "solenoidal_part"})
+            .because([this](const Question& q) { return why_part(q); })};
 }
 
 void Projection::give() {
     tally_[done] = tally_[projected] = 0;
     const auto number = static_cast<std::uint64_t>(Index(seed));
-    for (int a = 0; a < 2; ++a) {
-        if (staggered())
-            field_.fill(a, grid_->faces(a), dx(), number, velocity_[a]);
-        else
-            field_.fill(a, grid_->cells(), dx(), number, central_[a]);
-    }
+    for (int a = 0; a < 2; ++a)
+        staggered() ? field_.fill(a, grid_->faces(a), dx(), number, velocity_[a])
+                    : field_.fill(a, grid_->cells(), dx(), number, central_[a]);
     if (staggered()) grid_->impose_walls(velocity_);
     tentative_ = velocity_;
     renew_centre();
     tally_[energy_given] = specific_energy();
 }
 
-void Projection::take_divergence() {
-    if (staggered())
-        divergence(*grid_, velocity_, before_);
-    else
-        central_divergence(grid_->cells(), dx(), centre_, before_);
-    tally_[initial] = before_.lpNorm<Eigen::Infinity>();
-}
-
 void Projection::begin_pressure() {
-    if (staggered()) {
-        projection_->pressure().setZero();
-        projection_->begin(velocity_, dt);
-    } else {
-        central_projection_->pressure().setZero();
-        central_projection_->begin(centre_, dt);
-    }
+    const auto begin = [this](auto& solve, const auto& velocity) {
+        solve.pressure().setZero();
+        solve.begin(velocity, dt);
+    };
+    staggered() ? begin(*projection_, velocity_) : begin(*central_projection_, centre_);
     tally_[passes] = 0;
 }
 
@@ -189,10 +146,7 @@ void Projection::pressure_pass() {
         after_ = -dt / (dx() * dx()) * solve.residual();
         tally_[passes] = static_cast<Real>(solve.iterations());
     };
-    if (staggered())
-        pass(*projection_);
-    else
-        pass(*central_projection_);
+    staggered() ? pass(*projection_) : pass(*central_projection_);
 }
 
 Real Projection::parity(Index cell) const {
@@ -200,22 +154,15 @@ Real Projection::parity(Index cell) const {
     return (at[0] + at[1]) % 2 == 0 ? 1 : -1;
 }
 
-void Projection::disturb() {
-    for (Index c = 0; c < pressure_.size(); ++c)
-        if (grid_->is_fluid(c)) pressure_[c] += disturbance * parity(c);
-    (staggered() ? projection_->pressure() : central_projection_->pressure()) = pressure_;
-}
-
 void Projection::project() {
     if (staggered()) {
         projection_->apply(velocity_);
         renew_centre();
-        divergence(*grid_, velocity_, after_);
     } else {
         central_projection_->apply(centre_);
-        from_columns(centre_, central_);
-        central_divergence(grid_->cells(), dx(), centre_, after_);
+        for (int a = 0; a < 2; ++a) central_[a] = centre_.row(a).transpose();
     }
+    divergence_of(after_);
     tally_[projected] = 1;
 }
 

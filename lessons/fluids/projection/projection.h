@@ -1,16 +1,15 @@
 // Any velocity in, its divergence, the pressure pass by pass, a velocity without divergence out.
 #pragma once
 #include "domain.h"
-#include "fluids/flow/grid_why.h"
 #include "given_field.h"
-#include "solver_histories.h"
+#include "kits/grid2d/flow_readings.h"
 
 #include <pliant/fluids/collocated.h>
 #include <pliant/fluids/helmholtz.h>
+#include <pliant/fluids/solver_histories.h>
 #include <pliant/lesson/registry.h>
 
 #include <deque>
-#include <map>
 #include <memory>
 
 namespace pliant::projection {
@@ -50,24 +49,88 @@ public:
     }
 
 private:
-    Choice<Given> given;
-    Whole resolution;
-    Choice<Arrangement> arrangement;
-    Choice<Boundary> boundary;
-    Choice<Obstacle> obstacle;
-    Choice<PressurePreconditioner> solver;
-    Number tolerance;
-    Whole max_iterations;
-    Number dt, speed, outflow, disturbance;
-    Whole seed;
-    Number cell_x, cell_y;
+    Choice<Given> given{
+        *this,
+        setting_of("field",
+                   "the velocity that is given; drawn: drag three arrows in the picture; through-flow: fluid at rest, with an "
+                   "inflow on the left")
+            .rebuilds(),
+        {{"swirl", "swirl and source"},
+         {"source_sink", "source and sink"},
+         {"jet", "jet"},
+         {"random", "random"},
+         {"checkerboard", "checkerboard"},
+         {"gradient", "a gradient"},
+         {"drawn", "drawn: three arrows"},
+         {"through_flow", "through-flow"}}};
+    Whole resolution{
+        *this,
+        quantity("resolution", "n", "", 24, {4, 128}, {1, 256}, "cells along each side of the square; Δx = 1 m / n").rebuilds()};
+    Choice<Arrangement> arrangement{
+        *this,
+        setting_of("grid",
+                   "staggered: velocity on faces, pressure in cells. Collocated: both in cells, differences over 2Δx, no "
+                   "solids, plain conjugate gradients")
+            .rebuilds(),
+        {{"staggered", "staggered"}, {"collocated", "collocated"}},
+        [this] { return given != Given::through_flow; }};
+    Choice<Boundary> boundary{*this,
+                              setting_of("boundary", "a closed box, or what leaves on one side enters on the other").rebuilds(),
+                              {{"box", "box"}, {"periodic", "periodic"}},
+                              [this] { return given != Given::through_flow; }};
+    Choice<Obstacle> obstacle{*this,
+                              setting_of("obstacle", "cells that are solid and at rest").rebuilds(),
+                              {{"none", "none"},
+                               {"disc", "disc"},
+                               {"two_rooms", "two rooms"},
+                               {"one_cell", "one fluid cell"},
+                               {"all_solid", "all solid"}},
+                              [this] { return staggered(); }};
+    Choice<PressurePreconditioner> solver{
+        *this,
+        setting_of("solver", "conjugate gradients for the pressure: plain, or with a preconditioner",
+                   PressurePreconditioner::multigrid)
+            .rebuilds(),
+        {{"cg", "plain"}, {"jacobi", "Jacobi"}, {"incomplete_cholesky", "incomplete Cholesky"}, {"multigrid", "multigrid"}},
+        [this] { return staggered(); }};
+    Number tolerance{*this, log_quantity("tolerance", "τ", "", 1e-6, {1e-10, 0.5}, {1e-12, 1, false, true},
+                                         "the solver stops when max|∇·u| ≤ τ max|∇·ũ|")
+                                .rebuilds()};
+    Whole max_iterations{*this, log_quantity("max_iterations", "", "", 1000, {1, 1000}, {1, 100000},
+                                             "the solver gives up after so many passes, and says what is left")
+                                    .rebuilds()};
+    Number dt{*this,
+              log_quantity("time_step", "Δt", "s", 1, {0.01, 1}, {0, 10, true},
+                           "in which the pressure acts: half the time takes twice the pressure, and the velocity is the same")
+                  .rebuilds()};
+    Number speed{*this,
+                 quantity("speed", "U", "m/s", 1, {-2, 2}, {-1000, 1000},
+                          "largest speed of a push, of the noise, of the wave or of the inflow")
+                     .rebuilds(),
+                 [this] { return given != Given::drawn; }};
+    Number outflow{*this,
+                   quantity("outflow", "a", "", 1, {0, 1},
+                            "share of the inflow that may leave on the right; without the rest there is no pressure")
+                       .rebuilds(),
+                   [this] { return walls_move(); }};
+    Number disturbance{
+        *this, quantity("pressure_checkerboard", "A", "m²/s²", 0, {-1, 1}, {-1000, 1000},
+                        "added to the pressure that was found, with + and − in turn from cell to cell: does the grid feel it?")
+                   .rebuilds()};
+    Whole seed{*this, quantity("seed", "", "", 1, {1, 100}, {0, 1e9}, "of the noise: another number, another field").rebuilds(),
+               [this] { return given == Given::random; }};
+    Number cell_x{
+        *this, quantity("cell_x", "x_c", "m", 0.34, {0, 1}, "place of the cell that is drawn large; drag its dot in the picture")
+                   .rebuilds()};
+    Number cell_y{
+        *this, quantity("cell_y", "y_c", "m", 0.62, {0, 1}, "place of the cell that is drawn large; drag its dot in the picture")
+                   .rebuilds()};
     std::deque<DrawnArrow> drawn;
 
     enum Tally : Index { done, projected, passes, initial, energy_given, overlap, tally_count };
     enum Handle : Index { cell_handle, first_place, first_tip = first_place + Index(arrow_count) };
 
     void declare_fields();
-    void declare_state();
     void declare_stages();
     void declare_probes();
     void declare_lines();
@@ -75,50 +138,62 @@ private:
 
     // --- the stages ---
     void give();
-    void take_divergence();
+    void take_divergence() {
+        divergence_of(before_);
+        tally_[initial] = before_.lpNorm<Eigen::Infinity>();
+    }
     void begin_pressure();
     void pressure_pass();
-    void disturb();
+    void disturb() {
+        for (Index c = 0; c < pressure_.size(); ++c)
+            if (grid_->is_fluid(c)) pressure_[c] += disturbance * parity(c);
+        (staggered() ? projection_->pressure() : central_projection_->pressure()) = pressure_;
+    }
     void project();
     void split();
 
     bool staggered() const { return arrangement == Arrangement::staggered || given == Given::through_flow; }
     bool periodic() const { return boundary == Boundary::periodic && given != Given::through_flow; }
     bool walls_move() const { return given == Given::through_flow; }
-    Real dx() const { return Real(1) / static_cast<Real>(Index(resolution)); }
+    Real dx() const { return Real(1) / resolution.value(); }
     Obstacle solids() const { return staggered() ? Obstacle(obstacle) : Obstacle::none; }
     ProjectionSettings settings() const { return {tolerance, max_iterations, solver}; }
     GivenField given_field() const;
     Real parity(Index cell) const;  // ±1 in turn
-    void renew_centre();
+    // The velocity at the cell centres, for pictures and parts.
+    void renew_centre() {
+        if (staggered()) return cell_velocity(*grid_, velocity_, centre_);
+        centre_.resize(2, central_[0].size());
+        for (int a = 0; a < 2; ++a) centre_.row(a) = central_[a].transpose();
+    }
+    void divergence_of(VecX& out) const;  // of the velocity as it is now, 1/s
     Points<2> pressure_gradient() const;  // Δt ∇p at cell centres, m/s
 
     // --- what is measured (projection_readings.cpp) ---
-    Real specific_energy() const;  // J/kg
-    Real fluid_area() const;       // m²
+    // Per mass, J/kg.
+    Real specific_energy() const {
+        if (grid_->fluid_cells() == 0) return 0;
+        if (staggered()) return kinetic_energy(*grid_, velocity_) / fluid_area();
+        return 0.5 * centre_.squaredNorm() * dx() * dx() / fluid_area();
+    }
+    Real fluid_area() const { return grid_->cell_volume() * static_cast<Real>(grid_->fluid_cells()); }  // m²
     Index selected_cell() const;
-    Index invisible_count() const;
+    // Of how many pressures does the gradient of the grid see nothing?
+    Index invisible_count() const {
+        if (staggered()) return projection_->regions().count();
+        return static_cast<Index>(invisible_pressures(grid_->cells()).size());
+    }
     Real net_inflow() const;  // m²/s
     void sample_history(Curve& curve, PressurePreconditioner which, Index most) const;
 
-    // --- how the numbers came about (projection_why.cpp, projection_why_collocated.cpp) ---
-    flow::GridWhy grid_why() const { return {*grid_, Input::of(dt)}; }
+    // --- how the numbers came about (projection_why.cpp) ---
+    grid2d::GridWhy grid_why() const { return {*grid_, dt}; }
     Explanation why_given(const Question& q) const;
     Explanation why_divergence(Index cell, Input::From from) const;
     std::optional<Explanation> why_pressure_pass(const Question& q) const;
-    Explanation why_disturbed(Index cell) const;
-    Explanation why_projected(const Question& q) const;
     Explanation why_part(const Question& q) const;
-    Explanation why_face_gradient(const std::string& left, int axis, Index cell, int side) const;
     Explanation why_velocity(const Question& q) const;
     Explanation why_energy() const;
-    // Of the collocated grid.
-    std::map<Index, Real> wide_row(Index cell) const;  // of 4Δx² ∇·∇
-    Explanation why_central_divergence(Index cell, Input::From from) const;
-    Explanation why_central_pressure(Index cell) const;
-    Explanation why_central_remaining(Index cell) const;
-    Explanation why_central_projected(int axis, Index cell) const;
-    Explanation why_central_gradient(int axis, Index cell) const;
 
     // --- the picture (projection_picture.cpp, projection_zoom.cpp) ---
     struct Arrows {

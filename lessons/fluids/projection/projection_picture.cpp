@@ -1,5 +1,5 @@
 // The figure: the field that is chosen as a heat map with its arrows, walls and solids, the handles, and the notes.
-#include "fluids/flow/grid_picture.h"
+#include "kits/grid2d/grid_picture.h"
 #include "projection.h"
 
 #include <pliant/text/format.h>
@@ -19,7 +19,7 @@ std::string number(Real value, std::string_view unit = "") { return format_quant
 }  // namespace
 
 void Projection::draw(Scene& scene) const {
-    flow::draw_field(scene, *this, *grid_);
+    grid2d::draw_field(scene, *this, *grid_);
     draw_walls(scene);
     if (scene.show_arrows) draw_arrows(scene);
     draw_handles(scene);
@@ -61,19 +61,7 @@ void Projection::draw_arrows(Scene& scene) const {
 }
 
 void Projection::draw_walls(Scene& scene) const {
-    if (grid_->has_gaps()) {
-        TriangleMarks solid{.corners = {}, .triangles = {}, .ink = Ink::ground};
-        for (Index c = 0; c < grid_->cells().size(); ++c) {
-            if (grid_->is_fluid(c)) continue;
-            const Counts<2> at = grid_->cells().coordinates(c);
-            const int first = static_cast<int>(solid.corners.size());
-            for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-                solid.corners.push_back(position(static_cast<Real>(at[0] + x) * dx(), static_cast<Real>(at[1] + y) * dx()));
-            solid.triangles.push_back({first, first + 1, first + 2});
-            solid.triangles.push_back({first, first + 2, first + 3});
-        }
-        scene.triangles.push_back(std::move(solid));
-    }
+    if (grid_->has_gaps()) grid2d::draw_solids(scene, *grid_);
     if (periodic()) {
         scene.box(position(0, 0), position(1, 1), Ink::rest, 2, true);
         if (scene.show_labels) scene.label(position(0.5, 1), "periodic: opposite sides are one", Ink::text, 0, -14);

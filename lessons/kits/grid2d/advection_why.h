@@ -5,7 +5,14 @@
 
 #include <pliant/fluids/advection.h>
 
-namespace pliant::flow {
+namespace pliant::grid2d {
+
+// The schemes that a person chooses from.
+enum class Carrying { linear, monotone_cubic, mac_cormack };
+inline AdvectionSettings settings_of(Carrying scheme, BackTrace trace) {
+    return {trace, scheme == Carrying::monotone_cubic ? Interpolation::monotone_cubic : Interpolation::linear,
+            scheme == Carrying::mac_cormack};
+}
 
 class AdvectionWhy {
 public:
@@ -48,4 +55,4 @@ private:
     Input step_;
 };
 
-}  // namespace pliant::flow
+}  // namespace pliant::grid2d

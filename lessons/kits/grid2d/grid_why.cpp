@@ -4,11 +4,10 @@
 
 #include <fmt/format.h>
 
-namespace pliant::flow {
+namespace pliant::grid2d {
 namespace {
 
 using From = Input::From;
-using Values = std::span<const Real>;
 
 }  // namespace
 
@@ -26,8 +25,7 @@ Input sample(std::string symbol, Input::From from, std::string_view field, const
     if (s.factor == 1)
         mirrored = {fmt::format("{} = 2 U_walls + q", symbol),
                     {Input::constant("U_walls", s.offset / 2, "m/s", "difference of the velocities of two walls that meet"),
-                     sample("q", from, field, s.index)},
-                    [](Values x) { return 2 * x[0] + x[1]; }};
+                     sample("q", from, field, s.index)}};
     return Input::part(std::move(symbol), "m/s", std::move(mirrored));
 }
 
@@ -47,18 +45,18 @@ Surrounding surrounding(const Lattice<2>& lattice, const GridPlace<2>& place) {
     return in;
 }
 
-Explanation interpolated(const std::string& left, const Lattice<2>& lattice, std::string_view field, const GridPlace<2>& place) {
+Explanation interpolated(const std::string& left, const Lattice<2>& lattice, std::string_view field, const GridPlace<2>& place,
+                         Input::From from, std::string_view where) {
     const Surrounding in = surrounding(lattice, place);
     std::vector<std::pair<Input, Input>> terms;
     for (Index j = 0; j < 2; ++j)
         for (Index i = 0; i < 2; ++i) {
             const Real w = (i ? in.fraction[0] : 1 - in.fraction[0]) * (j ? in.fraction[1] : 1 - in.fraction[1]);
             const std::string k = std::to_string(2 * j + i + 1);
-            terms.emplace_back(
-                Input::constant("w" + k, w, "", "bilinear weight of this sample"),
-                sample("q" + k, From::before, field, sample_beyond(lattice, {in.corner[0] + i, in.corner[1] + j})));
+            terms.emplace_back(Input::constant("w" + k, w, "", "bilinear weight of this sample"),
+                               sample("q" + k, from, field, sample_beyond(lattice, {in.corner[0] + i, in.corner[1] + j})));
         }
-    return weighted_sum(left + " = Σ w q, over the four samples around the place", terms);
+    return weighted_sum(fmt::format("{} = Σ w q, over {}", left, where), terms);
 }
 
 bool GridWhy::closed(int axis, Index face) const {
@@ -90,13 +88,10 @@ Explanation GridWhy::diffused(Input viscosity, const VecX* residual, int axis, I
         why.inputs.push_back(sample(fmt::format("u{}_{}", implicit ? "′" : "", names[static_cast<std::size_t>(k)]),
                                     implicit ? From::now : From::before, field, sample_beyond(faces, beside)));
     }
-    if (!implicit) {
-        why.evaluate = [](Values x) { return x[0] + x[1] * ((x[2] + x[3] + x[4] + x[5]) - 4 * x[0]); };
-        return why;
-    }
-    why.inputs.push_back(Input::constant("ρ", (*residual)[face], "m/s", "what the iterative solver has left of the equation"));
-    why.evaluate = [](Values x) { return (x[0] + x[1] * (x[2] + x[3] + x[4] + x[5]) - x[6]) / (1 + 4 * x[1]); };
+    if (implicit)
+        why.inputs.push_back(
+            Input::constant("ρ", (*residual)[face], "m/s", "what the iterative solver has left of the equation"));
     return why;
 }
 
-}  // namespace pliant::flow
+}  // namespace pliant::grid2d

@@ -1,16 +1,17 @@
 // How the numbers on a staggered grid came about, in the words of every lesson that has one. Their fields are called u_on_faces,
 // v_on_faces, velocity, speed, pressure, divergence_before and divergence_after.
 #pragma once
-#include "face_samples.h"
+#include <pliant/fluids/samples_beyond.h>
 
 #include <pliant/fluids/velocity_sampler.h>
 #include <pliant/lesson/explanation.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
-namespace pliant::flow {
+namespace pliant::grid2d {
 
 inline constexpr std::array<std::string_view, 2> face_fields{"u_on_faces", "v_on_faces"};
 inline std::string_view face_field(int axis) { return face_fields[static_cast<std::size_t>(axis)]; }
@@ -31,8 +32,10 @@ struct Surrounding {
 };
 Surrounding surrounding(const Lattice<2>& lattice, const GridPlace<2>& place);
 
-// left = Σ w q_k over the four samples around a place in a field before the stage.
-Explanation interpolated(const std::string& left, const Lattice<2>& lattice, std::string_view field, const GridPlace<2>& place);
+// left = Σ w q_k over the four samples around a place in a field, before the stage if nothing else is said. where: "the four
+// samples around the place".
+Explanation interpolated(const std::string& left, const Lattice<2>& lattice, std::string_view field, const GridPlace<2>& place,
+                         Input::From from = Input::From::before, std::string_view where = "the four samples around the place");
 
 // A free surface: its signed distance, the field `distance`, and whether p = 0 lies on it or in the middle of the cells of air.
 struct Surface {
@@ -60,6 +63,8 @@ public:
     // During the solver's passes: what the pressure so far would leave.
     Explanation remaining_divergence(Index cell) const;
     Explanation projected(int axis, Index face) const;
+    // Any of the numbers that the stage of the projection writes; none for a velocity before its solver has converged.
+    std::optional<Explanation> projection(const Question& q, bool converged) const;
 
     Explanation cell_velocity(Index cell, int component) const;
     Explanation speed(Index cell) const;
@@ -73,6 +78,7 @@ private:
         std::vector<Input> pressures, weights;
         std::string diagonal() const;  // "4", "3 + w_above"
         std::string sum() const;       // "p_left + p_right", "0"
+        std::vector<Input> inputs(std::vector<Input> others = {}) const;
     };
     Row row_of(Index cell) const;
     Explanation part_of_way(Index fluid, Index air) const;
@@ -85,4 +91,4 @@ private:
 // The largest magnitude in a field, with the cell where it is reached.
 Explanation largest(std::string_view name, const VecX& values, std::string_view field);
 
-}  // namespace pliant::flow
+}  // namespace pliant::grid2d

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace pliant::flow {
+namespace pliant::grid2d {
 namespace {
 
 struct Corner {
@@ -83,4 +83,4 @@ void draw_liquid(Scene& picture, const StaggeredGrid<2>& grid, const VecX& dista
     picture.lines.push_back(std::move(surface));
 }
 
-}  // namespace pliant::flow
+}  // namespace pliant::grid2d

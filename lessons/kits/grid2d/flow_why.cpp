@@ -7,21 +7,14 @@
 
 #include <fmt/format.h>
 
-namespace pliant::flow {
+namespace pliant::grid2d {
 namespace {
 
 using From = Input::From;
-using Values = std::span<const Real>;
 
 std::string sum_of_symbols(const std::vector<Input>& inputs) {
     std::string sum;
     for (const Input& in : inputs) sum += (sum.empty() ? "" : " + ") + in.symbol;
-    return sum;
-}
-
-Real sum_of(Values x, std::size_t first, std::size_t count) {
-    Real sum = 0;
-    for (std::size_t k = first; k < first + count; ++k) sum += x[k];
     return sum;
 }
 
@@ -42,7 +35,6 @@ Explanation GridWhy::divergence(Index cell, Input::From from) const {
         why.inputs.push_back(sample(names[static_cast<std::size_t>(k)], from, face_field(axis), faces.index(face)));
     }
     why.inputs.push_back(dx());
-    why.evaluate = [](Values x) { return (x[1] - x[0] + x[3] - x[2]) / x[4]; };
     if (from == From::before) why.formula.replace(0, std::string("∇·u").size(), "∇·ũ");
     return why;
 }
@@ -60,12 +52,8 @@ GridWhy::Row GridWhy::row_of(Index cell) const {
         if (n < 0 || n == cell) continue;
         const char* way = ways[static_cast<std::size_t>(k)];
         if (grid_.is_fluid(n)) row.pressures.push_back(Input::now(fmt::format("p_{}", way), "pressure", n));
-        if (grid_.type(n) == CellType::air) {
-            const std::string symbol = fmt::format("w_{}", way);
-            row.weights.push_back(Input::part(
-                symbol, "",
-                {symbol + " = 1 / θ", {Input::part("θ", "", part_of_way(cell, n))}, [](Values x) { return 1 / x[0]; }}));
-        }
+        if (grid_.type(n) == CellType::air)
+            row.weights.push_back(part(fmt::format("w_{} = 1 / θ", way), {Input::part("θ", "", part_of_way(cell, n))}));
     }
     return row;
 }
@@ -75,41 +63,37 @@ std::string GridWhy::Row::diagonal() const {
     return fmt::format("({} + {})", pressures.size(), sum_of_symbols(weights));
 }
 
+std::vector<Input> GridWhy::Row::inputs(std::vector<Input> others) const {
+    others.insert(others.begin(), weights.begin(), weights.end());
+    others.insert(others.begin(), pressures.begin(), pressures.end());
+    return others;
+}
+
 std::string GridWhy::Row::sum() const { return pressures.empty() ? "0" : sum_of_symbols(pressures); }
 
 Explanation GridWhy::pressure(Index cell) const {
     if (!grid_.is_fluid(cell)) return fixed_value("p = 0   (no liquid in the cell)", 0);
-    Row row = row_of(cell);
-    const std::size_t n = row.pressures.size(), m = row.weights.size();
-    if (n + m == 0) return fixed_value("p = 0   (the cell has no neighbour)", 0);
-    std::string formula = fmt::format("p = ({} − Δx² (d̃ − d) / Δt) / {}", row.sum(), row.diagonal());
-    std::vector<Input> inputs = std::move(row.pressures);
-    for (Input& in : row.weights) inputs.push_back(std::move(in));
-    for (Input& in :
-         std::vector<Input>{dx(), Input::now("d̃", "divergence_before", cell), Input::now("d", "divergence_after", cell), dt_})
-        inputs.push_back(std::move(in));
-    return {std::move(formula), std::move(inputs), [n, m](Values x) {
-                const Values rest = x.subspan(n + m);
-                return (sum_of(x, 0, n) - rest[0] * rest[0] * (rest[1] - rest[2]) / rest[3]) /
-                       (static_cast<Real>(n) + sum_of(x, n, m));
-            }};
+    const Row row = row_of(cell);
+    if (row.inputs().empty()) return fixed_value("p = 0   (the cell has no neighbour)", 0);
+    return {fmt::format("p = ({} − Δx² (d̃ − d) / Δt) / {}", row.sum(), row.diagonal()),
+            row.inputs({dx(), Input::now("d̃", "divergence_before", cell), Input::now("d", "divergence_after", cell), dt_})};
 }
 
 Explanation GridWhy::remaining_divergence(Index cell) const {
     if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (no liquid in the cell)", 0);
-    Row row = row_of(cell);
-    const std::size_t n = row.pressures.size(), m = row.weights.size();
+    const Row row = row_of(cell);
     const Input before = Input::now("d̃", "divergence_before", cell);
-    if (n + m == 0) return {"∇·u = d̃", {before}};
-    std::string formula = fmt::format("∇·u = d̃ − Δt ({} − {} p) / Δx²", row.sum(), row.diagonal());
-    std::vector<Input> inputs = std::move(row.pressures);
-    for (Input& in : row.weights) inputs.push_back(std::move(in));
-    for (Input& in : std::vector<Input>{Input::now("p", "pressure", cell), dt_, dx(), before}) inputs.push_back(std::move(in));
-    return {std::move(formula), std::move(inputs), [n, m](Values x) {
-                const Values rest = x.subspan(n + m);
-                const Real flux = sum_of(x, 0, n) - (static_cast<Real>(n) + sum_of(x, n, m)) * rest[0];
-                return rest[3] - rest[1] * flux / (rest[2] * rest[2]);
-            }};
+    if (row.inputs().empty()) return {"∇·u = d̃", {before}};
+    return {fmt::format("∇·u = d̃ − Δt ({} − {} p) / Δx²", row.sum(), row.diagonal()),
+            row.inputs({Input::now("p", "pressure", cell), dt_, dx(), before})};
+}
+
+std::optional<Explanation> GridWhy::projection(const Question& q, bool converged) const {
+    if (q.field == "divergence_before") return divergence(q.index, From::before);
+    if (q.field == "pressure") return pressure(q.index);
+    if (q.field == "divergence_after") return converged ? divergence(q.index, From::now) : remaining_divergence(q.index);
+    if (!converged) return std::nullopt;
+    return projected(axis_of(q.field), q.index);
 }
 
 Explanation GridWhy::projected(int axis, Index face) const {
@@ -132,8 +116,7 @@ Explanation GridWhy::cell_velocity(Index cell, int component) const {
     const std::string_view field = face_field(axis);
     return {axis == 0 ? "u_c = ½ (u_left + u_right)" : "v_c = ½ (v_below + v_above)",
             {Input::now(axis == 0 ? "u_left" : "v_below", field, faces.index(low)),
-             Input::now(axis == 0 ? "u_right" : "v_above", field, faces.index(high))},
-            [](Values x) { return 0.5 * (x[0] + x[1]); }};
+             Input::now(axis == 0 ? "u_right" : "v_above", field, faces.index(high))}};
 }
 
 Explanation GridWhy::speed(Index cell) const {
@@ -153,7 +136,6 @@ Explanation GridWhy::vorticity(Index cell) const {
                                         face_field(axis), sample_beyond(grid_.faces(axis), face)));
         }
     why.inputs.push_back(dx());
-    why.evaluate = [](Values x) { return ((x[0] - x[1] + x[2] - x[3]) - (x[4] - x[5] + x[6] - x[7])) / (4 * x[8]); };
     return why;
 }
 
@@ -172,4 +154,4 @@ Explanation largest(std::string_view name, const VecX& values, std::string_view 
     return {fmt::format("{} = |d|   (largest of all cells: in cell {})", name, at), {Input::now("d", field, at)}};
 }
 
-}  // namespace pliant::flow
+}  // namespace pliant::grid2d

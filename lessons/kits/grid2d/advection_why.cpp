@@ -6,11 +6,10 @@
 
 #include <fmt/format.h>
 
-namespace pliant::flow {
+namespace pliant::grid2d {
 namespace {
 
 using From = Input::From;
-using Values = std::span<const Real>;
 
 const char* numbered(Index k) {
     constexpr std::array digits{"₁", "₂", "₃", "₄"};
@@ -49,26 +48,22 @@ Input AdvectionWhy::path(int axis, const Departure<2>& d) const {
         return Input::part(
             at_start, "cells",
             {at_start + " = edge   (the path leaves the domain: its nearest point, or the other side of a periodic one)",
-             {Input::constant("edge", d.departure[a], "cells", "place in the domain")},
-             [](Values v) { return v[0]; }});
+             {Input::constant("edge", d.departure[a], "cells", "place in the domain")}});
     const bool midpoint = advection_.settings().trace == BackTrace::midpoint;
     const std::string speed = midpoint ? "u_m" : "u_a";
     return Input::part(
         at_start, "cells",
         {fmt::format("{0}_d = {0} − Δt {1} / Δx", x, speed),
          {Input::constant(x, d.arrival[a], "cells", "place that it comes to, from the corner of the domain"), step_,
-          Input::part(speed, "m/s", flow::interpolated(speed, grid_.faces(axis), face_field(axis), d.middle)),
-          Input::constant("Δx", grid_.dx(), "m", "edge of a cell")},
-         [](Values v) { return v[0] - v[1] * v[2] / v[3]; }});
+          Input::part(speed, "m/s", grid2d::interpolated(speed, grid_.faces(axis), face_field(axis), d.middle)),
+          Input::constant("Δx", grid_.dx(), "m", "edge of a cell")}});
 }
 
 // -------------------------------------------------------------------------------------------------------- interpolation
 
 Explanation AdvectionWhy::interpolated(const Carried& what, Index index) const {
     if (kept(what, index))
-        return what.axis < 0 ? Explanation{"q′ = q   (a solid cell)",
-                                           {sample("q", From::before, what.field, index)},
-                                           [](Values x) { return x[0]; }}
+        return what.axis < 0 ? Explanation{"q′ = q   (a solid cell)", {sample("q", From::before, what.field, index)}}
                              : kept_by_wall(what.axis, index);
     const Departure<2> d = advection_.departure(what.lattice.place(what.lattice.coordinates(index)), dt_);
     if (advection_.settings().interpolation == Interpolation::linear) return bilinear(what, d);
@@ -85,16 +80,11 @@ Explanation AdvectionWhy::bilinear(const Carried& what, const Departure<2>& d) c
         why.inputs.push_back(Input::part(part, "",
                                          {fmt::format("{} = {} − x₁", part, place),
                                           {path(a, d), Input::constant("x₁", d.departure[axis] - in.fraction[axis], "cells",
-                                                                       "place of the sample below or to the left")},
-                                          [](Values v) { return v[0] - v[1]; }}));
+                                                                       "place of the sample below or to the left")}}));
     }
     for (Index k = 0; k < 4; ++k)
         why.inputs.push_back(sample(what.symbol + numbered(k), From::before, what.field,
                                     sample_beyond(what.lattice, beside(in.corner, k % 2, k / 2))));
-    why.evaluate = [](Values v) {
-        const Real s = v[0], t = v[1];
-        return (1 - s) * (1 - t) * v[2] + s * (1 - t) * v[3] + (1 - s) * t * v[4] + s * t * v[5];
-    };
     return why;
 }
 
@@ -119,11 +109,9 @@ Input AdvectionWhy::carried_sample(const Carried& what, std::string symbol, cons
         inside.symbol = std::move(symbol);
         return inside;
     }
-    const Real factor = at.factor;
     return Input::part(std::move(symbol), unit,
-                       {factor < 0 ? "q = o − q̂   (mirrored about a wall)" : "q = o + q̂   (mirrored about two walls)",
-                        {Input::constant("o", at.offset, unit, "twice the velocity of the wall"), std::move(inside)},
-                        [factor](Values x) { return x[0] + factor * x[1]; }});
+                       {at.factor < 0 ? "q = o − q̂   (mirrored about a wall)" : "q = o + q̂   (mirrored about two walls)",
+                        {Input::constant("o", at.offset, unit, "twice the velocity of the wall"), std::move(inside)}});
 }
 
 // q̃: the result of the first half, carried back again.
@@ -153,4 +141,4 @@ Explanation AdvectionWhy::corrected(const Carried& what, Index index) const {
          Input::constant("high", high, unit, "largest of them")}};
 }
 
-}  // namespace pliant::flow
+}  // namespace pliant::grid2d

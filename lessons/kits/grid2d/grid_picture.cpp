@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pliant::flow {
+namespace pliant::grid2d {
 namespace {
 
 constexpr Real longest_arrow = 1.8;  // in spacings; faster fluid has arrows of this length
@@ -26,6 +26,21 @@ void draw_field(Scene& scene, const Lesson& lesson, const StaggeredGrid<2>& grid
     map.values = scene.values(lesson, on);
     if (map.values.empty()) map.values.assign(static_cast<std::size_t>(lattice.size()), 0.0f);
     scene.grids.push_back(std::move(map));
+}
+
+void draw_solids(Scene& scene, const StaggeredGrid<2>& grid) {
+    TriangleMarks squares{.corners = {}, .triangles = {}, .ink = Ink::ground};
+    for (Index c = 0; c < grid.cells().size(); ++c) {
+        if (grid.is_fluid(c)) continue;
+        const Counts<2> at = grid.cells().coordinates(c);
+        const int first = static_cast<int>(squares.corners.size());
+        for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+            squares.corners.push_back(
+                position(static_cast<Real>(at[0] + x) * grid.dx(), static_cast<Real>(at[1] + y) * grid.dx()));
+        squares.triangles.push_back({first, first + 1, first + 2});
+        squares.triangles.push_back({first, first + 2, first + 3});
+    }
+    scene.triangles.push_back(std::move(squares));
 }
 
 void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySampler<2>& flow, Real speed, Index most,
@@ -55,4 +70,4 @@ void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySam
     scene.arrows.push_back(std::move(arrows));
 }
 
-}  // namespace pliant::flow
+}  // namespace pliant::grid2d
