@@ -119,7 +119,6 @@ void DeformationGradientLesson::declare_lines() {
     lines = {line_of("taylor_error_over_distance", "m", "distance |dX|", "m",
                      "error of dx ≈ F dX as Q moves along its line towards P: a tenth of the distance, a hundredth of the error",
                      [this, lengths](Curve& curve) {
-                         curve.position.clear(), curve.value.clear();
                          for (const Real length : lengths())
                              // No error at all has no place on a logarithmic axis.
                              if (const Real error = taylor_error(length); error > 0)
@@ -127,7 +126,6 @@ void DeformationGradientLesson::declare_lines() {
                      })
                  .against("slope 2",
                           [this, lengths](Curve& curve) {
-                              curve.position.clear(), curve.value.clear();
                               const Real from = 1e-2, error = taylor_error(from);
                               if (map_.homogeneous() || !(error > 0)) return;
                               for (const Real length : lengths())

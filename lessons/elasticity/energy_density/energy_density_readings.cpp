@@ -183,7 +183,6 @@ Real EnergyDensityLesson::largest_shown(Shown what) const {
 }
 
 void EnergyDensityLesson::sample(Shown what, Energy of, Curve& curve) const {
-    curve.position.clear(), curve.value.clear();
     const auto [from, to] = plotted_amounts();
     const Real limit = largest_shown(what);
     const EnergyDensity<3> energy_of = density(of);

@@ -48,17 +48,9 @@ Vec<3> ModuliLesson::drawn(const Vec<3>& X, const Vec<3>& u) const {
 void ModuliLesson::draw(Scene& scene) const {
     draw_supports(scene);
     draw_body(scene);
-    switch (test) {
-        case Test::tension:
-            draw_tension(scene);
-            break;
-        case Test::shear:
-            draw_shear(scene);
-            break;
-        case Test::pressure:
-            draw_pressure(scene);
-            break;
-    }
+    if (test == Test::tension) draw_tension(scene);
+    if (test == Test::shear) draw_shear(scene);
+    if (test == Test::pressure) draw_pressure(scene);
     write_notes(scene);
     const auto [L, w] = drawn_size();
     scene.frame(at({-0.25 * w, -0.3 * w, -0.1 * w}), at({L + 0.8 * w, 1.3 * w, 1.1 * w}));
@@ -201,17 +193,9 @@ void ModuliLesson::write_notes(Scene& scene) const {
     if (!modulus) return;
     const std::string stress = format_quantity(stresses_[level()], "Pa"), strain = format_quantity(strains_[level()], ""),
                       result = format_quantity(*modulus, "Pa");
-    switch (test) {
-        case Test::tension:
-            scene.notes.push_back(fmt::format("Y = (F/A) / (ΔL/L) = {} / {} = {}", stress, strain, result));
-            break;
-        case Test::shear:
-            scene.notes.push_back(fmt::format("G = (F/A) / (ΔL/L) = {} / {} = {}", stress, strain, result));
-            break;
-        case Test::pressure:
-            scene.notes.push_back(fmt::format("B = −ΔP / (ΔV/V) = −{} / ({}) = {}", stress, strain, result));
-            break;
-    }
+    scene.notes.push_back(test == Test::pressure ? fmt::format("B = −ΔP / (ΔV/V) = −{} / ({}) = {}", stress, strain, result)
+                                                 : fmt::format("{} = (F/A) / (ΔL/L) = {} / {} = {}",
+                                                               test == Test::tension ? "Y" : "G", stress, strain, result));
 }
 
 }  // namespace pliant::moduli

@@ -75,7 +75,6 @@ void ModuliLesson::declare_lines() {
                      })
                  .against("Hooke's law",
                           [this](Curve& curve) {
-                              curve.position.clear(), curve.value.clear();
                               for (Index k = 0; k <= load_levels; ++k) {
                                   curve.value.push_back(load * static_cast<Real>(k) / static_cast<Real>(load_levels));
                                   curve.position.push_back(specimen_->exact_strain(curve.value.back()));
@@ -86,7 +85,6 @@ void ModuliLesson::declare_lines() {
              line_of("displacement", "m", "distance from the support", "m",
                      "u_x along an edge of the block: along the pull or pressure, and up the height in shear",
                      [this](Curve& curve) {
-                         curve.position.clear(), curve.value.clear();
                          const int axis = test == Test::shear ? 1 : 0;
                          for (const Index n : specimen_->mesh().nodes("z_max")) {
                              const Vec<3> X = specimen_->mesh().points().col(n);
@@ -154,7 +152,6 @@ std::optional<Real> stress_at(Test test, const EnergyDensity<3>& energy, Real st
 }  // namespace
 
 void ModuliLesson::finite_strain_curve(Energy energy, Curve& curve) const {
-    curve.position.clear(), curve.value.clear();
     const EnergyDensity<3> density(energy, material().lame());
     const Real full = specimen_->exact_strain(load);
     if (full == 0) return;

@@ -100,7 +100,6 @@ std::optional<Real> PoissonLesson::stiffness_ratio() const {
 // From rest to the end that was asked for.
 void PoissonLesson::sample_law(Real (*law)(Real nu, Real strain), Curve& curve) const {
     constexpr int samples = 60;
-    curve.position.clear(), curve.value.clear();
     for (int k = 0; k <= samples; ++k) {
         curve.position.push_back(axial_strain * k / samples);
         curve.value.push_back(law(poisson_ratio, curve.position.back()));

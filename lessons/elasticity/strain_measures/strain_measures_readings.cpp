@@ -56,7 +56,6 @@ void StrainMeasuresLesson::declare_lines() {
                 "upright is "
                 "the present turn",
                 [this](Curve& curve) {
-                    curve.position.clear(), curve.value.clear();
                     for (int angle = -180; angle <= 180; angle += 5) {
                         curve.position.push_back(angle);
                         curve.value.push_back(pliant::cauchy_strain<3>(slope_after(angle * one_degree))(0, 0));
@@ -74,7 +73,6 @@ void StrainMeasuresLesson::declare_lines() {
             "error_over_strain", "", "strain ε of a stretch along one line", "",
             "relative error |ε − E| / |E| of Cauchy's strain against Green's; it reaches 1 % at the corner of the dashed line",
             [error](Curve& curve) {
-                curve.position.clear(), curve.value.clear();
                 for (int k = -16; k <= 0; ++k) {
                     curve.position.push_back(std::pow(10.0, k / 4.0));
                     curve.value.push_back(error(curve.position.back()));

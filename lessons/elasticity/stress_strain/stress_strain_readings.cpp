@@ -99,7 +99,6 @@ void StressStrainLesson::declare_probes() {
 void StressStrainLesson::declare_lines() {
     // Measured points come when the load is on.
     const auto point = [this](Curve& curve, Real at, Real value) {
-        curve.position.clear(), curve.value.clear();
         if (done_[0] != 0) curve.position.push_back(at), curve.value.push_back(value);
     };
     lines = {
@@ -108,7 +107,6 @@ void StressStrainLesson::declare_lines() {
                 [this, point](Curve& curve) { point(curve, radius, -body_->support_force(reaction_) / body_->support_area()); })
             .against("m g / (π r²)",
                      [this](Curve& curve) {
-                         curve.position.clear(), curve.value.clear();
                          for (int k = 0; k <= 60; ++k) {
                              const Real r = radius * (0.5 + 1.5 * k / 60);
                              curve.position.push_back(r);
@@ -131,7 +129,6 @@ void StressStrainLesson::declare_lines() {
         line_of("mohr_circle", "Pa", "normal stress σ_n", "Pa",
                 "both parts of the force on the cut as it turns from 0° to θ: half a turn goes once around the circle",
                 [this](Curve& curve) {
-                    curve.position.clear(), curve.value.clear();
                     if (done_[0] == 0) return;
                     const Mat<3> stress = body_->mean(stress_);
                     for (int k = 0; k <= 90; ++k) {
@@ -141,7 +138,6 @@ void StressStrainLesson::declare_lines() {
                 })
             .against("Mohr's circle",
                      [this](Curve& curve) {
-                         curve.position.clear(), curve.value.clear();
                          for (int k = 0; k <= 90; ++k) {
                              const auto [normal_part, shear] = parts(applied_stress(), normal_at(2.0 * k));
                              curve.position.push_back(normal_part), curve.value.push_back(shear);
@@ -153,7 +149,6 @@ void StressStrainLesson::declare_lines() {
                 [this, point](Curve& curve) { point(curve, angle, parts(body_->mean(stress_), normal()).first); })
             .against("exact",
                      [this](Curve& curve) {
-                         curve.position.clear(), curve.value.clear();
                          for (int k = -90; k <= 90; k += 2) {
                              curve.position.push_back(k);
                              curve.value.push_back(parts(applied_stress(), normal_at(k)).first);
