@@ -1,7 +1,6 @@
 // What the lesson shows and measures: fields and probes.
 #include "advection_lesson.h"
 
-
 #include <algorithm>
 #include <cmath>
 
