@@ -207,7 +207,7 @@ std::string ClothLesson::blow_up_hint() const {
 std::optional<Fix> ClothLesson::fix(const Failure&) const {
     if (!implicit()) return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
     if (!capped()) return Fix{"take the last iterate", {{"newton", "capped"}}};
-    return set_to(dt, rounded_down(dt / 4, 2));
+    return fix_by(dt, rounded_down(dt / 4, 2));
 }
 
 // Solved to rounding, in whole parts of the present step.

@@ -242,8 +242,6 @@ struct MassSpringLesson final : Lesson {
     Explanation why_static(const Question& q) const;
     void explain_probes();
 
-    // --- what would mend a run (mass_spring_assumptions.cpp) ---
-
     // --- the picture (mass_spring_picture.cpp) ---
     void write_static_notes(Scene& picture) const;
     void draw_test(Scene& picture) const;

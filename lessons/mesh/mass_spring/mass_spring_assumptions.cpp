@@ -24,32 +24,32 @@ Real growth_per_step(const MassSpringLesson& l) {
 // A shorter step, or where it would have to be very short another scheme.
 std::optional<Fix> stable_fix(const MassSpringLesson& l) {
     const Real limit = l.stable_time_step(), other = stability_limit(Scheme::semi_implicit_euler, l.rates());
-    if (limit > slowest * l.dt) return set_to(l.dt, rounded_down(margin * limit, 2));
+    if (limit > slowest * l.dt) return fix_by(l.dt, rounded_down(margin * limit, 2));
     if (!l.semi_implicit() && other > slowest * l.dt) {
-        Fix fix = set_to(l.dt, rounded_down(std::min(margin * other, Real(l.dt)), 2));
+        Fix fix = fix_by(l.dt, rounded_down(std::min(margin * other, Real(l.dt)), 2));
         fix.label = "semi-implicit Euler, " + fix.label;
         fix.assign.insert(fix.assign.begin(), {"integrator", "semi_implicit_euler"});
         return fix;
     }
     if (l.block_->rest().cols() <= most_implicit_nodes) return Fix{"implicit Euler", {{"integrator", "implicit_euler"}}};
-    return limit > 0 ? std::optional(set_to(l.dt, rounded_down(margin * limit, 2))) : std::nullopt;
+    return limit > 0 ? std::optional(fix_by(l.dt, rounded_down(margin * limit, 2))) : std::nullopt;
 }
 
 std::optional<Fix> slower_travel(const MassSpringLesson& l) {
     const Real speed = std::sqrt(l.velocity_.colwise().squaredNorm().maxCoeff()), cell = l.edge();
-    return set_to(l.dt, rounded_down(margin * cell / speed, 2));
+    return fix_by(l.dt, rounded_down(margin * cell / speed, 2));
 }
 
 std::optional<Fix> shear_springs(const MassSpringLesson& l) {
     const Real k = l.k_structural > 0 ? rounded_down(0.5 * l.k_structural, 2) : l.k_shear.info.initial;
-    return set_to(l.k_shear, k);
+    return fix_by(l.k_shear, k);
 }
 
 // The solid beside the net gets the ratio that the net has.
 std::optional<Fix> own_poisson(const MassSpringLesson& l) {
     const Real own = l.endless_lattice().poisson_ratio();
     if (!l.target_poisson.accepted().contains(own)) return std::nullopt;
-    return set_to(l.target_poisson, own, 3);
+    return fix_by(l.target_poisson, own);
 }
 
 }  // namespace
@@ -130,10 +130,10 @@ std::optional<Fix> MassSpringLesson::fix(const Failure&) const {
     if (!implicit() && dt > stable_time_step()) {
         const Real limit = stable_time_step();
         if (limit <= slowest * dt) return stable_fix(*this);
-        return set_to(dt, rounded_down(wide_margin * limit, 2));
+        return fix_by(dt, rounded_down(wide_margin * limit, 2));
     }
     // The small motions are stable: the block is far from its shape at rest.
-    return set_to(dt, rounded_down(dt / 4, 2));
+    return fix_by(dt, rounded_down(dt / 4, 2));
 }
 
 // The integrator of second-order energy error, well inside its limit, in whole parts of the present step.

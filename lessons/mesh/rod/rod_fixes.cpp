@@ -29,9 +29,9 @@ Real energy_tolerance(const RodLesson& l) {
 std::optional<Fix> stable_fix(const RodLesson& l) {
     const Real limit = l.stable_time_step(),
                verlet = stability_limit(Scheme::velocity_verlet, l.fastest(), l.damping_ratio(l.fastest()));
-    if (limit > slowest * l.dt) return set_to(l.dt, rounded_down(margin * limit, 2));
+    if (limit > slowest * l.dt) return fix_by(l.dt, rounded_down(margin * limit, 2));
     if (verlet > slowest * l.dt) {
-        Fix fix = set_to(l.dt, rounded_down(std::min(margin * verlet, Real(l.dt)), 2));
+        Fix fix = fix_by(l.dt, rounded_down(std::min(margin * verlet, Real(l.dt)), 2));
         fix.label = "velocity Verlet, " + fix.label;
         fix.assign.insert(fix.assign.begin(), {"scheme", std::string(info_of(Scheme::velocity_verlet).key)});
         return fix;
@@ -73,9 +73,9 @@ void RodLesson::declare_checks() {
             "1 − ∂x/∂s ≤ 0.9 along the rod, in every segment",
             "a segment is squeezed to nothing or turned over: |∂x/∂s| does not tell, and the waves are no longer linear", {},
             [this]() -> std::optional<Fix> {
-                if (hangs()) return set_to(dt, rounded_down(dt / 4, 2));
+                if (hangs()) return fix_by(dt, rounded_down(dt / 4, 2));
                 const Real A = rounded_down(0.2 * std::min(segment(), runs_a_pulse() ? Real{pulse_width} : segment()), 1);
-                return set_to(amplitude, A);
+                return fix_by(amplitude, A);
             }),
         assumption(
             "pulse_resolved", "", [this] { return segment() / pulse_width; }, [] { return 0.5; }, "Δs ≤ w/2",
@@ -154,7 +154,7 @@ std::string RodLesson::unrest() const {
 std::optional<Fix> RodLesson::fix(const Failure&) const {
     if (hangs_still()) return std::nullopt;
     if (dt > stable_time_step()) return stable_fix(*this);
-    return set_to(dt, rounded_down(dt / 4, 2));
+    return fix_by(dt, rounded_down(dt / 4, 2));
 }
 
 std::string RodLesson::blow_up_hint() const {

@@ -6,17 +6,6 @@
 #include <limits>
 
 namespace pliant::rod {
-namespace {
-
-Field in_plane(std::string_view name, std::string_view symbol, std::string_view unit, On on, const Points<2>& numbers,
-               std::string_view help) {
-    Field f = scalar_field(name, symbol, unit, on, numbers, help);
-    f.rank = Rank::vector, f.components = 2;
-    return f;
-}
-
-}  // namespace
-
 void RodLesson::declare_fields() {
     state = {state_array("position", "m", position_),
              state_array("velocity", "m/s", velocity_),
@@ -36,13 +25,13 @@ void RodLesson::declare_fields() {
     const auto density = [this, strain] { return 0.5 * chain_axial_stiffness() * strain() * strain(); };
     const auto moves = [this] { return !hangs_still(); };
     fields = {
-        within(reach, in_plane("position", "x", "m", On::node, position_, "of the nodes")),
+        within(reach, plane_vector_field("position", "x", "m", On::node, position_, "of the nodes")),
         when(moves, within([this, reach] { return reach() * (1 / dt + 2 * fastest()); },
-                           in_plane("velocity", "v", "m/s", On::node, velocity_, "of the nodes"))),
+                           plane_vector_field("velocity", "v", "m/s", On::node, velocity_, "of the nodes"))),
         within(reach,
                scalar_field("displacement", "u", "m", On::node, displacement_, "along the rod, from where the node is at rest")),
-        within([strain] { return 1 + strain(); },
-               in_plane("slope", "∂x/∂s", "", On::edge, slope_, "of each segment: how fast x runs along the rod at rest")),
+        within([strain] { return 1 + strain(); }, plane_vector_field("slope", "∂x/∂s", "", On::edge, slope_,
+                                                                     "of each segment: how fast x runs along the rod at rest")),
         within(strain, scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched")),
         within(density, scalar_field("energy_density", "½EAε²", "J/m", On::edge, energy_density_,
                                      "elastic energy per length of the rod at rest")),
@@ -52,15 +41,15 @@ void RodLesson::declare_fields() {
                scalar_field("spring_stiffness", "k", "N/m", On::edge, stiffness_, "of each spring")),
         within(force,
                scalar_field("tension", "T", "N", On::edge, tension_, "k (|xᵢ₊₁ − xᵢ| − Δs): positive where a spring pulls")),
-        within(force, in_plane("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_,
-                               "negative gradient of the energy of all segments")),
-        within(force, in_plane("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node")),
+        within(force, plane_vector_field("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_,
+                                         "negative gradient of the energy of all segments")),
+        within(force, plane_vector_field("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node")),
         when([this] { return damped(); },
              within([] { return std::numeric_limits<Real>::max(); },
-                    in_plane("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"))),
+                    plane_vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"))),
         when([this] { return loaded(); },
              within([this] { return 2 * total_mass * weight_acceleration(); },
-                    in_plane("external_force", "fᵉ", "N", On::node, external_force_, "weight of the node"))),
+                    plane_vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight of the node"))),
     };
     // What a stage does not write.
     Field& displacement = fields[2];

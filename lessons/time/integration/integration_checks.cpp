@@ -36,14 +36,14 @@ Real energy_tolerance(const IntegrationLesson& l) {
 // A shorter step, or where it would have to be very short or does not exist another scheme.
 std::optional<Fix> stable_fix(const IntegrationLesson& l) {
     const Real limit = l.stable_time_step(), other = stability_limit(Scheme::semi_implicit_euler, l.motion_->fast_rate(), l.zeta);
-    if (limit > slowest * l.dt) return set_to(l.dt, rounded_down(margin * limit, 2));
+    if (limit > slowest * l.dt) return fix_by(l.dt, rounded_down(margin * limit, 2));
     if (l.scheme != Scheme::semi_implicit_euler && l.dt <= margin * other)
         return Fix{"semi-implicit Euler", {{"scheme", "semi_implicit_euler"}}};
     return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
 }
 
 std::optional<Fix> accurate_fix(const IntegrationLesson& l) {
-    return set_to(l.dt, rounded_down(margin * most_phase / l.motion_->slow_rate(), 2));
+    return fix_by(l.dt, rounded_down(margin * most_phase / l.motion_->slow_rate(), 2));
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ std::string IntegrationLesson::blow_up_hint() const {
 std::optional<Fix> IntegrationLesson::fix(const Failure&) const {
     if (!implicit() && dt > stable_time_step()) return stable_fix(*this);
     if (implicit() && newton_cap < 20) return Fix{"100 Newton iterations", {{"newton_iterations", "100"}}};
-    return set_to(dt, rounded_down(dt / 4, 2));
+    return fix_by(dt, rounded_down(dt / 4, 2));
 }
 
 std::vector<std::pair<std::string, std::string>> IntegrationLesson::finer() const {
