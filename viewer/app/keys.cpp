@@ -210,6 +210,8 @@ A sign, such as `/` or `]`, is what a key types, with Shift or AltGr as a keyboa
 Where a sign is hard to reach, a function key does the same. `scripts/docs` makes this page from the table that the lab obeys
 and F1 shows.
 
+<!-- Made by `pliant keys --markdown`. -->
+
 | keys | |
 |---|---|
 )";

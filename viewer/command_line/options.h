@@ -78,7 +78,7 @@ float ui_scale_from(float scale);
 
 int list_lessons(bool json);
 int list_keys(bool markdown);
-int describe(const std::string& lesson, bool json, bool markdown);
+int describe(const std::string& lesson, bool json, bool markdown, const std::string& sources);
 int run(const RunOptions& options);
 struct WhyOptions {
     std::string field, stage;

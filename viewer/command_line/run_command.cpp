@@ -1,4 +1,5 @@
 // `pliant list`, `keys`, `describe`, `run`, `share` and `walkthrough`: everything that needs no picture.
+#include <pliant/document/extensions.h>
 #include <pliant/document/report.h>
 #include <pliant/document/share.h>
 #include <pliant/document/summary.h>
@@ -21,17 +22,40 @@ namespace {
 
 std::string joined(const std::vector<std::string>& lines) { return fmt::format("{}\n", fmt::join(lines, "\n")); }
 
-void print_slide(const WalkthroughPlayer& player, bool notes) {
-    print(fmt::format("\n{}. {}\n", player.slide_number() + 1, player.slide().title));
-    for (const Block& b : player.slide().blocks) {
+void print_slide(std::size_t number, const Slide& slide, const std::vector<ExpectationResult>& results, bool notes) {
+    print(fmt::format("\n{}. {}\n", number, slide.title));
+    for (const Block& b : slide.blocks) {
         if (b.kind == BlockKind::text || b.kind == BlockKind::answer) print("  " + joined(b.lines));
         if (b.kind == BlockKind::formula) print("      " + joined(b.lines));
         if (b.kind == BlockKind::ask) print("  Predict: " + joined(b.lines));
         if (b.kind == BlockKind::actions) print("  > " + fmt::format("{}\n", fmt::join(b.lines, "\n  > ")));
     }
-    if (notes && !player.slide().notes().empty()) print("  Notes: " + player.slide().notes() + "\n");
-    for (const ExpectationResult& r : player.results())
-        print(fmt::format("  {} {}   ({})\n", r.met ? "✓" : "✗", r.text, r.measured));
+    if (notes && !slide.notes().empty()) print("  Notes: " + slide.notes() + "\n");
+    for (const ExpectationResult& r : results) print(fmt::format("  {} {}   ({})\n", r.met ? "✓" : "✗", r.text, r.measured));
+}
+
+// What a walkthrough and its extensions expected.
+struct Tally {
+    int met = 0, missed = 0;
+    std::string misses{};
+
+    void add(const std::string& path, const std::vector<ExpectationResult>& results) {
+        for (const ExpectationResult& r : results) {
+            r.met ? ++met : ++missed;
+            if (!r.met) misses += fmt::format("\n{}:{}: {} ({})", path, r.line, r.text, r.measured);
+        }
+    }
+};
+
+void play_extensions(const LessonEntry& entry, Tally& tally) {
+    const auto extensions = extensions_of(entry);
+    if (!extensions.empty()) print("\nPossibilities for extensions\n");
+    std::size_t number = 0;
+    for (const Extension& e : extensions) {
+        const auto results = played(entry, e);
+        print_slide(++number, e.slide(), results, false);
+        tally.add(e.walkthrough.path, results);
+    }
 }
 
 void check_table(const std::string& path) {
@@ -51,9 +75,9 @@ int list_keys(bool markdown) {
     return 0;
 }
 
-int describe(const std::string& lesson, bool json, bool markdown) {
+int describe(const std::string& lesson, bool json, bool markdown, const std::string& sources) {
     const LessonEntry& entry = find_lesson(lesson);
-    print(json ? lesson_json(entry) : markdown ? lesson_markdown(entry) : lesson_text(entry));
+    print(json ? lesson_json(entry) : markdown ? lesson_markdown(entry, sources) : lesson_text(entry));
     return 0;
 }
 
@@ -101,22 +125,19 @@ int walkthrough(const std::string& lesson, const WalkthroughOptions& o) {
     WalkthroughPlayer player(runner, walkthrough_of(entry));
     tell_unused(unused_settings(entry, player.walkthrough()), o.strict);
     print(player.walkthrough().title + "\n");
-    int missed = 0, met = 0;
-    std::string misses;
+    Tally tally;
     bool more = true;
     while (more) {
         const std::size_t slide = player.slide_number();
         const bool was_revealed = player.revealed();
         more = player.next();
         if (player.slide_number() != slide || (was_revealed && !more) || (!more && !player.revealed())) continue;
-        print_slide(player, o.notes);
-        for (const ExpectationResult& r : player.results()) {
-            r.met ? ++met : ++missed;
-            if (!r.met) misses += fmt::format("\n{}:{}: {} ({})", player.walkthrough().path, r.line, r.text, r.measured);
-        }
+        print_slide(slide + 1, player.slide(), player.results(), o.notes);
+        tally.add(player.walkthrough().path, player.results());
     }
-    print(fmt::format("\n{} expectations met, {} missed\n", met, missed));
-    if (o.check && missed) throw CheckFailed("the walkthrough misses what it expects:" + misses);
+    play_extensions(entry, tally);
+    print(fmt::format("\n{} expectations met, {} missed\n", tally.met, tally.missed));
+    if (o.check && tally.missed) throw CheckFailed("the walkthrough misses what it expects:" + tally.misses);
     return 0;
 }
 

@@ -52,6 +52,7 @@ void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& play
         case BlockKind::expect:
         case BlockKind::notes:
         case BlockKind::controls:
+        case BlockKind::scene:
             break;
     }
 }

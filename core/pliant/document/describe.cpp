@@ -58,8 +58,6 @@ std::string range_text(const Parameter& p) {
     return keys;
 }
 
-std::string names(const std::vector<std::string_view>& list) { return fmt::format("{}", fmt::join(list, ", ")); }
-
 }  // namespace
 
 std::string list_text() {
@@ -90,8 +88,8 @@ std::string describe_json(const LessonEntry& entry) {
            {"dimension", lesson->dimension()}};
     j["parameters"] = array_of(lesson->parameters, [](const Parameter* p) { return parameter_json(*p); });
     j["stages"] = array_of(lesson->stages, [](const Stage& s) {
-        return Json{{"name", s.name},     {"formula", s.formula},  {"source", s.source},      {"reads", s.reads},
-                    {"writes", s.writes}, {"loop", bool(s.again)}, {"loop_from", s.loop_from}};
+        return Json{{"name", s.name},   {"formula", s.formula}, {"source", s.source},    {"code", s.code},
+                    {"reads", s.reads}, {"writes", s.writes},   {"loop", bool(s.again)}, {"loop_from", s.loop_from}};
     });
     j["fields"] = array_of(lesson->fields, [](const Field& f) {
         return Json{{"name", f.name},
@@ -141,37 +139,29 @@ std::string describe_text(const LessonEntry& entry) {
     return text;
 }
 
-std::string describe_markdown(const LessonEntry& entry) {
-    const auto lesson = entry.make();
+std::string describe_markdown(const Lesson& lesson, std::string_view id) {
     std::string text =
-        fmt::format("# {}\n\n`{}`. {}\n\n<!-- Made by `pliant describe {} --markdown`; edit the lesson, not this page. -->\n",
-                    entry.info.title, entry.info.id, entry.info.summary, entry.info.id);
-    text +=
-        "\n## Parameters\n\n| key | symbol | unit | default | accepted | takes effect | meaning "
+        "\n### Parameters\n\n| key | symbol | unit | default | accepted | takes effect | meaning "
         "|\n|---|---|---|---|---|---|---|\n";
-    for (const Parameter* p : lesson->parameters)
+    for (const Parameter* p : lesson.parameters)
         text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", p->info.key, p->info.symbol, p->info.unit,
                             p->text(p->info.initial), range_text(*p), p->info.effect == Effect::live ? "live" : "restarts",
                             cell(p->info.help));
-    text += "\n## Stages of a step\n\n| stage | formula | source | reads | writes |\n|---|---|---|---|---|\n";
-    for (const Stage& s : lesson->stages)
-        text += fmt::format("| `{}`{} | {} | {} | {} | {} |\n", s.name, s.again ? " ↻" : "", cell(s.formula), cell(s.source),
-                            names(s.reads), names(s.writes));
-    text += "\n## Fields\n\n| field | symbol | unit | kind | meaning |\n|---|---|---|---|---|\n";
-    for (const Field& f : lesson->fields)
+    text += "\n### Fields\n\n| field | symbol | unit | kind | meaning |\n|---|---|---|---|---|\n";
+    for (const Field& f : lesson.fields)
         text += fmt::format("| `{}` | {} | {} | {} per {} | {} |\n", f.name, cell(f.symbol), f.unit, pliant::name_of(f.rank),
                             pliant::name_of(f.on), cell(f.help));
-    text += "\n## Probes\n\n| probe | symbol | unit | exact known | meaning |\n|---|---|---|---|---|\n";
-    for (const Probe& p : lesson->probes)
+    text += "\n### Probes\n\n| probe | symbol | unit | exact known | meaning |\n|---|---|---|---|---|\n";
+    for (const Probe& p : lesson.probes)
         text += fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, cell(p.symbol), p.unit, p.exact ? "yes" : "", cell(p.help));
-    if (!lesson->lines.empty()) text += "\n## Lines\n\n| line | against | meaning |\n|---|---|---|\n";
-    for (const Line& l : lesson->lines)
+    if (!lesson.lines.empty()) text += "\n### Lines\n\n| line | against | meaning |\n|---|---|---|\n";
+    for (const Line& l : lesson.lines)
         text += fmt::format("| `{}` {} | {} {} | {} |\n", l.name, l.unit, l.position_name, l.position_unit, cell(l.help));
-    if (!lesson->assumptions.empty()) text += "\n## Assumptions\n\n| assumption | holds while | beyond it |\n|---|---|---|\n";
-    for (const Assumption& a : lesson->assumptions)
+    if (!lesson.assumptions.empty()) text += "\n### Assumptions\n\n| assumption | holds while | beyond it |\n|---|---|---|\n";
+    for (const Assumption& a : lesson.assumptions)
         text += fmt::format("| {} | {} | {} |\n", a.name, cell(a.formula), cell(a.broken));
-    const auto presets = preset_names(entry.info.id);
-    if (!presets.empty()) text += fmt::format("\n## Presets\n\n`{}`\n", fmt::join(presets, "`, `"));
+    const auto presets = preset_names(id);
+    if (!presets.empty()) text += fmt::format("\n### Presets\n\n`{}`\n", fmt::join(presets, "`, `"));
     return text;
 }
 

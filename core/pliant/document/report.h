@@ -14,8 +14,8 @@ std::string list_json();
 // `pliant describe LESSON`: parameters, stages, fields, probes, lines, assumptions, conserved quantities, presets.
 std::string describe_text(const LessonEntry& entry);
 std::string describe_json(const LessonEntry& entry);
-// The page of the lesson in docs/lessons.
-std::string describe_markdown(const LessonEntry& entry);
+// The tables of the lesson's page, but for its stages.
+std::string describe_markdown(const Lesson& lesson, std::string_view id);
 
 // `pliant run LESSON`: one object with lesson, parameters, unused (what is set without effect, and what it needs), dimension,
 // steps, time, status, probes, lines, assumptions, conserved, cost and, when the run stopped early, failure.

@@ -1,7 +1,8 @@
 // A lesson told slide by slide: predict, run, check. The text lies beside the lesson as walkthrough.md and reads well as it is; a
 // panel of the lab plays it, and `pliant walkthrough LESSON --check` plays it headless.
 //
-// The format is Markdown. `# Title` opens it and `## Title` begins a slide; fenced blocks have these meanings:
+// The format is Markdown. `# Title` opens it, the words up to the first slide say why the lesson is there (they introduce its
+// page, not the slides), and `## Title` begins a slide; fenced blocks have these meanings:
 //   ```formula   shown as a formula
 //   ```ask       the question to answer before going on
 //   ```do        what happens on the next press of Next, an action a line:
@@ -28,7 +29,8 @@
 
 namespace pliant {
 
-enum class BlockKind { text, formula, ask, actions, expect, answer, notes, controls };
+// scene: of extensions alone (extensions.h).
+enum class BlockKind { text, formula, ask, actions, expect, answer, notes, controls, scene };
 
 struct Block {
     BlockKind kind;
@@ -50,11 +52,12 @@ struct Slide {
 
 struct Walkthrough {
     std::string path, title;
+    std::vector<std::string> introduction;  // paragraphs
     std::vector<Slide> slides;
 };
 
-// Throws Refused naming file and line.
-Walkthrough parse_walkthrough(std::string_view text, std::string_view path);
+// Throws Refused naming file and line. with_scenes: the slides are extensions, which have a ```scene block.
+Walkthrough parse_walkthrough(std::string_view text, std::string_view path, bool with_scenes = false);
 // The walkthrough of a lesson; throws Refused when it has none.
 Walkthrough walkthrough_of(const LessonEntry& entry);
 

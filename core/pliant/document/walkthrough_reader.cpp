@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
 #include <sstream>
 
 namespace pliant {
@@ -39,7 +40,8 @@ struct Fence {
     std::string_view name;
     BlockKind kind;
 };
-constexpr std::array<Fence, 7> fences{{{"formula", BlockKind::formula},
+constexpr std::array<Fence, 8> fences{{{"scene", BlockKind::scene},
+                                       {"formula", BlockKind::formula},
                                        {"ask", BlockKind::ask},
                                        {"do", BlockKind::actions},
                                        {"expect", BlockKind::expect},
@@ -47,16 +49,21 @@ constexpr std::array<Fence, 7> fences{{{"formula", BlockKind::formula},
                                        {"notes", BlockKind::notes},
                                        {"controls", BlockKind::controls}}};
 
-std::string known_fences() {
+// Without the scene, which only extensions have, unless with_scenes.
+std::span<const Fence> fences_of(bool with_scenes) { return std::span(fences).subspan(with_scenes ? 0 : 1); }
+
+std::string known_fences(bool with_scenes) {
     std::vector<std::string_view> names;
-    for (const Fence& f : fences) names.push_back(f.name);
+    for (const Fence& f : fences_of(with_scenes)) names.push_back(f.name);
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
 // Reads the file line by line into slides and blocks.
 class Reader {
 public:
-    Reader(std::string_view text, std::string_view path) : text_(text) { result_.path = path; }
+    Reader(std::string_view text, std::string_view path, bool with_scenes) : text_(text), with_scenes_(with_scenes) {
+        result_.path = path;
+    }
 
     Walkthrough read() {
         std::istringstream in{std::string(text_)};
@@ -79,7 +86,7 @@ private:
         if (line.starts_with("## ")) return result_.slides.push_back({trimmed(line.substr(3)), {}});
         if (line.starts_with("# ")) return void(result_.title = trimmed(line.substr(2)));
         const std::string text = trimmed(line);
-        if (result_.slides.empty()) return;  // words before the first slide introduce the file itself
+        if (result_.slides.empty()) return introduce(text);
         auto& blocks = result_.slides.back().blocks;
         const bool goes_on = !blocks.empty() && blocks.back().kind == BlockKind::text && !paragraph_ended_;
         paragraph_ended_ = text.empty();
@@ -90,6 +97,15 @@ private:
             blocks.push_back({BlockKind::text, {text}, number_});
     }
 
+    void introduce(const std::string& text) {
+        auto& paragraphs = result_.introduction;
+        if (!text.empty() && (paragraphs.empty() || paragraph_ended_))
+            paragraphs.push_back(text);
+        else if (!text.empty())
+            paragraphs.back() += " " + text;
+        paragraph_ended_ = text.empty();
+    }
+
     void fence(const std::string& name) {
         if (inside_) {
             if (!name.empty()) refuse("a block ends with ``` alone");
@@ -97,8 +113,9 @@ private:
             return;
         }
         if (result_.slides.empty()) refuse("a block stands before the first slide ('## Title')");
-        const auto found = std::ranges::find(fences, name, &Fence::name);
-        if (found == fences.end()) refuse(fmt::format("unknown block '{}'; known: {}", name, known_fences()));
+        const auto known = fences_of(with_scenes_);
+        const auto found = std::ranges::find(known, name, &Fence::name);
+        if (found == known.end()) refuse(fmt::format("unknown block '{}'; known: {}", name, known_fences(with_scenes_)));
         result_.slides.back().blocks.push_back({found->kind, {}, number_ + 1});
         inside_ = true;
         paragraph_ended_ = true;
@@ -107,6 +124,7 @@ private:
     Block& block() { return result_.slides.back().blocks.back(); }
 
     std::string_view text_;
+    bool with_scenes_;
     Walkthrough result_;
     int number_ = 0;
     bool inside_ = false, paragraph_ended_ = true;
@@ -140,7 +158,9 @@ bool Slide::allows(std::string_view key) const {
     return std::ranges::any_of(blocks, [&](const Block& b) { return b.kind == BlockKind::controls && has_word(b, key); });
 }
 
-Walkthrough parse_walkthrough(std::string_view text, std::string_view path) { return Reader(text, path).read(); }
+Walkthrough parse_walkthrough(std::string_view text, std::string_view path, bool with_scenes) {
+    return Reader(text, path, with_scenes).read();
+}
 
 Walkthrough walkthrough_of(const LessonEntry& entry) {
     const std::string path = fmt::format("{}/walkthrough.md", entry.info.id);

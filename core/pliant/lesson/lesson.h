@@ -30,6 +30,9 @@ struct Stage {
     // The part of it that holds as the parameters are, where it says several things; empty: the whole.
     std::function<std::string_view()> formula_in_force{};
     std::string_view source = "";  // lecture, paper, section, equation
+    // Where its work is done, for the page of the lesson: "core/pliant/solids/rod.cpp: rod_strains", or several functions of a
+    // file, parted by commas.
+    std::string_view code = "";
     std::function<void()> run;
     std::vector<std::string_view> reads{}, writes{};  // names of fields, or of probes that a stage measures
     std::function<bool()> active{};                   // a term that the scene lacks is not run; always active when empty

@@ -1,7 +1,6 @@
 #include <pliant/document/report.h>
 #include <pliant/study/claims.h>
 #include <pliant/study/lesson_page.h>
-#include <pliant/text/markdown.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,17 +32,6 @@ std::string lesson_json(const LessonEntry& entry) {
                         {"answers", c->answers},
                         {"right_answer", c->right_answer}});
     return j.dump(2) + "\n";
-}
-
-std::string lesson_markdown(const LessonEntry& entry) {
-    std::string text = describe_markdown(entry);
-    const auto stated = claims_of(entry.info.id);
-    if (stated.empty()) return text;
-    text +=
-        "\n## Claims\n\n[All claims, measured](../claims.md)\n\n| claim | statement | figure | criterion |\n|---|---|---|---|\n";
-    for (const Claim* c : stated)
-        text += fmt::format("| {} | {} | {} | {} |\n", c->id, cell(c->statement), cell(c->figure), cell(c->criterion));
-    return text;
 }
 
 }  // namespace pliant
