@@ -42,12 +42,12 @@ private:
             "propto", "dots",   "circ",   "prime", "sin",        "cos",        "tan",    "sinh",   "cosh",   "tanh",    "exp",
             "ln",     "log",    "min",    "max",   "det",        "arcsin",     "arccos", "arctan", "quad",   "sim",     "ll",
             "gg",     "otimes", "ell",    "oint",  "langle",     "rangle",     "%",      "{",      "}",      "|",       ",",
-            "&",      "#",      "$",      "_",     "mathbb{R}"};
+            "&",      "#",      "$",      "_",     " "};
         return known.contains(command);
     }
     // One argument: "hat", "sqrt", or two: "frac".
     static int arguments_of(const std::string& command) {
-        static const std::set<std::string> one{"sqrt", "hat", "tilde", "bar", "dot", "ddot", "mathbb"};
+        static const std::set<std::string> one{"sqrt", "hat", "tilde", "bar", "dot", "ddot"};
         return command == "frac" || command == "tfrac" ? 2 : one.contains(command) ? 1 : 0;
     }
     static bool takes_words(const std::string& command) {

@@ -75,7 +75,7 @@ TEST_CASE("notation: parentheses, bars, norms and matrices") {
 
 TEST_CASE("notation: words stand upright, letters side by side do not") {
     CHECK(latex("modulus = slope of stress over strain") == "\\text{modulus} = \\text{slope of stress over strain}");
-    CHECK(latex("u ← a mean") == "u \\leftarrow a \\text{mean}");
+    CHECK(latex("u ← a mean") == "u \\leftarrow a \\ \\text{mean}");
     CHECK(latex("f: a mean") == "f: \\text{a mean}");
     CHECK(latex("tr(ε) I") == "\\operatorname{tr}\\left(\\varepsilon\\right) I");
     CHECK(latex("dx ≈ F dX") == "dx \\approx F dX");

@@ -70,13 +70,23 @@ void join(std::string& all, const std::string& more, bool spaced) {
     all += more;
 }
 
+// Signs bring their own room along.
+bool has_room(const Notation& n) {
+    return n.kind == Kind::sign || n.kind == Kind::relation || n.kind == Kind::comma || n.kind == Kind::gap;
+}
+
+// Between formulas and words a blank has to be asked for: LaTeX drops it.
+bool needs_blank(const Notation& before, const Notation& n) {
+    return n.spaced && (before.kind == Kind::words || n.kind == Kind::words) && !has_room(before) && !has_room(n);
+}
+
 std::string row_of(const Notation& row) {
     std::string all;
-    bool wide = false;
+    const Notation* before = nullptr;
     for (const Notation& n : row.of) {
-        const bool operation = n.kind == Kind::sign || n.kind == Kind::relation;
-        join(all, latex(n), n.spaced || (operation && n.spaced) || wide);
-        wide = n.kind == Kind::gap;
+        const bool blank = before && needs_blank(*before, n);
+        join(all, (blank ? "\\ " : "") + latex(n), n.spaced || (before && before->kind == Kind::gap));
+        before = &n;
     }
     return all;
 }
