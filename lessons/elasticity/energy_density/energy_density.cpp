@@ -108,6 +108,20 @@ void EnergyDensityLesson::declare_stages() {
     stages.back() = stages.back()
                         .when([this] { return has_block(); })
                         .repeats([this] { return block_->running(); }, [this] { begin_block(); });
+    // In the order of the stages.
+    const std::string_view strain_code = "core/pliant/continuum/strain.h: cauchy_strain",
+                           psi_code = "core/pliant/continuum/energy_density.cpp: psi",
+                           P_code = "core/pliant/continuum/energy_density.cpp: P";
+    std::size_t next = 0;
+    for (const std::string_view code :
+         {std::string_view("core/pliant/continuum/deformation_path.cpp: DeformationPath::at"), strain_code,
+          std::string_view("core/pliant/continuum/strain.h: green_strain"),
+          std::string_view("core/pliant/continuum/deformation.cpp: polar_decomposition"),
+          std::string_view("lessons/elasticity/energy_density/energy_density.cpp: measure_strain"), psi_code, psi_code, psi_code,
+          psi_code, P_code, P_code, P_code, P_code,
+          std::string_view("lessons/elasticity/energy_density/energy_density.cpp: check_derivative"),
+          std::string_view("core/pliant/solids/newton_equilibrium.cpp: iterate")})
+        stages[next++].code = code;
 }
 
 void EnergyDensityLesson::begin_block() {

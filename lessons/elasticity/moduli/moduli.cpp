@@ -50,20 +50,24 @@ void ModuliLesson::declare_stages() {
     stages = {
         stage_of("apply_load", "f_a = ∫ N_a t dA,  t = (k/m) σ n",
                  "traction spread over the nodes by their shape functions [Hughes2000 §2.9]", [this] { apply_load(); })
+            .done_in("core/pliant/solids/fem_loads.cpp: add_boundary_stress")
             .maps({}, {"load"})
             .because([this](const Question& q) { return why_load(q.index, q.component); }),
         stage_of("solve", "K u = f:  u ← u + α p,  α = r·z / (p·Kp)",
                  "conjugate gradients, preconditioned with incomplete Cholesky [Shewchuk1994 §B3]", [this] { solve_pass(); })
+            .done_in("core/pliant/math/conjugate_gradients.cpp: ConjugateGradients::iterate")
             .maps({"load", "displacement"}, {"displacement", "residual", "reaction"})
             .repeats([this] { return advancing_ && solver_->running(); }, [this] { begin_solve(); }, [this] { end_solve(); })
             .because([this](const Question& q) { return why_solved(q); }),
         stage_of("strain_and_stress", "ε = ½ (∇u + ∇uᵀ),  σ = λ tr(ε) I + 2 μ ε", "lecture: strain and stress, Hooke's law",
                  [this] { strain_and_stress(); })
+            .done_in("core/pliant/solids/linear_fem.cpp: element_strain, element_stress")
             .maps({"displacement"}, {"strain", "stress"})
             .because([this](const Question& q) { return why_strain_or_stress(q); }),
         {.name = "fit_modulus",
          .formula = "modulus = slope of stress over strain:  Y = (F/A)/(ΔL/L),  G = (F/A)/(ΔL/L),  B = −ΔP/(ΔV/V)",
          .source = "lecture: Young's, shear and bulk modulus (which prints B without the sign)",
+         .code = "core/pliant/math/line_fit.cpp: fit_line",
          .run = [this] { fit_modulus(); },
          .reads = {"displacement", "reaction"},
          .writes = {"measured_modulus"},

@@ -46,21 +46,25 @@ void PoissonLesson::declare_stages() {
     const auto bent = [this] { return bends(); };
     stages = {stage_of("pull", "Δx = s L / N on the far face", "lecture: Poisson's ratio, the cube of size L",
                        [this] { stretch_cube(); })
+                  .done_in("lessons/elasticity/poisson/poisson.cpp: stretch_cube")
                   .maps({}, {"prescribed"})
                   .when(stretched())
                   .because([this](const Question& q) { return why_step(q); }),
               stage_of("solve", "K(x) Δu = 0,  Δu = Δx on the far face",
                        "linear elasticity on the shape that was reached [Hughes2000 §2.9]", [this] { solve(); })
+                  .done_in("core/pliant/solids/stretched_cube.cpp: StretchedCube::increment")
                   .maps({"prescribed", "displacement"}, {"increment"})
                   .when(stretched())
                   .because([this](const Question& q) { return why_step(q); }),
               stage_of("move", "u ← u + Δu", "lecture: the integral of dε_y = −ν dε_x, as a sum", [this] { move(); })
+                  .done_in("lessons/elasticity/poisson/poisson.cpp: move")
                   .maps({"increment", "displacement"}, {"displacement"})
                   .when(stretched())
                   .because([this](const Question& q) { return why_step(q); }),
               {.name = "measure",
                .formula = "ΔL′/L,  V/V₀ = det(I + ∇u);  exact: 1 − (1 + ΔL/L)^(−ν)",
                .source = "lecture: Poisson's ratio, ν ≈ ΔL′/ΔL",
+               .code = "core/pliant/solids/stretched_cube.cpp: StretchedCube::volume_ratio",
                .run = [this] { measure(); },
                .reads = {"displacement"},
                .writes = {"element_volume"},
@@ -70,12 +74,14 @@ void PoissonLesson::declare_stages() {
                .explain = [this](const Question& q) { return why_step(q); }},
               stage_of("bend", "K(ν) u = f in plane strain", "Cook's membrane [Cook1974], linear triangles [Hughes2000 §4.4]",
                        [this] { bend(); })
+                  .done_in("core/pliant/solids/cooks_membrane.cpp: displacement")
                   .maps({}, {"displacement"})
                   .when(bent)
                   .because([this](const Question& q) { return why_bent(q); }),
               {.name = "read_deflection",
                .formula = "u_y at the middle of the loaded edge",
                .source = "converged values of cubic triangles on 32 × 32 cells",
+               .code = "lessons/elasticity/poisson/poisson.cpp: read_deflection",
                .run = [this] { read_deflection(); },
                .reads = {"displacement"},
                .writes = {"deflection"},

@@ -53,26 +53,32 @@ void StrainMeasuresLesson::declare_stages() {
     stages = {
         stage_of("deformation", "F = R(θ) F of the map,  ∇u = F − I", "lecture: material deformation gradient tensor",
                  [this] { deform(); })
+            .done_in("core/pliant/continuum/deformation_map.cpp: deformation_gradient")
             .maps({}, {"deformation_gradient", "displacement_gradient"})
             .because([this](const Question& q) { return why_deformation(q); }),
         stage_of("right_cauchy_green", "C = FᵀF", "second deck: Cauchy–Green strain tensor [Bonet2008 §4.5]",
                  [this, write] { write(C_, pliant::right_cauchy_green<3>(of(deformation_))); })
+            .done_in("core/pliant/continuum/strain.h: right_cauchy_green")
             .maps({"deformation_gradient"}, {"right_cauchy_green"})
             .because([this](const Question& q) { return why_deformation(q); }),
         stage_of("green_strain", "E = ½ (∇u + ∇uᵀ + ∇uᵀ∇u) = ½ (C − I)", "lecture: Green's strain (Green–Lagrange)",
                  [this, write] { write(green_, pliant::green_strain<3>(of(slope_))); })
+            .done_in("core/pliant/continuum/strain.h: green_strain")
             .maps({"displacement_gradient"}, {"green_strain"})
             .because([this](const Question& q) { return why_deformation(q); }),
         stage_of("cauchy_strain", "ε = ½ (∇u + ∇uᵀ)", "lecture: Cauchy's small strain",
                  [this, write] { write(cauchy_, pliant::cauchy_strain<3>(of(slope_))); })
+            .done_in("core/pliant/continuum/strain.h: cauchy_strain")
             .maps({"displacement_gradient"}, {"cauchy_strain"})
             .because([this](const Question& q) { return why_deformation(q); }),
         stage_of("stretch_of_a_direction", "v′ = F v,  |v′|² = vᵀC v;  Cauchy: 1 + vᵀε v",
                  "second deck: the stretch in a unit direction", [this] { measure_stretches(); })
+            .done_in("lessons/elasticity/strain_measures/strain_measures.cpp: measure_stretches")
             .maps({"deformation_gradient", "cauchy_strain"}, {"direction", "deformed_direction", "stretch", "cauchy_stretch"})
             .because([this](const Question& q) { return why_stretch(q); }),
         stage_of("hookes_law", "σ = D ε, with D (6 × 6) of Y and ν",
                  "lecture: Hooke's linear material law, σ = E ε [TimoshenkoGoodier1970 §6]", [this] { apply_hooke(); })
+            .done_in("core/pliant/continuum/moduli.cpp: voigt_matrix")
             .maps({"green_strain", "cauchy_strain"}, {"stress_green", "stress_cauchy"})
             .because([this](const Question& q) { return why_stress(q); })};
 }

@@ -76,10 +76,12 @@ void StressStrainLesson::declare_stages() {
     stages = {
         stage_of("apply_load", "f_a = ∫ N_a σ·n dA",
                  "force per area, spread over the nodes by their shape functions [Hughes2000 §2.9]", [this] { apply_load(); })
+            .done_in("core/pliant/solids/fem_loads.cpp: add_boundary_stress")
             .maps({}, {"load"})
             .because([this](const Question& q) { return why_load(q); }),
         stage_of("solve", "K u = f", "equilibrium of linear tetrahedra [Hughes2000 §2.7], by factorisation [Davis2006 §4]",
                  [this] { solve(); })
+            .done_in("core/pliant/math/sparse_cholesky.cpp: solve")
             .maps({"load"}, {"displacement", "reaction"})
             .because([this](const Question& q) {
                 return q.field == "reaction" ? linear_body::why_reaction(body_->problem(), hooke(), q.index, q.component)
@@ -87,6 +89,7 @@ void StressStrainLesson::declare_stages() {
             }),
         stage_of("strain", "ε = ½ (∇u + ∇uᵀ)   (ΔL/L along the load)", "lecture: strain is the fractional deformation",
                  [this] { body_->body().strain(displacement_, strain_); })
+            .done_in("core/pliant/solids/linear_fem.cpp: element_strain")
             .maps({"displacement"}, {"strain"})
             .because([this](const Question& q) {
                 return linear_body::why_strain(body_->mesh(), q.index, q.component / 3, q.component % 3);
@@ -96,10 +99,12 @@ void StressStrainLesson::declare_stages() {
                      body_->body().stress(displacement_, stress_);
                      done_[0] = loading == Load::cut ? 0 : 1;
                  })
+            .done_in("core/pliant/solids/linear_fem.cpp: element_stress")
             .maps({"strain"}, {"stress"})
             .because([this](const Question& q) { return hooke().why_stress(q.index, q.component / 3, q.component % 3); }),
         stage_of("cut", "t = σ·n,  σ_n = n·t,  τ = |t − σ_n n|",
                  "lecture: force per area of a plane of normal n, f = σ·n [TimoshenkoGoodier1970 §10]", [this] { cut(); })
+            .done_in("lessons/elasticity/stress_strain/stress_strain.cpp: cut")
             .maps({"stress"}, {"traction", "normal_part", "shear_part"})
             .when([this] { return loading == Load::cut; })
             .because([this](const Question& q) { return why_traction(q); })};

@@ -17,6 +17,7 @@ void AdvectionLesson::declare_stages() {
                      velocity_ = face_velocity(*grid_, flow());
                      cell_velocity(*grid_, velocity_, centre_velocity_);
                  })
+            .done_in("core/pliant/fluids/carried_blob.cpp: face_velocity")
             .maps({}, {"u_on_faces", "v_on_faces", "velocity"})
             .because([this](const Question& q) {
                 if (q.field != "velocity") return why_on_face(grid2d::axis_of(q.field), q.index);
@@ -24,6 +25,7 @@ void AdvectionLesson::declare_stages() {
             }),
         stage_of("back_trace", "midpoint: x_m = x − ½Δt u(x),  x_d = x − Δt u(x_m);   Euler: x_d = x − Δt u(x)",
                  "Utrecht slides: semi-Lagrangian technique; Stam1999 §2.2; Bridson2007 §3.2", [this] { trace_back(); })
+            .done_in("core/pliant/fluids/advection.cpp: departure")
             .shows([this]() -> std::string_view {
                 return back_trace == BackTrace::midpoint ? "x_m = x − ½Δt u(x),  x_d = x − Δt u(x_m)" : "x_d = x − Δt u(x)";
             })
@@ -38,6 +40,7 @@ void AdvectionLesson::declare_stages() {
                      previous_ = quantity_;
                      advection_->carry(quantity_, velocity_, dt());
                  })
+            .done_in("core/pliant/fluids/advection.cpp: interpolate_row")
             .maps({"departure", "quantity"}, {"previous", "quantity"})
             .because([this](const Question& q) {
                 if (q.field == "quantity") return why_interpolated(q.index);
@@ -45,6 +48,7 @@ void AdvectionLesson::declare_stages() {
             }),
         stage_of("mac_cormack", "q ← q̂ + ½ (q_old − q̃),  q̃: q̂ carried back again;  within the samples around x_d", "Selle2008 §3",
                  [this] { correct(); })
+            .done_in("core/pliant/fluids/advection.cpp: correct")
             .maps({"previous", "quantity"}, {"returned", "quantity"})
             .when([this] { return corrected(); })
             .because([this](const Question& q) {
@@ -58,6 +62,7 @@ void AdvectionLesson::declare_stages() {
                  [this] {
                      for (std::size_t k = 0; k < 3; ++k) rivals_[k]->advect(rival_[k], velocity_, dt());
                  })
+            .done_in("core/pliant/fluids/advection.cpp: carry")
             .maps({"velocity"}, {"linear", "cubic", "mac_cormack"})
             .when([this] { return bool(compare); })
             .because([this](const Question& q) {
@@ -66,6 +71,7 @@ void AdvectionLesson::declare_stages() {
             }),
         stage_of("comparison", "q_exact(x, t) = q(X, 0),  X: where the fluid at x was at first;   e = q − q_exact",
                  "characteristics of ∂q/∂t + u·∇q = 0; Zalesak1979", [this] { compare_with_exact(); })
+            .done_in("lessons/fluids/advection/advection_stages.cpp: compare_with_exact")
             .maps({"quantity"}, {"exact", "error"})
             .because([this](const Question& q) {
                 if (q.field == "exact") return why_exact(q.index);

@@ -86,6 +86,7 @@ void DiffusionLesson::declare_stages() {
                      diffusion_->stencil(u_, stencil_);
                      laplacian_ = stencil_ / (dx() * dx());
                  })
+            .done_in("core/pliant/fluids/diffusion.cpp: rate_of_change")
             .shows([this]() -> std::string_view {
                 return dimensions == Dimensions::one ? "s = u_left + u_right − 2u,   ∇²u ≈ s/Δx²"
                                                      : "s = u_left + u_right + u_below + u_above − 4u,   ∇²u ≈ s/Δx²";
@@ -99,6 +100,7 @@ void DiffusionLesson::declare_stages() {
                      literal() ? u_ = rate() * dx() * dx()* stencil_ : u_ += rate() * stencil_;
                      end_step();
                  })
+            .done_in("core/pliant/fluids/diffusion.cpp: explicit_step")
             .shows([this]() -> std::string_view { return form == Form::lecture ? "u ← νΔt s" : "u ← u + (νΔt/Δx²) s"; })
             .maps({"u", "stencil"}, {"u"})
             .when([this] { return is_explicit(); })
@@ -108,6 +110,7 @@ void DiffusionLesson::declare_stages() {
                      diffusion_->iterate(u_);
                      residual_ = diffusion_->residual();
                  })
+            .done_in("core/pliant/fluids/diffusion.cpp: begin_implicit, iterate")
             .maps({"u"}, {"u_before", "u", "residual"})
             .repeats([this] { return !diffusion_->converged(); },
                      [this] {

@@ -22,18 +22,21 @@ void NavierStokes::declare_stages() {
     stages = {
         stage_of("external_forces", "ũ ← u + Δt f,   f: force per unit mass",
                  "Utrecht slides, Navier–Stokes equations; Stam1999 §2.2", [this] { external_forces(); })
+            .done_in("core/pliant/fluids/forces.cpp: add_uniform_force, add_jet")
             .maps({"velocity"}, {"u_on_faces", "v_on_faces"})
             .when([this] { return with_forces && forced(); })
             .because([this](const Question& q) { return why_force(grid2d::axis_of(q.field), q.index); }),
         stage_of("advection", "ũ(x) ← ũ(x_d),   x_d = x − Δt ũ(x − ½Δt ũ(x)): where it was a step ago",
                  "semi-Lagrangian: Stam1999 §2.2, Bridson2007 §3; monotone cubic: FritschCarlson1980; MacCormack: Selle2008",
                  [this] { advect(); })
+            .done_in("core/pliant/fluids/advection.cpp: trace_row, interpolate_row")
             .maps({"velocity"}, {"u_on_faces", "v_on_faces"})
             .when([this] { return bool(with_advection); })
             .because([this](const Question& q) { return why_advected().velocity(grid2d::axis_of(q.field), q.index); }),
         stage_of("viscosity", "implicit: ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ old;   explicit: ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)",
                  "Utrecht slides, 4-neighbour stencil, with the 1/Δx² and the old value that they leave out; Stam1999 §2.2",
                  [this] { diffuse(); })
+            .done_in("core/pliant/fluids/diffusion.cpp: diffuse_explicitly, diffuse_implicitly")
             .shows([this]() -> std::string_view {
                 return scheme == Scheme::implicit_euler ? "ũ − (νΔt/Δx²)(Σũₙ − 4ũ) = ũ_old" : "ũ ← ũ + (νΔt/Δx²)(Σũₙ − 4ũ)";
             })
@@ -46,12 +49,15 @@ void NavierStokes::declare_stages() {
             }),
         stage_of("projection", "Δt ∇²p = ∇·ũ,   u ← ũ − Δt ∇p",
                  "Utrecht slides, pressure projection (p is p/ρ); Chorin1968; Bridson2007 §4.3", [this] { projection_pass(); })
+            .done_in("core/pliant/fluids/pressure_solve.cpp: iterate; "
+                     "core/pliant/fluids/pressure_gradient.cpp: subtract_gradient")
             .maps({"velocity", "pressure"}, {"divergence_before", "pressure", "divergence_after", "u_on_faces", "v_on_faces"})
             .repeats([this] { return !projection_->converged(); }, [this] { begin_projection(); }, [this] { end_projection(); })
             .when([this] { return bool(with_projection); })
             .because([this](const Question& q) { return why_on_grid().projection(q, projection_->converged()); }),
         stage_of("smoke", "s(x) ← s(x − Δt u(x − ½Δt u(x))),   s = 1 in the source",
                  "Stam1999 §2.4: a substance is carried by the flow", [this] { carry_smoke(); })
+            .done_in("core/pliant/fluids/advection.cpp: carry")
             .maps({"velocity", "smoke"}, {"smoke"})
             .when([this] { return scene().drives.smoke; })
             .because([this](const Question& q) {

@@ -83,21 +83,25 @@ void Projection::declare_stages() {
     stages = {
         stage_of("tentative_velocity", "ũ: given;  on walls and solids the velocity of the wall",
                  "survey, best guess velocity ũ; Utrecht slides, pressure projection", [this] { give(); })
+            .done_in("lessons/fluids/projection/given_field.cpp: GivenField::fill")
             .maps({}, {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"})
             .because([this](const Question& q) { return why_given(q); }),
         stage_of("divergence", "d̃ = ∇·ũ = (flux out of the cell) / Δx²",
                  "Utrecht slides: the flux through all faces of each cell is to be zero; Bridson2007 §4.3",
                  [this] { take_divergence(); })
+            .done_in("core/pliant/fluids/diagnostics.cpp: divergence")
             .maps({"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"}, {"divergence_before"})
             .because([this](const Question& q) { return why_divergence(q.index, Input::From::before); }),
         stage_of("pressure", "Δt ∇²p = d̃,  one pass of the solver after the other",
                  "Utrecht slides, Δt ∇²p = ∇·u (p is p/ρ); Chorin1968; Bridson2007 §4.3", [this] { pressure_pass(); })
+            .done_in("core/pliant/fluids/pressure_solve.cpp: iterate")
             .maps({"divergence_before"}, {"pressure", "divergence_after"})
             .repeats([this] { return staggered() ? !projection_->converged() : !central_projection_->converged(); },
                      [this] { begin_pressure(); })
             .because([this](const Question& q) { return why_pressure_pass(q); }),
         stage_of("disturbance", "p ← p + A q,  q = ±1 in turn from cell to cell",
                  "the checkerboard that a collocated grid does not see: HarlowWelch1965", [this] { disturb(); })
+            .done_in("lessons/fluids/projection/projection.h: disturb")
             .maps({"pressure"}, {"pressure"})
             .when([this] { return disturbance != 0; })
             .because([this](const Question& q) -> Explanation {
@@ -108,11 +112,13 @@ void Projection::declare_stages() {
             }),
         stage_of("projection", "u = ũ − Δt ∇p", "Utrecht slides, u(t+Δt) = u(t) − Δt ∇p; survey, pressure projection",
                  [this] { project(); })
+            .done_in("core/pliant/fluids/pressure_gradient.cpp: subtract_gradient")
             .maps({"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells", "pressure"},
                   {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells", "divergence_after"})
             .because([this](const Question& q) { return why_pressure_pass(q); }),
         stage_of("helmholtz_parts", "ũ = Δt ∇p + s + m,  ∇·s = 0,  m: mean flow around a periodic box",
                  "Helmholtz decomposition; Bridson2007 §4.3; Chorin1968", [this] { split(); })
+            .done_in("core/pliant/fluids/helmholtz.cpp: helmholtz_parts")
             .maps({"pressure", "u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"}, {"gradient_part", "solenoidal_part"})
             .because([this](const Question& q) { return why_part(q); })};
 }

@@ -10,7 +10,8 @@ inline Stage spring_forces_stage(std::function<void()> run, std::vector<std::str
                                  std::function<bool()> active = {}) {
     return stage_of("spring_forces", "fᵢ = k (|xᵢⱼ| − l) xᵢⱼ/|xᵢⱼ|,  xᵢⱼ = xⱼ − xᵢ",
                     "lecture: mass–spring system; [Nealen2006 §3]", std::move(run), {"position"}, std::move(writes),
-                    std::move(why), std::move(active));
+                    std::move(why), std::move(active))
+        .done_in("core/pliant/solids/springs.cpp: add_spring_forces");
 }
 
 inline Stage damping_forces_stage(std::function<void()> run, Why why, std::function<SpringDamping()> mode,
@@ -19,12 +20,14 @@ inline Stage damping_forces_stage(std::function<void()> run, Why why, std::funct
         [mode] { return formula_of(mode()); },
         stage_of("damping_forces", "naive: fᵢ = kᵈ vᵢⱼ;  projected: fᵢ = kᵈ (vᵢⱼ·xᵢⱼ / (xᵢⱼ·xᵢⱼ)) xᵢⱼ,  vᵢⱼ = vⱼ − vᵢ",
                  "lecture: mass–spring system; [Nealen2006 §3]", std::move(run), {"position", "velocity"}, {"damping_force"},
-                 std::move(why), std::move(active)));
+                 std::move(why), std::move(active))
+            .done_in("core/pliant/solids/springs.cpp: add_damping_forces"));
 }
 
 inline Stage external_forces_stage(std::function<void()> run, Why why, std::function<bool()> active) {
     return stage_of("external_forces", "fᵢ = mᵢ g;  at a pulled node + kₕ (x_hand − xᵢ)", "gravity, and a spring to the pointer",
-                    std::move(run), {"position"}, {"external_force"}, std::move(why), std::move(active));
+                    std::move(run), {"position"}, {"external_force"}, std::move(why), std::move(active))
+        .done_in("core/pliant/solids/springs_system.cpp: add_external_forces");
 }
 
 }  // namespace pliant::springs

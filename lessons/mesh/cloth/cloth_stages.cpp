@@ -67,12 +67,14 @@ void ClothLesson::declare_stages() {
         stage_of(
             "wind", "fᵢ = Cᵢ (w − vᵢ),  Cᵢ = Σ ρ c A |u·n| n nᵀ / 6 over its triangles,  u = w − v",
             "pressure on a plate across the wind; [Ling1996]", [this] { wind_stage(); }, {"position", "velocity"},
-            {"wind_drag", "wind_force"}, [this](const Question& q) { return why_force(q); }, [this] { return in_air(); }),
+            {"wind_drag", "wind_force"}, [this](const Question& q) { return why_force(q); }, [this] { return in_air(); })
+            .done_in("core/pliant/solids/sheet_wind.cpp: triangle_drag, wind_drag"),
         {.name = "integrate",
          .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
                     "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method",
          .formula_in_force = [this] { return info_of(scheme).formula; },
          .source = "lecture: time integration; [Baraff1998], [Nocedal2006 §7.1]",
+         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
          .run = [this] { integrate(); },
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force", "wind_drag", "wind_force",
                    "contact_force"},
@@ -85,6 +87,7 @@ void ClothLesson::declare_stages() {
          .formula =
              "|xᵢⱼ| > (1 + ε_max) l:  xᵢ += p/mᵢ, xⱼ −= p/mⱼ, v += Δx/Δt,  p = (|xᵢⱼ| − (1 + ε_max) l) xᵢⱼ/|xᵢⱼ| / (1/mᵢ + 1/mⱼ)",
          .source = "[Provot1995], [Bridson2002 §4]",
+         .code = "core/pliant/solids/strain_limiter.cpp: pass",
          .run = [this] { limiter_excess_ = limiter_->pass(sheet_->inertia(), strain_limit, dt, position_, velocity_); },
          .reads = {"position", "velocity"},
          .writes = {"position", "velocity"},
@@ -109,7 +112,8 @@ void ClothLesson::declare_stages() {
                 note_pace();
             },
             {"position", "velocity"}, {"position", "velocity", "contact_force"},
-            [this](const Question& q) { return why_contact(q); }, [this] { return has_sphere(); }),
+            [this](const Question& q) { return why_contact(q); }, [this] { return has_sphere(); })
+            .done_in("core/pliant/solids/sphere_contact.cpp: resolve_sphere_contact"),
     };
 }
 

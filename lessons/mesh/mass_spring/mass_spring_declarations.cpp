@@ -64,6 +64,7 @@ void MassSpringLesson::declare_stages() {
                     "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method;  others: their table or form",
          .formula_in_force = [this] { return info_of(integrator).formula; },
          .source = "lecture: time integration; [Baraff1998], [Nocedal2006], [Hairer2006]",
+         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
          .run = [this] { integrate(); },
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},
          .writes = {"position", "velocity"},
@@ -75,11 +76,13 @@ void MassSpringLesson::declare_stages() {
         stage_of(
             "contact", "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|", "[Bridson2002]", [this] { contact_stage(); },
             {"position", "velocity"}, {"position", "velocity"}, [this](const Question& q) { return why_contact(q); },
-            [this] { return grounded(); }),
+            [this] { return grounded(); })
+            .done_in("core/pliant/solids/contact.cpp: resolve"),
         stage_of(
             "static_test", "K u = 0 at the free nodes,  K = Σ k n nᵀ,  u given at the plates",
             "[BornHuang1954 §11], [Hughes2000 §1.6]", [this] { static_stage(); }, {}, {"position", "strain", "tension"},
-            [this](const Question& q) { return why_static(q); }, [this] { return tested(); }),
+            [this](const Question& q) { return why_static(q); }, [this] { return tested(); })
+            .done_in("core/pliant/solids/lattice_elasticity.cpp: solve, test_block"),
     };
 }
 

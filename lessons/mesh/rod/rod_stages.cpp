@@ -64,18 +64,22 @@ void RodLesson::declare_stages() {
     stages = {
         stage_of(
             "positions", "∂x/∂s ≈ (xᵢ₊₁ − xᵢ)/Δs", "lecture C: the deformable rod, sample points s₀ … s_N",
-            [this] { slope_stage(); }, {"position"}, {"slope"}, why),
+            [this] { slope_stage(); }, {"position"}, {"slope"}, why)
+            .done_in("core/pliant/solids/rod.cpp: rod_slopes"),
         stage_of(
             "strain", "ε = |∂x/∂s| − 1", "lecture C: strain of the rod", [this] { rod_strains(slope_, strain_); }, {"slope"},
-            {"strain"}, why),
+            {"strain"}, why)
+            .done_in("core/pliant/solids/rod.cpp: rod_strains"),
         stage_of(
             "energy_density", "½ EA ε²  in  U = ∫ ½ EA ε² ds;  springs picked by hand are a rod of EA = k₀ Δs",
             "lecture C: potential energy U = ∫ ½ k ε² ds; its k is EA",
             [this] { energy_density_ = 0.5 * chain_axial_stiffness() * strain_.array().square(); }, {"strain"},
-            {"energy_density"}, why),
+            {"energy_density"}, why)
+            .done_in("core/pliant/solids/rod.cpp: rod_energy"),
         stage_of(
             "discrete_energy", "U ≈ Σ ½ EA ε² Δs", "lecture C: the integral as a sum over the segments",
-            [this] { segment_energy_ = segment() * energy_density_; }, {"energy_density"}, {"segment_energy"}, why),
+            [this] { segment_energy_ = segment() * energy_density_; }, {"energy_density"}, {"segment_energy"}, why)
+            .done_in("core/pliant/solids/rod.cpp: rod_energy"),
         stage_of(
             "springs", "Uᵢ = ½ k (|xᵢ₊₁ − xᵢ| − Δs)²  with  k = EA/Δs;  tension T = k (|xᵢ₊₁ − xᵢ| − Δs)",
             "lecture C: we have just reinvented mass–spring systems",
@@ -83,7 +87,8 @@ void RodLesson::declare_stages() {
                 stiffness_ = springs_.stiffness();
                 spring_tension<2>(springs_, position_, tension_);
             },
-            {"position", "segment_energy"}, {"spring_stiffness", "tension"}, why),
+            {"position", "segment_energy"}, {"spring_stiffness", "tension"}, why)
+            .done_in("core/pliant/solids/rod.cpp: rod_springs; core/pliant/solids/springs.cpp: spring_tension"),
         stage_of(
             "forces", "fᵢ = −∂U/∂xᵢ = Σ EA ε x̂ᵢⱼ;  as springs: fᵢ = Σ k (|xᵢⱼ| − Δs) x̂ᵢⱼ",
             "lecture C: net force on particle i; [Nealen2006 §3]",
@@ -93,25 +98,29 @@ void RodLesson::declare_stages() {
                 spring_force_.setZero();
                 add_spring_forces<2>(springs_, position_, spring_force_);
             },
-            {"position", "slope", "strain"}, {"gradient_force", "spring_force"}, why),
+            {"position", "slope", "strain"}, {"gradient_force", "spring_force"}, why)
+            .done_in("core/pliant/solids/rod.cpp: add_rod_forces; core/pliant/solids/springs.cpp: add_spring_forces"),
         stage_of(
             "damping_forces", "fᵢ = Σ τ k (vᵢⱼ·x̂ᵢⱼ) x̂ᵢⱼ,  vᵢⱼ = vⱼ − vᵢ", "[Nealen2006 §3]: along the spring",
             [this] {
                 damping_force_.setZero();
                 add_damping_forces<2>(springs_, SpringDamping::projected, position_, velocity_, damping_force_);
             },
-            {"position", "velocity"}, {"damping_force"}, why, [this] { return damped(); }),
+            {"position", "velocity"}, {"damping_force"}, why, [this] { return damped(); })
+            .done_in("core/pliant/solids/springs.cpp: add_damping_forces"),
         stage_of(
             "external_forces", "fᵢ = (M/N) g", "gravity",
             [this] {
                 external_force_.setZero();
                 add_external_forces<2>({weight_acceleration() * along(), {}}, node_masses_, position_, external_force_);
             },
-            {}, {"external_force"}, why, [this] { return loaded(); }),
+            {}, {"external_force"}, why, [this] { return loaded(); })
+            .done_in("core/pliant/solids/springs_system.cpp: add_external_forces"),
         {.name = "integrate",
          .formula = "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",
          .formula_in_force = [this] { return info_of(scheme).formula; },
          .source = "lecture C: d²xᵢ/dt² = −mᵢ⁻¹ ∂U/∂xᵢ; [Hairer2006]",
+         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
          .run = [this] { integrate(); },
          .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},
          .writes = {"position", "velocity"},
@@ -123,6 +132,7 @@ void RodLesson::declare_stages() {
         {.name = "equilibrium",
          .formula = "ΔTᵢ = Σ (f + fᵉ) of all nodes beyond;  every node moves by Σ ΔT/k of the springs above it, until f + fᵉ = 0",
          .source = "each spring carries what hangs below it",
+         .code = "core/pliant/solids/rod.cpp: balance_chain",
          .run = [this] { equilibrium_stage(); },
          .reads = {"position", "spring_force", "external_force"},
          .writes = {"position"},

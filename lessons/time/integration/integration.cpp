@@ -89,18 +89,21 @@ void IntegrationLesson::declare_stages() {
             stage_of(
                 "force", "spring: f = −m (ω²x + 2ζωv);  pendulum: f = −m (g sin(x/l) + 2ζωv);  pair: f = −Kx − Cv",
                 "lecture S: time integration, F(v(t), x(t), t)", [this] { force_stage(); }, {"position", "velocity"}, {"force"},
-                [this](const Question& q) { return why_force(q.index, "position", "velocity", Input::now, ""); })),
+                [this](const Question& q) { return why_force(q.index, "position", "velocity", Input::now, ""); })
+                .done_in("core/pliant/time/swinging.cpp: Swinging::force")),
         in_force([this]() -> std::string_view { return implicit() ? "a first guess, X = x + Δt v or X = x" : "X = x,  V = v"; },
                  stage_of(
                      "predict", "explicit: X = x, V = v;  implicit: a first guess, X = x + Δt v or X = x",
                      "Hairer1993 §II.14; Baraff1998", [this] { predict(); }, {"position", "velocity"},
-                     {"trial_position", "trial_velocity"}, [this](const Question& q) { return why_predicted(q); })),
+                     {"trial_position", "trial_velocity"}, [this](const Question& q) { return why_predicted(q); })
+                     .done_in("core/pliant/time/time_integrator.cpp: begin_explicit, begin_implicit")),
         {.name = "passes",
          .formula = "explicit: f_k at X, V, then the next X, V;  implicit, Newton: X ← X − r/H",
          .formula_in_force = [this]() -> std::string_view {
              return is_implicit(scheme) ? "Newton: X ← X − r/H" : "f_k at X, V, then the next X, V";
          },
          .source = "lecture S: time integration; Hairer1993 §II.14; Nocedal2006",
+         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
          .run = [this] { pass(); },
          .reads = {"position", "velocity", "force"},
          .writes = {"trial_position", "trial_velocity", "pass_force", "residual"},
@@ -110,7 +113,8 @@ void IntegrationLesson::declare_stages() {
                  stage_of(
                      "advance", "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  semi-implicit: x + Δt v′;  implicit: f(x′, v′)",
                      "lecture S: time integration", [this] { advance(); }, {"trial_position", "trial_velocity"},
-                     {"position", "velocity"}, [this](const Question& q) { return why_advanced(q); }))};
+                     {"position", "velocity"}, [this](const Question& q) { return why_advanced(q); })
+                     .done_in("core/pliant/time/time_integrator.cpp: finish"))};
 }
 
 void IntegrationLesson::force_stage() {
