@@ -34,15 +34,34 @@ private:
     }
 
     static bool is_known(const std::string& command) {
-        static const std::set<std::string> known{
-            "alpha",  "beta",   "gamma",  "delta", "varepsilon", "zeta",       "eta",    "theta",  "kappa",  "lambda",  "mu",
-            "nu",     "xi",     "pi",     "rho",   "sigma",      "tau",        "varphi", "chi",    "psi",    "omega",   "Gamma",
-            "Delta",  "Theta",  "Lambda", "Phi",   "Psi",        "Omega",      "sum",    "int",    "prod",   "partial", "nabla",
-            "cdot",   "times",  "pm",     "infty", "leftarrow",  "rightarrow", "le",     "ge",     "approx", "ne",      "in",
-            "propto", "dots",   "circ",   "prime", "sin",        "cos",        "tan",    "sinh",   "cosh",   "tanh",    "exp",
-            "ln",     "log",    "min",    "max",   "det",        "arcsin",     "arccos", "arctan", "quad",   "sim",     "ll",
-            "gg",     "otimes", "ell",    "oint",  "langle",     "rangle",     "%",      "{",      "}",      "|",       ",",
-            "&",      "#",      "$",      "_",     " "};
+        static const std::set<std::string> known{"alpha",  "beta",       "gamma",
+                                                 "delta",  "varepsilon", "zeta",
+                                                 "eta",    "theta",      "kappa",
+                                                 "lambda", "mu",         "nu",
+                                                 "xi",     "pi",         "rho",
+                                                 "sigma",  "tau",        "varphi",
+                                                 "chi",    "psi",        "omega",
+                                                 "Gamma",  "Delta",      "Theta",
+                                                 "Lambda", "Phi",        "Psi",
+                                                 "Omega",  "sum",        "int",
+                                                 "prod",   "partial",    "nabla",
+                                                 "cdot",   "times",      "pm",
+                                                 "infty",  "leftarrow",  "rightarrow",
+                                                 "le",     "ge",         "approx",
+                                                 "ne",     "in",         "propto",
+                                                 "dots",   "circ",       "prime",
+                                                 "sin",    "cos",        "tan",
+                                                 "sinh",   "cosh",       "tanh",
+                                                 "exp",    "angle",      "Leftrightarrow",
+                                                 "ln",     "log",        "min",
+                                                 "max",    "det",        "arcsin",
+                                                 "arccos", "arctan",     "quad",
+                                                 "sim",    "ll",         "gg",
+                                                 "otimes", "ell",        "oint",
+                                                 "langle", "rangle",     "%",
+                                                 "{",      "}",          "|",
+                                                 ",",      "&",          "#",
+                                                 "$",      "_",          " "};
         return known.contains(command);
     }
     // One argument: "hat", "sqrt", or two: "frac".

@@ -78,6 +78,9 @@ TEST_CASE("notation: words stand upright, letters side by side do not") {
     CHECK(latex("u ← a mean") == "u \\leftarrow a \\ \\text{mean}");
     CHECK(latex("f: a mean") == "f: \\text{a mean}");
     CHECK(latex("tr(ε) I") == "\\operatorname{tr}\\left(\\varepsilon\\right) I");
+    CHECK(latex("springs are a rod of EA") == "\\text{springs are a rod of} \\ EA");
+    CHECK(latex("Verlet – a ∠R ⟨u⟩ ~ Ẽ") == "\\text{Verlet} \\ \\text{–} a \\angle R \\langle u\\rangle \\sim \\tilde{E}");
+    CHECK(latex("x −= p") == "x -= p");
     CHECK(latex("dx ≈ F dX") == "dx \\approx F dX");
     CHECK(latex("ε:ε") == "\\varepsilon:\\varepsilon");
     CHECK(latex("explicit: x′ = x") == "\\text{explicit}: x^{\\prime} = x");

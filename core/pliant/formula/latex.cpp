@@ -14,18 +14,22 @@ namespace {
 using Kind = Notation::Kind;
 using Command = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Command, 51> commands{
-    {{"α", "\\alpha"},  {"β", "\\beta"},    {"γ", "\\gamma"},  {"δ", "\\delta"},     {"ε", "\\varepsilon"},
-     {"ζ", "\\zeta"},   {"η", "\\eta"},     {"θ", "\\theta"},  {"κ", "\\kappa"},     {"λ", "\\lambda"},
-     {"μ", "\\mu"},     {"ν", "\\nu"},      {"ξ", "\\xi"},     {"π", "\\pi"},        {"ρ", "\\rho"},
-     {"σ", "\\sigma"},  {"τ", "\\tau"},     {"φ", "\\varphi"}, {"χ", "\\chi"},       {"ψ", "\\psi"},
-     {"ω", "\\omega"},  {"Γ", "\\Gamma"},   {"Δ", "\\Delta"},  {"Θ", "\\Theta"},     {"Λ", "\\Lambda"},
-     {"Σ", "\\sum"},    {"∫", "\\int"},     {"∏", "\\prod"},   {"Φ", "\\Phi"},       {"Ψ", "\\Psi"},
-     {"Ω", "\\Omega"},  {"∂", "\\partial"}, {"∇", "\\nabla"},  {"·", "\\cdot"},      {"×", "\\times"},
-     {"−", "-"},        {"±", "\\pm"},      {"∞", "\\infty"},  {"←", "\\leftarrow"}, {"→", "\\rightarrow"},
-     {"≤", "\\le"},     {"≥", "\\ge"},      {"≈", "\\approx"}, {"≠", "\\ne"},        {"∈", "\\in"},
-     {"∝", "\\propto"}, {"…", "\\dots"},    {"∘", "\\circ"},   {"°", "^{\\circ}"},   {"′", "\\prime"},
-     {"%", "\\%"}}};
+constexpr std::array<Command, 58> commands{
+    {{"α", "\\alpha"},      {"β", "\\beta"},    {"γ", "\\gamma"},     {"δ", "\\delta"},
+     {"ε", "\\varepsilon"}, {"ζ", "\\zeta"},    {"η", "\\eta"},       {"θ", "\\theta"},
+     {"κ", "\\kappa"},      {"λ", "\\lambda"},  {"μ", "\\mu"},        {"ν", "\\nu"},
+     {"ξ", "\\xi"},         {"π", "\\pi"},      {"ρ", "\\rho"},       {"σ", "\\sigma"},
+     {"τ", "\\tau"},        {"φ", "\\varphi"},  {"χ", "\\chi"},       {"ψ", "\\psi"},
+     {"ω", "\\omega"},      {"Γ", "\\Gamma"},   {"Δ", "\\Delta"},     {"Θ", "\\Theta"},
+     {"Λ", "\\Lambda"},     {"Σ", "\\sum"},     {"∫", "\\int"},       {"∏", "\\prod"},
+     {"Φ", "\\Phi"},        {"Ψ", "\\Psi"},     {"Ω", "\\Omega"},     {"∂", "\\partial"},
+     {"∇", "\\nabla"},      {"·", "\\cdot"},    {"×", "\\times"},     {"−", "-"},
+     {"±", "\\pm"},         {"∞", "\\infty"},   {"←", "\\leftarrow"}, {"→", "\\rightarrow"},
+     {"≤", "\\le"},         {"≥", "\\ge"},      {"≈", "\\approx"},    {"≠", "\\ne"},
+     {"∈", "\\in"},         {"∝", "\\propto"},  {"…", "\\dots"},      {"∘", "\\circ"},
+     {"°", "^{\\circ}"},    {"′", "\\prime"},   {"%", "\\%"},         {"~", "\\sim"},
+     {"∠", "\\angle"},      {"⟨", "\\langle"},  {"⟩", "\\rangle"},    {"⇔", "\\Leftrightarrow"},
+     {"−=", "-="},          {"Ẽ", "\\tilde{E}"}}};
 constexpr std::array<Command, 11> names{{{"asin", "\\arcsin"},
                                          {"acos", "\\arccos"},
                                          {"atan", "\\arctan"},
@@ -49,8 +53,9 @@ std::string_view looked_up(const Table& table, std::string_view text) {
 
 std::string letters(std::string_view text) {
     if (text == "″") return "\\prime\\prime";
-    const std::string_view command = looked_up(commands, text);
-    return std::string(command.empty() ? text : command);
+    if (const std::string_view command = looked_up(commands, text); !command.empty()) return std::string(command);
+    const bool plain = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    return plain ? std::string(text) : fmt::format("\\text{{{}}}", text);
 }
 
 std::string name(std::string_view text) {
