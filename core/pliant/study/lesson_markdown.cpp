@@ -49,11 +49,11 @@ std::vector<std::string_view> parts_of(std::string_view formula) {
 }
 
 struct InForce {
-    std::string setting;  // "scheme=bdf2"
     std::string formula;
+    std::vector<std::string> settings;  // "scheme=bdf2"
 };
 
-// What the formula of a stage becomes with each option of the choice that changes it; none where it stays the same.
+// What the formula of a stage becomes with the options of the choice that changes it; none where it stays the same.
 std::vector<InForce> in_force(Lesson& lesson, const Stage& stage) {
     if (!stage.formula_in_force) return {};
     for (Parameter* p : lesson.parameters) {
@@ -62,20 +62,26 @@ std::vector<InForce> in_force(Lesson& lesson, const Stage& stage) {
         std::vector<InForce> list;
         for (std::size_t i = 0; i < p->info.options.size(); ++i) {
             p->set(static_cast<Real>(i));
-            list.push_back({fmt::format("{}={}", p->info.key, p->info.options[i].key), std::string(stage.formula_now())});
+            const std::string now(stage.formula_now());
+            const auto known = std::ranges::find(list, now, &InForce::formula);
+            InForce& same = known == list.end() ? list.emplace_back(InForce{now, {}}) : *known;
+            same.settings.push_back(fmt::format("{}={}", p->info.key, p->info.options[i].key));
         }
         p->set(chosen);
-        if (std::ranges::any_of(list, [&](const InForce& f) { return f.formula != list.front().formula; })) return list;
+        if (list.size() > 1) return list;
     }
     return {};
 }
 
+// The whole, and what it becomes with each choice if that is more than its parts say.
 std::string formulas_of(Lesson& lesson, const Stage& stage) {
     std::string text;
-    for (const std::string_view part : parts_of(stage.formula)) text += fmt::format("$$\n{}\n$$\n\n", latex(part));
+    const auto parts = parts_of(stage.formula);
+    for (const std::string_view part : parts) text += fmt::format("$$\n{}\n$$\n\n", latex(part));
     const auto choices = in_force(lesson, stage);
-    for (const InForce& f : choices) text += fmt::format("- `{}`: ${}$\n", f.setting, latex(f.formula));
-    return choices.empty() ? text : text + "\n";
+    if (choices.size() <= parts.size()) return text;
+    for (const InForce& f : choices) text += fmt::format("- `{}`: ${}$\n", fmt::join(f.settings, "`, `"), latex(f.formula));
+    return text + "\n";
 }
 
 // -------------------------------------------------------------------------------------------------------------- stages
