@@ -54,7 +54,8 @@ TEST_CASE("documentation: a page tells why, shows formula and code of every stag
         const std::string page = lesson_markdown(entry, sources);
         CHECK(part(page, "Why").size() > 200);
         const std::string stages = part(page, "Stages");
-        for (const Stage& s : entry.make()->stages) {
+        const auto lesson = entry.make();
+        for (const Stage& s : lesson->stages) {
             INFO(s.name);
             const auto from = stages.find(fmt::format(". {}", s.name));
             REQUIRE(from != std::string::npos);
@@ -70,7 +71,8 @@ TEST_CASE("documentation: a page tells why, shows formula and code of every stag
 TEST_CASE("documentation: every stage names code that is there", "[every_lesson]") {
     for (const LessonEntry& entry : every_lesson()) {
         if (!has_page(entry)) continue;
-        for (const Stage& s : entry.make()->stages) {
+        const auto lesson = entry.make();
+        for (const Stage& s : lesson->stages) {
             INFO(entry.info.id << ": " << s.name);
             CHECK_FALSE(s.code.empty());
             for (const CodePlace& place : code_places(s.code))

@@ -10,48 +10,55 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-constexpr std::string_view source = R"cpp(// A source.
+constexpr std::string_view source = R"source(// A source.
 #include <pliant/fluids/grid.h>
 
-                                          namespace pliant {
-                                          namespace {
+namespace pliant {
+namespace {
 
-                                          int twice(int a) { return 2 * a; }
+int twice(int a) { return 2 * a; }
 
-                                          }  // namespace
+}  // namespace
 
-                                          void called();
+void called();
 
-                                          // What it is for,
-                                          // in two lines.
-                                          template <int Dim>
-                                          void Grid<Dim>::fill(const char* text, int count) const {
-                                              called();
-                                              if (twice(count) > 3) {
-                                                  const char* brace = "}";  // and }
-                                                  use(brace, '}', R"(})");
-                                              }
-                                          }
+// What it is for,
+// in two lines.
+template <int Dim>
+void Grid<Dim>::fill(const char* text, int count) const {
+    called();
+    if (twice(count) > 3) {
+        const char* brace = "}";  // and }
+        use(brace, '}', R"(})");
+    }
+}
 
-                                          Grid::Grid(int n) : size_(n), cells_{n, n} { fill("", n); }
+Grid::Grid(int n) : size_(n), cells_{n, n} {
+    fill("", n);
+}
 
-                                          auto Grid::area() -> double { return 1; }
+auto Grid::area() -> double {
+    return 1;
+}
 
-                                          void Grid::put(int a) { put(a, 0); }
+void Grid::put(int a) { put(a, 0); }
 
-                                          void Grid::put(int a, int b) { data_[a] = b; }
+void Grid::put(int a, int b) {
+    data_[a] = b;
+}
 
-#define MACRO(x) \
-                                              ghost(x) {}
+#define MACRO(x) ghost(x) {}
 
-                                          class Inner {
-                                          public:
-                                              // Of a member.
-                                              int member() const { return 1; }
-                                          };
+class Inner {
+public:
+    // Of a member.
+    int member() const {
+        return 1;
+    }
+};
 
-                                          }  // namespace pliant
-)cpp";
+}  // namespace pliant
+)source";
 
 CodeExcerpt found(std::string_view function) { return definition_in(source, function, "grid.cpp"); }
 
