@@ -8,7 +8,6 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
-#include <map>
 #include <string>
 
 using namespace pliant;
@@ -60,8 +59,10 @@ TEST_CASE("extensions: a scene is opened as it is written, and each starts anew"
     REQUIRE(list.size() == 2);
     const SceneFile opened = read_share(share_text(list[0].scene));
     CHECK(opened.lesson == rod);
-    CHECK(std::map<std::string, std::string>(opened.parameters.begin(), opened.parameters.end()) ==
-          std::map<std::string, std::string>{{"segments", "4"}, {"length", "2"}});
+    CHECK(opened.parameters.size() == 2);
+    const Runner runner(find_lesson(rod), opened.parameters, 0);
+    CHECK(runner.lesson().parameter("segments").value() == 4);
+    CHECK(runner.lesson().parameter("length").value() == 2);
     CHECK(opened.view->field == "strain");
     CHECK(played(find_lesson(rod), list[0]).at(0).met);
     const auto second = played(find_lesson(rod), list[1]);
