@@ -279,8 +279,8 @@ TEST_CASE("every lesson: what it declares and finds can be written out", "[every
     INFO(entry.info.id);
     Runner runner(entry);
     runner.step();
-    for (const std::string& text :
-         {describe_text(entry), describe_json(entry), describe_markdown(entry), run_json(runner, {}), run_text(runner)}) {
+    for (const std::string& text : {describe_text(entry), describe_json(entry), describe_markdown(runner.lesson(), entry.info.id),
+                                    run_json(runner, {}), run_text(runner)}) {
         CHECK(text.size() > 200);
         CHECK_FALSE(std::regex_search(text, std::regex("\\bnan\\b")));  // a word of its own: "Venant" is a name
     }
