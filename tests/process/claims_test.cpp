@@ -99,7 +99,7 @@ TEST_CASE("describe lists the claims of a lesson, in all three forms", "[process
     for (const Json& c : list) {
         CHECK(contains(text, c["id"].get<std::string>() + " "));
         CHECK(contains(text, c["statement"]));
-        CHECK(contains(page, "| " + c["id"].get<std::string>() + " | "));
+        CHECK(contains(page, "- **" + c["id"].get<std::string>() + ", "));
         CHECK(c["answers"].size() >= 2);
         CHECK(c["right_answer"].get<std::size_t>() < c["answers"].size());
     }

@@ -197,7 +197,7 @@ int dispatch(int argc, const char* const* argv) {
     ClaimsOptions claims_options;
     StudyOptions study_options;
     WalkthroughOptions walkthrough_options;
-    std::string lesson, folder = "out/tour", sources = ".";
+    std::string lesson, folder = "out/tour", sources;
     std::vector<std::string> stops;
     bool json = false, markdown = false, strict = false;
 
@@ -218,8 +218,8 @@ int dispatch(int argc, const char* const* argv) {
     describe_command->add_option("lesson", lesson, lesson_help)->required();
     describe_command->add_flag("--json", json, "as JSON");
     describe_command->add_flag("--markdown", markdown, "as the page of the documentation");
-    describe_command->add_option("--sources", sources, "the folder of the sources, whose code the page shows")
-        ->capture_default_str();
+    describe_command->add_option("--sources", sources,
+                                 "with --markdown: the folder of the sources, whose code the page then shows");
     describe_command->callback([&] { action = [&] { return describe(lesson, json, markdown, sources); }; });
 
     CLI::App* run_command = app.add_subcommand("run", "run a lesson and print its probes, assumptions and costs");

@@ -86,7 +86,7 @@ std::string formulas_of(Lesson& lesson, const Stage& stage) {
 
 // -------------------------------------------------------------------------------------------------------------- stages
 
-// The code of one stage after the other; what was shown before is named alone.
+// The code of one stage after the other; what was shown before is named alone, and all where there are no sources.
 class StageCode {
 public:
     explicit StageCode(const std::string& sources) : sources_(sources) {}
@@ -95,6 +95,10 @@ public:
         std::string text;
         if (stage.code.empty()) return text;
         for (const CodePlace& place : code_places(stage.code)) {
+            if (sources_.empty()) {
+                text += fmt::format("`{}` in [{}](../../{})\n\n", place.function, place.file, place.file);
+                continue;
+            }
             const CodeExcerpt excerpt = definition_in(read_file(sources_ + "/" + place.file), place.function, place.file);
             const std::string link = excerpt.lines > longest_excerpt ? fmt::format("#L{}", excerpt.first_line) : "";
             text += fmt::format("`{}` in [{}](../../{}{})", place.function, place.file, place.file, link);
