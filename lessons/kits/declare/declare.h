@@ -1,5 +1,5 @@
-// What a lesson declares, in a line or two each: fields with a bound, stages, probes, assumptions; and curves point by point. What
-// else one of them declares is set afterwards.
+// What a lesson declares, in a line or two each: fields with a bound, stages, probes, assumptions; and curves point by point.
+// What else one of them declares is set afterwards.
 #pragma once
 #include <pliant/lesson/lesson.h>
 
