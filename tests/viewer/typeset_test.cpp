@@ -27,8 +27,8 @@ MathBox set(std::string_view text, float width = 0, Fractions fractions = Fracti
 }
 
 const PlacedLetter& letter(const MathBox& box, char32_t c) {
-    const auto found = std::ranges::find_if(
-        box.letters, [&](const PlacedLetter& l) { return l.letter == c || l.letter == shaped(c, LetterShape::slanted); });
+    const auto found =
+        std::ranges::find_if(box.letters, [&](const PlacedLetter& l) { return l.letter == c || l.letter == slanted(c); });
     REQUIRE(found != box.letters.end());
     return *found;
 }
@@ -107,7 +107,7 @@ TEST_CASE("typeset: in a line fractions get the parentheses that they need") {
         for (const PlacedLetter& l : set(text, 0, Fractions::in_line).letters) {
             if (l.letter < 128) all += static_cast<char>(l.letter);
             for (const char c : {'a', 'b', 'c', 'd'})
-                if (l.letter == shaped(static_cast<char32_t>(c), LetterShape::slanted)) all += c;
+                if (l.letter == slanted(static_cast<char32_t>(c))) all += c;
         }
         return all;
     };

@@ -44,18 +44,6 @@ float strip_height(LabState& lab, std::initializer_list<Notes> all, bool small, 
 
 }  // namespace
 
-std::vector<std::string> broken_lines(const std::string& text, float width) {
-    std::vector<std::string> lines;
-    const char* at = text.c_str();
-    const char* const end = at + text.size();
-    while (at < end) {
-        const char* stop = ImGui::GetFont()->CalcWordWrapPositionA(1, at, end, std::max(width, 1.f));
-        lines.emplace_back(at, std::max(stop, at + 1));
-        for (at = std::max(stop, at + 1); at < end && *at == ' ';) ++at;
-    }
-    return lines;
-}
-
 float notes_height(LabState& lab, std::initializer_list<Notes> notes, float width, float room) {
     if (lab.layout == Layout::deck) return 0;
     NotesStrip& strip = lab.notes_strip;

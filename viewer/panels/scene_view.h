@@ -36,9 +36,6 @@ float notes_height(LabState& lab, std::initializer_list<Notes> notes, float widt
 // Into the strip above the picture.
 void draw_notes(LabState& lab, const View& view);
 
-// Broken between words where it is wider than `width` px in the present type.
-std::vector<std::string> broken_lines(const std::string& text, float width);
-
 // A ring around the thing that is inspected, or where the run broke down.
 void mark_thing(LabState& lab, const View& view);
 // A ring around the thing under the pointer, and all that is known of it.

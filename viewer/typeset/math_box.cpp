@@ -46,7 +46,7 @@ private:
         return (minus.top + minus.bottom) / 2;
     }
 
-    MathBox letters(std::string_view text, LetterShape shape, MathFace face = MathFace::signs) const;
+    MathBox letters(std::string_view text, bool leans = false, MathFace face = MathFace::signs) const;
     MathBox stretched(char32_t letter, float top, float bottom) const;
     MathBox piece(const Notation& n) const;
     MathBox row(const Notation& n) const;
@@ -65,13 +65,13 @@ private:
     bool prose_ = false;
 };
 
-MathBox Setter::letters(std::string_view text, LetterShape shape, MathFace face) const {
+MathBox Setter::letters(std::string_view text, bool leans, MathFace face) const {
     MathBox box;
     if (prose_) face = MathFace::words;
     for (std::size_t at = 0; at < text.size();) {
         const CodePoint c = code_point(text, at);
         at += c.bytes;
-        const char32_t letter = face == MathFace::words ? c.letter : shaped(c.letter, shape);
+        const char32_t letter = face == MathFace::signs && leans ? slanted(c.letter) : c.letter;
         const LetterBounds b = metrics_.bounds(letter, face, size_);
         box.letters.push_back({.letter = letter, .face = face, .size = size_, .x = box.width});
         box.width += b.advance;
@@ -127,9 +127,9 @@ MathBox Setter::piece(const Notation& n) const {
         case Kind::row:
             return row(n);
         case Kind::variable:
-            return letters(n.text, LetterShape::slanted);
+            return letters(n.text, true);
         case Kind::words:
-            return letters(n.text, LetterShape::upright, MathFace::words);
+            return letters(n.text, false, MathFace::words);
         case Kind::gap:
             return {};
         case Kind::fraction:
@@ -145,12 +145,12 @@ MathBox Setter::piece(const Notation& n) const {
         case Kind::grid:
             return grid(n);
         case Kind::large: {
-            const MathBox sign = smaller(1).letters(n.text, LetterShape::upright);
+            const MathBox sign = smaller(1).letters(n.text);
             const float more = is_script() ? 1.f : 1.25f;
             return stretched(sign.letters[0].letter, axis() - more * (sign.height() / 2), axis() + more * (sign.height() / 2));
         }
         default:
-            return letters(n.text, LetterShape::upright);
+            return letters(n.text);
     }
 }
 

@@ -8,7 +8,7 @@
 namespace pliant::viewer {
 
 enum class MathFace {
-    signs,  // the mathematical face, which has slanted and bold letters at code points of their own
+    signs,  // the mathematical face, which has slanted letters at code points of their own
     words   // that of the lab
 };
 

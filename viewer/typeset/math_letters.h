@@ -1,12 +1,10 @@
-// Slanted and bold letters of a mathematical face, which stand at code points of their own (Unicode 15, "Mathematical
-// Alphanumeric Symbols").
+// Slanted letters of a mathematical face, which stand at code points of their own (Unicode 15, "Mathematical Alphanumeric
+// Symbols").
 #pragma once
 
 namespace pliant::viewer {
 
-enum class LetterShape { upright, slanted, bold };
-
-// The code point of the letter in that shape; the letter itself where there is none.
-char32_t shaped(char32_t letter, LetterShape shape);
+// The code point of the slanted letter: of Latin and of small Greek ones; capital Greek and all others stand upright.
+char32_t slanted(char32_t letter);
 
 }  // namespace pliant::viewer
