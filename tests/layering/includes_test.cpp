@@ -1,21 +1,21 @@
 // Who may include whom: math <- continuum, mesh, time <- solids, particles, fluids <- lessons, and viewer apart from them. What a
 // lesson declares, what runs it, what is written about it and the studies (text <- lesson <- run <- document <- study) know no
-// solver, and no solver knows them. Read from the #include lines of the sources.
+// solver, and no solver knows them. The folders of the viewer stand above each other, and its session draws nothing. Read from
+// the #include lines of the sources.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
+#include "sources.h"
+
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
-namespace fs = std::filesystem;
+using namespace layering;
 
 namespace {
 
@@ -42,44 +42,39 @@ const std::map<std::string, Names> allowed_folders{
     {"viewer", {"math", "text", "formula", "lesson", "run", "document", "study"}},
 };
 
+// The folders of the viewer from the lowest to the highest, and which of the lower ones each may use.
+const std::vector<std::pair<std::string, Names>> viewer_folders{
+    {"platform", {}},
+    {"typeset", {}},
+    {"render", {"platform"}},
+    {"plot", {"platform", "typeset", "render"}},
+    {"session", {"platform", "render", "plot"}},
+    {"panels", {"platform", "typeset", "render", "plot", "session"}},
+    {"app", {"platform", "typeset", "render", "plot", "session", "panels"}},
+    {"command_line", {"platform", "typeset", "render", "plot", "session", "panels", "app"}},
+};
+
 // The libraries of others, by the first part of what is included. Standard headers have neither folder nor ending.
 const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h", "fcntl.h", "sys", "unistd.h"};
+const Names screen_libraries{"GLFW", "GL", "GLES3", "EGL", "glad", "backends", "imgui.h", "imgui_internal.h"};
 const Names viewer_libraries{"Eigen",   "fmt",       "nlohmann", "CLI",        "GLFW",         "GL",
                              "GLES3",   "EGL",       "glad",     "backends",   "imgui.h",      "imgui_internal.h",
                              "png.h",   "gif_lib.h", "zlib.h",   "emscripten", "emscripten.h", "unistd.h",
                              "dlfcn.h", "fcntl.h",   "signal.h"};
 
-struct Include {
-    int line = 0;
-    bool quoted = false;
-    std::string path;
-};
-
-std::vector<Include> includes_of(const std::string& text) {
-    std::vector<Include> found;
-    std::istringstream in(text);
-    int number = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
-        if (!line.starts_with("#include")) continue;
-        const auto open = line.find_first_of("<\""), close = line.find_last_of(">\"");
-        if (open < close && close != std::string::npos)
-            found.push_back({number, line[open] == '"', line.substr(open + 1, close - open - 1)});
-    }
-    return found;
-}
-
-std::string first_part(const std::string& path, std::size_t parts = 1) {
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < parts && end != std::string::npos; ++i) end = path.find('/', end + (i ? 1 : 0));
-    return path.substr(0, end);
-}
-
 // "core/pliant/solids" of core/solids/springs.h, "lessons" of anything there.
 std::string group_of(const std::string& file) { return first_part(file, file.starts_with("core/") ? 3 : 1); }
 
 bool is_standard(const std::string& included) { return included.find_first_of("./") == std::string::npos; }
+
+// What is wrong with a header of the viewer's own in a file of it, or "". viewer/main.cpp is above all folders.
+std::string objection_within_viewer(const std::string& file, const std::string& included) {
+    const std::string own = first_part(file.substr(file.find('/') + 1)), other = first_part(included);
+    if (own == "main.cpp" || own == other) return "";
+    const auto layer = std::ranges::find(viewer_folders, own, [](const auto& f) { return f.first; });
+    if (layer == viewer_folders.end()) return fmt::format("viewer/{} is not part of the layers", own);
+    return layer->second.contains(other) ? "" : fmt::format("viewer/{} lies above or beside viewer/{}", other, own);
+}
 
 // What is wrong with one #include, or "".
 std::string objection(const std::string& file, const Include& include) {
@@ -90,7 +85,8 @@ std::string objection(const std::string& file, const Include& include) {
         if (group.starts_with("core/")) return "core names its headers as <pliant/...>";
         const bool leaves = include.path.find("..") != std::string::npos || include.path.starts_with("lessons/") ||
                             include.path.starts_with("viewer/");
-        return leaves ? fmt::format("{} does not reach out of its folder", group) : "";
+        if (leaves) return fmt::format("{} does not reach out of its folder", group);
+        return group == "viewer" ? objection_within_viewer(file, include.path) : "";
     }
     if (is_standard(include.path)) return "";
     const std::string library = first_part(include.path);
@@ -112,24 +108,6 @@ std::vector<std::string> objections(const std::string& file, const std::string& 
     return all;
 }
 
-struct Source {
-    std::string path, text;  // path: from the root of the project
-};
-
-std::vector<Source> sources_below(const std::string& folder) {
-    const fs::path root(PLIANT_SOURCE_DIR);
-    std::vector<Source> sources;
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-        const std::string ending = entry.path().extension().string();
-        if (!entry.is_regular_file() || (ending != ".h" && ending != ".cpp")) continue;
-        std::ostringstream text;
-        text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-        sources.push_back({fs::relative(entry.path(), root).generic_string(), text.str()});
-    }
-    std::ranges::sort(sources, {}, &Source::path);
-    return sources;
-}
-
 }  // namespace
 
 TEST_CASE("sources include only what their layer may use", "[layering]") {
@@ -144,6 +122,38 @@ TEST_CASE("sources include only what their layer may use", "[layering]") {
         std::ranges::copy(objections(s.path, s.text), std::back_inserter(wrong));
     }
     CHECK(seen > sources.size());
+    INFO(fmt::format("{}", fmt::join(wrong, "\n")));
+    CHECK(wrong.empty());
+}
+
+TEST_CASE("each folder of the viewer uses only those below it", "[layering]") {
+    Names below;
+    for (const auto& [folder, used] : viewer_folders) {
+        INFO(folder);
+        CHECK(std::ranges::includes(below, used));
+        below.insert(folder);
+    }
+}
+
+TEST_CASE("what a session is needs neither ImGui nor GL", "[layering]") {
+    std::map<std::string, std::string> texts;
+    for (Source& s : sources_below("viewer")) texts.emplace(s.path, std::move(s.text));
+    std::vector<std::string> wrong, files;
+    Names reached;
+    for (const auto& [path, text] : texts)
+        if (path.starts_with("viewer/session/")) files.push_back(path), reached.insert(path);
+    CHECK(files.size() > 20);
+    while (!files.empty()) {
+        const std::string file = files.back();
+        files.pop_back();
+        for (const Include& include : includes_of(texts.at(file))) {
+            const std::string header = "viewer/" + include.path;
+            if (include.quoted && texts.contains(header) && reached.insert(header).second) files.push_back(header);
+            if (!include.quoted && screen_libraries.contains(first_part(include.path)))
+                wrong.push_back(fmt::format("{}:{}: {}", file, include.line, include.path));
+        }
+    }
+    CHECK(reached.contains("viewer/render/palette.h"));
     INFO(fmt::format("{}", fmt::join(wrong, "\n")));
     CHECK(wrong.empty());
 }
@@ -172,11 +182,18 @@ TEST_CASE("the check of the layers finds what does not belong", "[layering]") {
     CHECK(wrong("core/pliant/lesson/a.cpp", "  #  include <imgui.h>"));
     CHECK(wrong("core/pliant/math/a.cpp", "#include <GLFW/glfw3.h>"));
     CHECK(wrong("core/pliant/math/a.cpp", "#include <GL/gl.h>"));
-    CHECK(wrong("core/pliant/math/a.cpp", "#include \"../../../viewer/app/session.h\""));
+    CHECK(wrong("core/pliant/math/a.cpp", "#include \"../../../viewer/session/session.h\""));
     CHECK(wrong("core/pliant/other/a.cpp", "#include <pliant/math/types.h>"));
-    CHECK(wrong("lessons/mesh/rod/rod.cpp", "#include \"../../../viewer/app/session.h\""));
+    CHECK(wrong("lessons/mesh/rod/rod.cpp", "#include \"../../../viewer/session/session.h\""));
     CHECK(wrong("lessons/mesh/rod/rod.cpp", "#include <imgui.h>"));
     CHECK(wrong("viewer/app/a.cpp", "#include <pliant/solids/springs.h>"));
+    CHECK(wrong("viewer/panels/a.cpp", "#include \"app/lab.h\""));
+    CHECK(wrong("viewer/session/a.h", "#include \"panels/theme.h\""));
+    CHECK(wrong("viewer/session/a.h", "#include \"typeset/math_box.h\""));
+    CHECK(wrong("viewer/app/a.cpp", "#include \"command_line/options.h\""));
+    CHECK(wrong("viewer/other/a.cpp", "#include \"app/lab.h\""));
+    CHECK_FALSE(wrong("viewer/app/a.cpp", "#include \"panels/theme.h\""));
+    CHECK_FALSE(wrong("viewer/main.cpp", "#include \"command_line/command_line.h\""));
     CHECK(wrong("viewer/app/a.cpp", "#include \"../lessons/mesh/rod/rod.h\""));
     CHECK_FALSE(wrong("core/pliant/solids/a.h", "#include <pliant/mesh/simplex_mesh.h>"));
     CHECK_FALSE(wrong("core/pliant/solids/a.h", "#include <vector>"));

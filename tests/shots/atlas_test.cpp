@@ -5,12 +5,12 @@
 
 #include <pliant/study/stability_report.h>
 
-#include "app/atlas.h"
 #include "app/lab.h"
 #include "app/map_picture.h"
 #include "app/state_report.h"
 #include "command_line/options.h"
 #include "platform/png_file.h"
+#include "session/atlas.h"
 #include "waiting.h"
 
 #include <catch2/catch_test_macros.hpp>

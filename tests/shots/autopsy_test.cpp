@@ -1,7 +1,7 @@
 // What is said of a run that broke down, and what the fix does.
-#include "app/session.h"
 #include "app/summary.h"
 #include "parameters.h"
+#include "session/session.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

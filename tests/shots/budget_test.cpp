@@ -1,5 +1,5 @@
 // Runs within a budget: cut after any pass, they end in the same bits as in whole steps.
-#include "app/session.h"
+#include "session/session.h"
 #include "walker.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -2,11 +2,11 @@
 #include <pliant/math/error.h>
 #include <pliant/math/watch.h>
 
-#include "app/claim_book.h"
 #include "app/lab.h"
 #include "app/state_report.h"
 #include "app/summary.h"
 #include "command_line/options.h"
+#include "session/claim_book.h"
 #include "waiting.h"
 #include "walker.h"
 

@@ -1,6 +1,6 @@
 // Looking inside a step, without a picture: stops, before and after, pins and questions.
 #include "../every_lesson.h"
-#include "app/session.h"
+#include "session/session.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,6 +1,6 @@
 // What a run costs and how wrong it is, with costs that are given rather than measured.
-#include "app/live_error.h"
-#include "app/cost_history.h"
+#include "session/live_error.h"
+#include "session/cost_history.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,6 +1,6 @@
 // Parameters of a session's lesson, by key.
 #pragma once
-#include "app/session.h"
+#include "session/session.h"
 
 namespace pliant::test {
 

@@ -1,6 +1,6 @@
 // A pinned run, and a second run beside the first, without a picture.
-#include "app/session.h"
 #include "render/ghost.h"
+#include "session/session.h"
 #include "walker.h"
 
 #include <catch2/catch_test_macros.hpp>

@@ -1,6 +1,6 @@
 // Handles of a static lesson in the lab: what is dragged sets parameters, as a slider would, and is answered at once.
-#include "app/session.h"
 #include "parameters.h"
+#include "session/session.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

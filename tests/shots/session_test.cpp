@@ -1,5 +1,5 @@
 // What the lab does, without a picture: time, undo, colours, steps back and scenes that are refused.
-#include "app/session.h"
+#include "session/session.h"
 #include "../every_lesson.h"
 #include "parameters.h"
 #include "walker.h"

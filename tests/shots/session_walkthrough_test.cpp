@@ -1,6 +1,6 @@
 // What a slide of a walkthrough locks, and what goes with it.
-#include "app/session.h"
 #include "parameters.h"
+#include "session/session.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,5 +1,5 @@
 // Why a parameter is greyed in the lab.
-#include "app/usage.h"
+#include "session/usage.h"
 
 #include <catch2/catch_test_macros.hpp>
 

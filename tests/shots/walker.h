@@ -1,6 +1,6 @@
 // A lesson for tests of the session.
 #pragma once
-#include "app/session.h"
+#include "session/session.h"
 
 #include <chrono>
 #include <memory>

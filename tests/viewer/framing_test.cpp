@@ -1,5 +1,5 @@
 // Cameras that fill the picture with a scene and keep in it what moves.
-#include "app/viewpoint.h"
+#include "session/viewpoint.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

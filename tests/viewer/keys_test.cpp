@@ -4,7 +4,7 @@
 #include <pliant/text/file.h>
 #include <catch2/catch_test_macros.hpp>
 
-#include "app/keys.h"
+#include "panels/keys.h"
 
 #include <algorithm>
 #include <regex>

@@ -1,11 +1,11 @@
 // The lab: one frame of its window, whoever makes the GL context.
 #pragma once
-#include "app/animation.h"
-#include "app/keys.h"
-#include "app/worker.h"
+#include "panels/keys.h"
 #include "panels/lab_state.h"
 #include "platform/context.h"
 #include "platform/gui.h"
+#include "session/animation.h"
+#include "session/worker.h"
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 #include <pliant/study/stability_report.h>
 
-#include "app/theme.h"
+#include "panels/theme.h"
 #include "platform/image.h"
 
 #include <string>

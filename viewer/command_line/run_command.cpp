@@ -8,10 +8,10 @@
 #include <pliant/study/lesson_page.h>
 #include <pliant/text/file.h>
 
-#include "app/keys.h"
 #include "command_line/options.h"
 #include "command_line/output_paths.h"
 #include "command_line/terminal.h"
+#include "panels/keys.h"
 
 #include <fmt/format.h>
 

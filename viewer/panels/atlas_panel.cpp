@@ -1,11 +1,11 @@
 // The atlas: where the open lesson is stable, over two of its parameters.
 #include <pliant/study/stability_report.h>
 
-#include "app/worker.h"
 #include "panels/companion_panel.h"
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"
 #include "plot/imgui_canvas.h"
+#include "session/worker.h"
 
 #include <fmt/format.h>
 

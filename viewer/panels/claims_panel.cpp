@@ -1,9 +1,9 @@
 // The claims of the lectures as cards: predict, measure, compare, and open as a scene.
 #include <pliant/lesson/registry.h>
 
-#include "app/worker.h"
 #include "panels/flowing_text.h"
 #include "panels/lab_state.h"
+#include "session/worker.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <pliant/document/summary.h>
 #include <pliant/text/format.h>
 
-#include "app/live_error.h"
+#include "session/live_error.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/keys.h"
+#include "panels/keys.h"
 #include "panels/lab_state.h"
 
 #include <string_view>

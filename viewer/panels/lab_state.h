@@ -1,18 +1,18 @@
 // What the panels of the lab share from frame to frame.
 #pragma once
-#include "app/atlas.h"
-#include "app/claim_book.h"
-#include "app/keys.h"
-#include "app/live_error.h"
-#include "app/session.h"
-#include "app/theme.h"
-#include "app/usage.h"
 #include "panels/file_choice.h"
+#include "panels/keys.h"
 #include "panels/layout.h"
 #include "panels/plot_panel.h"
+#include "panels/theme.h"
 #include "panels/typed_number.h"
 #include "render/picking.h"
 #include "render/scene_renderer.h"
+#include "session/atlas.h"
+#include "session/claim_book.h"
+#include "session/live_error.h"
+#include "session/session.h"
+#include "session/usage.h"
 
 #include <imgui.h>
 

@@ -1,7 +1,7 @@
 // The menus at the top of the lab. Each entry is an action of the table of keys, which says its key and what it does.
 #include <imgui_internal.h>
 
-#include "app/keys.h"
+#include "panels/keys.h"
 #include "panels/lab_state.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "app/viewpoint.h"
+#include "session/viewpoint.h"
 
 #include <cmath>
 #include <utility>

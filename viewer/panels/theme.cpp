@@ -1,4 +1,4 @@
-#include "app/theme.h"
+#include "panels/theme.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "app/companion.h"
+#include "session/companion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 #include <pliant/run/runner.h>
 
-#include "app/inspector.h"
+#include "session/inspector.h"
 
 #include <optional>
 #include <string>

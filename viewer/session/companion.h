@@ -4,7 +4,7 @@
 #include <pliant/run/recorder.h>
 #include <pliant/run/runner.h>
 
-#include "app/cost_history.h"
+#include "session/cost_history.h"
 
 #include <functional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "app/autopsy.h"
+#include "session/autopsy.h"
 
 #include <pliant/document/summary.h>
 #include <pliant/text/format.h>

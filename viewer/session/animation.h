@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "app/session.h"
 #include "platform/gif_file.h"
+#include "session/session.h"
 
 namespace pliant::viewer {
 

@@ -1,4 +1,4 @@
-#include "app/keys.h"
+#include "panels/keys.h"
 
 #include <imgui_internal.h>
 

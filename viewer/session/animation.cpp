@@ -1,4 +1,4 @@
-#include "app/animation.h"
+#include "session/animation.h"
 
 #include <pliant/math/error.h>
 

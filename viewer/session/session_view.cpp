@@ -1,5 +1,5 @@
 // What the session shows: its pictures, which are kept until something that they depend on changes, and their colours.
-#include "app/session.h"
+#include "session/session.h"
 
 #include "render/ghost.h"
 

@@ -1,5 +1,5 @@
 // The session after a run has broken down.
-#include "app/session.h"
+#include "session/session.h"
 
 namespace pliant::viewer {
 

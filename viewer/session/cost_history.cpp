@@ -1,4 +1,4 @@
-#include "app/cost_history.h"
+#include "session/cost_history.h"
 
 #include <algorithm>
 #include <cmath>

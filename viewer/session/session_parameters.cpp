@@ -1,5 +1,5 @@
 // The session and its parameters: sliders, handles and undo.
-#include "app/session.h"
+#include "session/session.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "app/live_error.h"
+#include "session/live_error.h"
 
-#include "app/companion.h"
+#include "session/companion.h"
 
 #include <fmt/format.h>
 

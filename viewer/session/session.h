@@ -8,13 +8,13 @@
 #include <pliant/run/until.h>
 #include <pliant/text/texts.h>
 
-#include "app/autopsy.h"
-#include "app/budget.h"
-#include "app/companion.h"
-#include "app/inspector.h"
-#include "app/viewpoint.h"
 #include "render/palette.h"
 #include "render/picture.h"
+#include "session/autopsy.h"
+#include "session/budget.h"
+#include "session/companion.h"
+#include "session/inspector.h"
+#include "session/viewpoint.h"
 
 #include <functional>
 #include <memory>

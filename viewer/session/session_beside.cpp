@@ -1,5 +1,5 @@
 // The session with a run pinned behind the present one, and with a second one beside it.
-#include "app/session.h"
+#include "session/session.h"
 
 #include "render/ghost.h"
 

@@ -1,4 +1,4 @@
-#include "app/worker.h"
+#include "session/worker.h"
 
 #include <system_error>
 #include <utility>

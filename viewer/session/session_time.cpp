@@ -1,5 +1,5 @@
 // How the session moves its run: pass by pass, within what a frame may take, and back through the stored past.
-#include "app/session.h"
+#include "session/session.h"
 
 #include <algorithm>
 #include <utility>

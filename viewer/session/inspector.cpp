@@ -1,4 +1,4 @@
-#include "app/inspector.h"
+#include "session/inspector.h"
 
 #include <pliant/run/revisit.h>
 #include <pliant/text/format.h>

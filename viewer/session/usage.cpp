@@ -1,4 +1,4 @@
-#include "app/usage.h"
+#include "session/usage.h"
 
 #include <pliant/document/unused.h>
 

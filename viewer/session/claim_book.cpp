@@ -1,8 +1,8 @@
-#include "app/claim_book.h"
+#include "session/claim_book.h"
 
 #include <pliant/math/error.h>
 
-#include "app/session.h"
+#include "session/session.h"
 
 #include <fmt/format.h>
 

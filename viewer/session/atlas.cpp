@@ -1,8 +1,8 @@
-#include "app/atlas.h"
+#include "session/atlas.h"
 
 #include <pliant/math/parallel.h>
 
-#include "app/session.h"
+#include "session/session.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // The session under a walkthrough: slides, their locks, and what is recorded of their runs.
-#include "app/session.h"
+#include "session/session.h"
 
 namespace pliant::viewer {
 
