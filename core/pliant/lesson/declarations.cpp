@@ -28,6 +28,7 @@ Stage stage_of(std::string_view name, std::string_view formula, std::string_view
     return {.name = name, .formula = formula, .source = source, .run = std::move(run)};
 }
 Stage Stage::done_in(std::string_view places) const { return with(*this, &Stage::code, places); }
+Stage Stage::where(std::vector<Symbol> of_formula) const { return with(*this, &Stage::symbols, std::move(of_formula)); }
 Stage Stage::maps(std::vector<std::string_view> from, std::vector<std::string_view> to) const {
     return with(with(*this, &Stage::reads, std::move(from)), &Stage::writes, std::move(to));
 }

@@ -19,6 +19,11 @@
 
 namespace pliant {
 
+// A symbol of formulas that is no parameter, field or probe, or that means something else in them, and its unit; "" of a number.
+struct Symbol {
+    std::string_view symbol, unit = "";
+};
+
 // A pause point inside one time step.
 //
 // A stage runs once, unless `again` is given: then `run` is one pass of an inner loop (a Newton iteration, a solver sweep), and
@@ -43,11 +48,14 @@ struct Stage {
     // this pass has not written yet: what is applied in `end` while the loop still runs.
     std::function<std::optional<Explanation>(const Question&)> explain{};
 
+    std::vector<Symbol> symbols{};  // of its formula, beside those of the lesson
+
     bool in_use() const { return !active || active(); }
     std::string_view formula_now() const { return formula_in_force ? formula_in_force() : formula; }
 
     // For declarations of a few lines: stage_of(…).done_in("core/…: f").maps({"u"}, {"force"}).because(…).when(…)
     Stage done_in(std::string_view places) const;  // `code`
+    Stage where(std::vector<Symbol> of_formula) const;
     Stage maps(std::vector<std::string_view> from, std::vector<std::string_view> to) const;
     Stage because(std::function<std::optional<Explanation>(const Question&)> why) const;
     Stage when(std::function<bool()> runs) const;
@@ -169,6 +177,7 @@ public:
     std::vector<Line> lines;
     std::vector<Assumption> assumptions;
     std::vector<Conserved> conserved;
+    std::vector<Symbol> formula_symbols;  // of the formulas of all its stages
 
     Lesson() = default;
     Lesson(const Lesson&) = delete;

@@ -60,6 +60,7 @@ void DeformationGradientLesson::reset() {
 // ------------------------------------------------------------------------------------------------------------ stages
 
 void DeformationGradientLesson::declare_stages() {
+    formula_symbols = {{"φ", "m"}, {"X", "m"}, {"P", "m"}, {"Q", "m"}, {"dV", "m³"}, {"dv", "m³"}};
     stages = {
         stage_of("map_points", "x = φ(X),  dX = Q − P", "lecture: continuum mechanics, material coordinates P and Q",
                  [this] { map_points(); })
@@ -77,7 +78,7 @@ void DeformationGradientLesson::declare_stages() {
             .done_in("core/pliant/continuum/deformation_map.cpp: displacement_gradient")
             .maps({}, {"displacement_gradient", "point_gradient"})
             .because([this](const Question& q) { return why_slope(q); }),
-        stage_of("deformation_gradient", "F = I + ∇u,  det F = volume now / volume at rest",
+        stage_of("deformation_gradient", "F = I + ∇u,  det F = dv/dV, volume now over volume at rest",
                  "lecture: material deformation gradient tensor [Bonet2008 §4.4]", [this] { make_gradient(); })
             .done_in("core/pliant/continuum/deformation.h: deformation_gradient, volume_ratio")
             .maps({"displacement_gradient", "point_gradient"}, {"deformation_gradient", "point_deformation", "volume_ratio"})

@@ -50,6 +50,7 @@ void EnergyDensityLesson::reset() {
 // ------------------------------------------------------------------------------------------------------------ stages
 
 void EnergyDensityLesson::declare_stages() {
+    formula_symbols = {{"x", "m"}, {"X", "m"}, {"h"}, {"e"}, {"ε"}, {"E"}, {"S"}, {"μ", "Pa"}, {"λ", "Pa"}, {"K", "N/m"}, {"α"}};
     const auto stage = [this](std::string_view name, std::string_view formula, std::string_view source, auto run,
                               std::vector<std::string_view> reads, std::vector<std::string_view> writes, auto explain,
                               std::optional<Energy> only = {}) {

@@ -47,6 +47,8 @@ void ModuliLesson::reset() {
 // ------------------------------------------------------------------------------------------------------------ stages
 
 void ModuliLesson::declare_stages() {
+    formula_symbols = linear_body::symbols_and(
+        {{"t", "Pa"}, {"k"}, {"α"}, {"p", "m"}, {"z", "m"}, {"G", "Pa"}, {"B", "Pa"}, {"P", "Pa"}, {"V", "m³"}});
     stages = {
         stage_of("apply_load", "f_a = ∫ N_a t dA,  t = (k/m) σ n",
                  "traction spread over the nodes by their shape functions [Hughes2000 §2.9]", [this] { apply_load(); })

@@ -44,6 +44,7 @@ void PoissonLesson::reset() {
 
 void PoissonLesson::declare_stages() {
     const auto bent = [this] { return bends(); };
+    formula_symbols = {{"s"}, {"V", "m³"}, {"K", "Pa"}, {"f", "N/m"}};
     stages = {stage_of("pull", "Δx = s L / N on the far face", "lecture: Poisson's ratio, the cube of size L",
                        [this] { stretch_cube(); })
                   .done_in("lessons/elasticity/poisson/poisson.cpp: stretch_cube")

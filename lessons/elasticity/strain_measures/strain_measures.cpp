@@ -50,6 +50,7 @@ void StrainMeasuresLesson::reset() {
 
 void StrainMeasuresLesson::declare_stages() {
     const auto write = [](Nine& tensor, const Mat<3>& m) { Eigen::Map<RowMajor>(tensor.data()) = m; };
+    formula_symbols = {{"R"}, {"u", "m"}, {"D", "Pa"}};
     stages = {
         stage_of("deformation", "F = R(θ) F of the map,  ∇u = F − I", "lecture: material deformation gradient tensor",
                  [this] { deform(); })

@@ -73,6 +73,7 @@ Vec<3> StressStrainLesson::normal() const { return normal_at(angle); }
 // -------------------------------------------------------------------------------------------------------------- stages
 
 void StressStrainLesson::declare_stages() {
+    formula_symbols = linear_body::symbols_and({});
     stages = {
         stage_of("apply_load", "f_a = ∫ N_a σ·n dA",
                  "force per area, spread over the nodes by their shape functions [Hughes2000 §2.9]", [this] { apply_load(); })

@@ -9,6 +9,7 @@
 namespace pliant::carrying {
 
 void AdvectionLesson::declare_stages() {
+    formula_symbols = grid2d::symbols_and({{"ψ", "m²/s"}, {"q̂"}, {"w"}});
     stages = {
         stage_of("velocity", "on faces (ψ_above − ψ_below)/Δx;   at a centre u = ½ (u_left + u_right), v = ½ (v_below + v_above)",
                  "HarlowWelch1965; Bridson2007",

@@ -77,6 +77,7 @@ VecX DiffusionLesson::starting_values() const {
 // ------------------------------------------------------------------------------------------------------------- the stages
 
 void DiffusionLesson::declare_stages() {
+    formula_symbols = grid2d::symbols_and({});
     stages = {
         stage_of("neighbours",
                  "1D: s = u_left + u_right − 2u;   2D: s = u_left + u_right + u_below + u_above − 4u;   ∇²u ≈ s/Δx²",

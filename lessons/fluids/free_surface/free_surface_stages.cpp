@@ -7,6 +7,7 @@ namespace pliant::free_surface {
 
 void FreeSurface::declare_stages() {
     using grid2d::axis_of;
+    formula_symbols = grid2d::symbols_and({{"s", "m"}});
     stages = {stage_of("moving_solids", "u·n = u_paddle·n on the paddle; along it the liquid is free",
                        "Utrecht slides, boundary: u·n = u_body·n; Bridson2007 §4.2",
                        [this] {

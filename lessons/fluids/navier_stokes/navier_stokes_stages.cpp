@@ -19,6 +19,7 @@ constexpr Real pull_radius = 0.06, pull_stiffness = 40;  // L, 1/s²
 }  // namespace
 
 void NavierStokes::declare_stages() {
+    formula_symbols = grid2d::symbols_and({{"f", "m/s²"}});
     stages = {
         stage_of("external_forces", "ũ ← u + Δt f,   f: force per unit mass",
                  "Utrecht slides, Navier–Stokes equations; Stam1999 §2.2", [this] { external_forces(); })

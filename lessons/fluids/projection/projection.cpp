@@ -80,13 +80,14 @@ void Projection::divergence_of(VecX& out) const {
 // ------------------------------------------------------------------------------------------------------------- the stages
 
 void Projection::declare_stages() {
+    formula_symbols = grid2d::symbols_and({{"d̃", "1/s"}, {"Φ", "m²/s"}, {"q"}, {"m", "m/s"}});
     stages = {
         stage_of("tentative_velocity", "ũ: given;  on walls and solids the velocity of the wall",
                  "survey, best guess velocity ũ; Utrecht slides, pressure projection", [this] { give(); })
             .done_in("lessons/fluids/projection/given_field.cpp: GivenField::fill")
             .maps({}, {"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"})
             .because([this](const Question& q) { return why_given(q); }),
-        stage_of("divergence", "d̃ = ∇·ũ = (flux out of the cell) / Δx²",
+        stage_of("divergence", "d̃ = ∇·ũ = Φ/Δx²,  Φ: flux out of the cell",
                  "Utrecht slides: the flux through all faces of each cell is to be zero; Bridson2007 §4.3",
                  [this] { take_divergence(); })
             .done_in("core/pliant/fluids/diagnostics.cpp: divergence")

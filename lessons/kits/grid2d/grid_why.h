@@ -4,7 +4,7 @@
 #include <pliant/fluids/samples_beyond.h>
 
 #include <pliant/fluids/velocity_sampler.h>
-#include <pliant/lesson/explanation.h>
+#include <pliant/lesson/lesson.h>
 
 #include <array>
 #include <optional>
@@ -12,6 +12,12 @@
 #include <string_view>
 
 namespace pliant::grid2d {
+
+// Of the formulas of such a lesson: places, cells and the time step, viscosity.
+inline std::vector<Symbol> symbols_and(std::vector<Symbol> own) {
+    own.insert(own.end(), {{"x", "m"}, {"Δx", "m"}, {"Δt", "s"}, {"ν", "m²/s"}});
+    return own;
+}
 
 inline constexpr std::array<std::string_view, 2> face_fields{"u_on_faces", "v_on_faces"};
 inline std::string_view face_field(int axis) { return face_fields[static_cast<std::size_t>(axis)]; }

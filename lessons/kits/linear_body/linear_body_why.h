@@ -1,13 +1,19 @@
 // Why nodes, supports and elements of a linear elastic body have the numbers that they have: one row of K u = f, the strain of an
 // element, Hooke's law. For lessons whose fields are called displacement, load, residual, strain and stress.
 #pragma once
-#include <pliant/lesson/explanation.h>
+#include <pliant/lesson/lesson.h>
 #include <pliant/solids/linear_fem_static.h>
 
 #include <array>
 #include <functional>
 
 namespace pliant::linear_body {
+
+// Of the formulas of such a lesson: shape functions, areas, stiffness, Lamé's constants.
+inline std::vector<Symbol> symbols_and(std::vector<Symbol> own) {
+    own.insert(own.end(), {{"N"}, {"dA", "m²"}, {"K", "N/m"}, {"λ", "Pa"}, {"μ", "Pa"}});
+    return own;
+}
 
 // Row `row` of K x = b, solved for its own unknown: x_a = (b_a − Σ K_ab x_b) / K_aa. The unknowns are the numbers of a field
 // whose rows begin with the nodes' at `first_row`.

@@ -6,6 +6,12 @@
 
 namespace pliant::springs {
 
+// Of the formulas of such a lesson: a spring's stiffness and length at rest, and masses.
+inline std::vector<Symbol> symbols_and(std::vector<Symbol> own) {
+    own.insert(own.end(), {{"k", "N/m"}, {"l", "m"}, {"m", "kg"}});
+    return own;
+}
+
 inline Stage spring_forces_stage(std::function<void()> run, std::vector<std::string_view> writes, Why why,
                                  std::function<bool()> active = {}) {
     return stage_of("spring_forces", "fᵢ = k (|xᵢⱼ| − l) xᵢⱼ/|xᵢⱼ|,  xᵢⱼ = xⱼ − xᵢ",

@@ -50,6 +50,7 @@ void ClothLesson::declare_fields() {
 
 void ClothLesson::declare_stages() {
     const auto why = [this](const Question& q) { return why_force(q); };
+    formula_symbols = springs::symbols_and({{"w", "m/s"}, {"u", "m/s"}, {"ρ", "kg/m³"}, {"A", "m²"}, {"p", "kg m"}});
     stages = {
         springs::spring_forces_stage([this] { spring_stage(); }, {"spring_force", "strain", "stretch", "bending"}, why),
         springs::damping_forces_stage(
@@ -104,7 +105,7 @@ void ClothLesson::declare_stages() {
          .explain = [this](const Question& q) { return why_limited(q); }},
         stage_of(
             "sphere_contact",
-            "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = force of the plane that held it, or m |Δv_n| / Δt",
+            "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = m |Δv_n| / Δt, or the force of the plane that held it",
             "[Baraff1998 §5], [Bridson2002]",
             [this] {
                 touching_ = resolve_sphere_contact(sphere(), sheet_->inertia(), dt, held_, position_, velocity_, contact_force_,

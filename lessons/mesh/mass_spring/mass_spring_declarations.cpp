@@ -44,6 +44,7 @@ void MassSpringLesson::declare_fields() {
 
 void MassSpringLesson::declare_stages() {
     const auto why = [this](const Question& q) { return why_force(q); };
+    formula_symbols = springs::symbols_and({{"w", "m/s"}, {"a", "m/s²"}});
     stages = {
         springs::spring_forces_stage([this] { spring_stage(); }, {"spring_force", "tension", "strain"}, why,
                                      [this] { return !tested(); }),
@@ -77,12 +78,14 @@ void MassSpringLesson::declare_stages() {
             "contact", "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|", "[Bridson2002]", [this] { contact_stage(); },
             {"position", "velocity"}, {"position", "velocity"}, [this](const Question& q) { return why_contact(q); },
             [this] { return grounded(); })
-            .done_in("core/pliant/solids/contact.cpp: resolve"),
+            .done_in("core/pliant/solids/contact.cpp: resolve")
+            .where({{"y", "m"}, {"u", "m/s"}, {"h", "m"}}),
         stage_of(
             "static_test", "K u = 0 at the free nodes,  K = Σ k n nᵀ,  u given at the plates",
             "[BornHuang1954 §11], [Hughes2000 §1.6]", [this] { static_stage(); }, {}, {"position", "strain", "tension"},
             [this](const Question& q) { return why_static(q); }, [this] { return tested(); })
-            .done_in("core/pliant/solids/lattice_elasticity.cpp: solve, test_block"),
+            .done_in("core/pliant/solids/lattice_elasticity.cpp: solve, test_block")
+            .where({{"K", "N/m"}, {"u", "m"}}),
     };
 }
 

@@ -61,6 +61,7 @@ void RodLesson::declare_fields() {
 void RodLesson::declare_stages() {
     const auto why = [this](const Question& q) { return why_field(q); };
     const auto moves = [this] { return !hangs_still(); };
+    formula_symbols = {{"s", "m"}, {"x̂"}, {"m", "kg"}};
     stages = {
         stage_of(
             "positions", "∂x/∂s ≈ (xᵢ₊₁ − xᵢ)/Δs", "lecture C: the deformable rod, sample points s₀ … s_N",

@@ -79,6 +79,7 @@ void IntegrationLesson::declare_fields() {
 }
 
 void IntegrationLesson::declare_stages() {
+    formula_symbols = {{"m", "kg"}, {"g", "m/s²"}, {"l", "m"}, {"K", "N/m"}, {"C", "N s/m"}, {"H", "N/m"}};
     stages = {
         in_force(
             [this]() -> std::string_view {
