@@ -17,17 +17,8 @@ namespace {
 
 Runner start_advection(const Runner::Assignments& parameters) { return Runner(find_lesson("fluids/advection"), parameters); }
 
-std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
-
 void run(Runner& runner, int steps) {
     for (int k = 0; k < steps; ++k) runner.step();
-}
-
-void check_laws(const Runner& runner) {
-    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
-        INFO(runner.lesson().conserved[i].probe << " is off by " << runner.drift(i));
-        CHECK(runner.holds(i) != Holds::no);
-    }
 }
 
 // After one turn of a solid rotation at Courant number 2.

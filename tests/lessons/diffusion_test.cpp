@@ -30,15 +30,6 @@ Runner after(Index steps, const Runner::Assignments& parameters) {
     return runner;
 }
 
-std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
-
-void check_laws(const Runner& runner) {
-    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
-        INFO(runner.lesson().conserved[i].probe << " is off by " << runner.drift(i));
-        CHECK(runner.holds(i) != Holds::no);
-    }
-}
-
 }  // namespace
 
 TEST_CASE("diffusion: the checkerboard of the square has the factors of the catalogue", "[diffusion]") {

@@ -5,12 +5,14 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include "readings.h"
 #include "why_checks.h"
 
 #include <algorithm>
 #include <cmath>
 
 using namespace pliant;
+using namespace pliant::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -21,8 +23,6 @@ Runner start_navier_stokes_scenes(const Runner::Assignments& parameters) {
 }
 
 std::optional<Real> probe(const Runner& runner, std::string_view name) { return runner.value(runner.lesson().probe(name)); }
-
-std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
 
 const Line& line(const Runner& runner, std::string_view name) {
     return *std::ranges::find(runner.lesson().lines, name, &Line::name);
@@ -36,13 +36,6 @@ Curve sampled(const std::function<void(Curve&)>& sample) {
 
 void run_until(Runner& runner, Real time) {
     while (runner.time() < time - 1e-9) runner.step();
-}
-
-void check_laws(const Runner& runner) {
-    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
-        INFO(runner.lesson().conserved[i].probe << " is off by " << runner.drift(i));
-        CHECK(runner.holds(i) != Holds::no);
-    }
 }
 
 }  // namespace

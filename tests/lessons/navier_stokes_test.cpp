@@ -23,19 +23,10 @@ Runner start_navier_stokes(const Runner::Assignments& parameters) {
     return Runner(find_lesson("fluids/navier_stokes"), parameters);
 }
 
-std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
-
 Real largest(std::span<const Real> numbers) {
     Real m = 0;
     for (const Real x : numbers) m = std::max(m, std::abs(x));
     return m;
-}
-
-void check_laws(const Runner& runner) {
-    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
-        INFO(runner.lesson().conserved[i].probe << " is off by " << runner.drift(i));
-        CHECK(runner.holds(i) != Holds::no);
-    }
 }
 
 }  // namespace

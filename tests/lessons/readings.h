@@ -2,7 +2,10 @@
 #pragma once
 #include <pliant/run/runner.h>
 
+#include <catch2/catch_test_macros.hpp>
+
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +15,16 @@ namespace pliant::test {
 // Of a probe; throws where it is not defined.
 inline Real value(const Runner& runner, std::string_view probe) { return runner.value(runner.lesson().probe(probe)).value(); }
 inline Real exact(const Runner& runner, std::string_view probe) { return runner.exact(runner.lesson().probe(probe)).value(); }
+
+inline std::span<const Real> field(const Runner& runner, std::string_view name) { return runner.lesson().field(name).view(); }
+
+// Every conserved quantity is, within its tolerance.
+inline void check_laws(const Runner& runner) {
+    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
+        INFO(runner.lesson().conserved[i].probe << " is off by " << runner.drift(i));
+        CHECK(runner.holds(i) != Holds::no);
+    }
+}
 
 inline const Assumption& assumption(const Runner& runner, std::string_view name) {
     return *std::ranges::find(runner.lesson().assumptions, name, &Assumption::name);

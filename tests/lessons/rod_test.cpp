@@ -40,13 +40,6 @@ const Line& line(const Runner& runner, std::string_view name) {
     return *std::ranges::find(runner.lesson().lines, name, &Line::name);
 }
 
-void check_laws(const Runner& runner) {
-    for (std::size_t i = 0; i < runner.lesson().conserved.size(); ++i) {
-        INFO(runner.lesson().conserved[i].probe << " is off by " << runner.drift(i));
-        CHECK(runner.holds(i) != Holds::no);
-    }
-}
-
 }  // namespace
 
 TEST_CASE("rod: it hangs (N + 1)/N times as far as the continuum, with order 1", "[rod]") {
