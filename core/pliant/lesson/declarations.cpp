@@ -44,6 +44,9 @@ Stage Stage::repeats(std::function<bool()> goes_on, std::function<void()> before
     loop.begin = std::move(before), loop.end = std::move(after);
     return loop;
 }
+Stage Stage::loops_from(std::string_view first, std::function<bool()> goes_on) const {
+    return with(with(*this, &Stage::loop_from, first), &Stage::again, std::move(goes_on));
+}
 
 Probe probe_of(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                std::function<std::optional<Real>()> value, std::function<Explanation()> why) {
@@ -53,10 +56,20 @@ Probe probe_of(std::string_view name, std::string_view symbol, std::string_view 
 Probe Probe::exactly(std::function<std::optional<Real>(Real)> closed_form) const {
     return with(*this, &Probe::exact, std::move(closed_form));
 }
+Probe Probe::exactly(std::function<std::optional<Real>()> at_all_times) const {
+    return exactly([value = std::move(at_all_times)](Real) { return value(); });
+}
 Probe Probe::when(std::function<bool()> defined) const {
     Probe some = with(*this, &Probe::value, [defined, all = value] { return defined() ? all() : std::nullopt; });
     if (exact) some.exact = [defined, all = exact](Real t) { return defined() ? all(t) : std::nullopt; };
     return some;
+}
+
+void Curve::add_range(Real from, Real to, int places, const std::function<Real(Real)>& f) {
+    for (int k = 0; k < places; ++k) {
+        const Real at = from + (to - from) * k / (places - 1);
+        add(at, f(at));
+    }
 }
 
 Line line_of(std::string_view name, std::string_view unit, std::string_view position_name, std::string_view position_unit,

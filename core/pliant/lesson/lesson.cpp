@@ -10,9 +10,9 @@ namespace {
 
 // The item of a list with this name; otherwise an error that names the list and the nearest item.
 template <class List, class Name>
-auto& named(const List& list, std::string_view name, std::string_view what, Name name_of_item) {
+auto& named(List& list, std::string_view name, std::string_view what, Name name_of_item) {
     std::vector<std::string> known;
-    for (const auto& item : list) {
+    for (auto& item : list) {
         if (name_of_item(item) == name) return item;
         known.emplace_back(name_of_item(item));
     }
@@ -57,6 +57,10 @@ const Field& Lesson::field(std::string_view name) const {
 
 const Probe& Lesson::probe(std::string_view name) const {
     return named(probes, name, "probe", [](const Probe& item) { return item.name; });
+}
+
+void Lesson::explain_probe(std::string_view name, std::function<Explanation()> why) {
+    named(probes, name, "probe", [](const Probe& item) { return item.name; }).explain = std::move(why);
 }
 
 const Field* Lesson::find_field(std::string_view name) const {

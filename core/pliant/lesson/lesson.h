@@ -62,6 +62,8 @@ struct Stage {
     Stage shows(std::function<std::string_view()> formula_that_holds) const;
     // One pass of a loop; what runs before the first and after the last one.
     Stage repeats(std::function<bool()> goes_on, std::function<void()> before = {}, std::function<void()> after = {}) const;
+    // The last of several stages that form one loop, which goes back to an earlier one.
+    Stage loops_from(std::string_view first, std::function<bool()> goes_on) const;
 };
 Stage stage_of(std::string_view name, std::string_view formula, std::string_view source, std::function<void()> run);
 
@@ -76,6 +78,7 @@ struct Probe {
 
     // For declarations of a few lines: probe_of(…).exactly(…). Where it is not defined it has neither a value nor a closed form.
     Probe exactly(std::function<std::optional<Real>(Real t)> closed_form) const;
+    Probe exactly(std::function<std::optional<Real>()> at_all_times) const;
     Probe when(std::function<bool()> defined) const;
 };
 Probe probe_of(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
@@ -84,6 +87,10 @@ Probe probe_of(std::string_view name, std::string_view symbol, std::string_view 
 // A curve sampled now: a field along a line, or one measured quantity against another.
 struct Curve {
     std::vector<Real> position, value;
+
+    void add(Real at, Real number) { position.push_back(at), value.push_back(number); }
+    // f at so many places, two at least, from one end to the other, both included.
+    void add_range(Real from, Real to, int places, const std::function<Real(Real)>& f);
 };
 // The points that `sample` gives; none where its computation gives up (Diverged) or there is none: a curve beside a run never
 // takes the run's own numbers along.
@@ -246,6 +253,9 @@ public:
 
     // The stages that the scene uses, in the order in which they run.
     std::vector<const Stage*> stages_in_use() const;
+
+    // How a declared probe came about, where that is said apart from it. Throws Refused for an unknown one.
+    void explain_probe(std::string_view name, std::function<Explanation()> why);
 
     Parameter& parameter(std::string_view key) const;      // throws Refused, with the nearest known key
     const Field& field(std::string_view name) const;       // throws Refused, likewise; names fields in use

@@ -1,11 +1,11 @@
 // The local deformation of a body under a chosen map: from the displacement of two neighbouring points to F, its Taylor error and
 // its polar decomposition.
 #pragma once
+#include "kits/deformation_maps/map_controls.h"
+
 #include <pliant/continuum/deformation.h>
 #include <pliant/lesson/registry.h>
-
 #include <pliant/mesh/body_grid.h>
-#include "kits/deformation_maps/map_controls.h"
 
 #include <deque>
 

@@ -1,10 +1,11 @@
 // What the lectures say of displacement and deformation gradient, measured.
-#include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/deformation_map.h>
 #include <pliant/math/line_fit.h>
 #include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
+
+#include <fmt/format.h>
 #include <Eigen/Dense>
 
 #include <algorithm>

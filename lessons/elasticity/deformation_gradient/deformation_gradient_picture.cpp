@@ -1,9 +1,10 @@
 // The figure of the lecture: the body at rest and deformed, P and Q, p and q, the vectors between them, and what becomes of a
 // small sphere about P.
-#include <fmt/format.h>
+#include "deformation_gradient.h"
+
 #include <pliant/text/format.h>
 
-#include "deformation_gradient.h"
+#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,10 +1,9 @@
 // Why every number of a local deformation is what it is.
-#include <fmt/format.h>
-
 #include "deformation_gradient.h"
 #include "kits/tensors/tensor_why.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -112,15 +111,12 @@ Explanation DeformationGradientLesson::why_strain(const Question& q) const {
 // -------------------------------------------------------------------------------------------------------------- probes
 
 void DeformationGradientLesson::explain_probes() {
-    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
-        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
-    };
-    give("det_F", [] { return why::determinant("point_deformation", 0); });
-    give("taylor_error", [] { return norm("|gap|", "gap", "taylor_gap"); });
-    give("distance", [] { return norm("|dX|", "dX", "rest_vector"); });
-    give("length_ratio", [] { return ratio("|dx|/|dX|", "dx", "deformed_vector"); });
-    give("mapped_length_ratio", [] { return ratio("|F dX|/|dX|", "FdX", "mapped_vector"); });
-    give("rotation_angle", [] {
+    explain_probe("det_F", [] { return why::determinant("point_deformation", 0); });
+    explain_probe("taylor_error", [] { return norm("|gap|", "gap", "taylor_gap"); });
+    explain_probe("distance", [] { return norm("|dX|", "dX", "rest_vector"); });
+    explain_probe("length_ratio", [] { return ratio("|dx|/|dX|", "dx", "deformed_vector"); });
+    explain_probe("mapped_length_ratio", [] { return ratio("|F dX|/|dX|", "FdX", "mapped_vector"); });
+    explain_probe("rotation_angle", [] {
         return why::of_matrix("∠R", "atan2(|axis of R − Rᵀ|, tr R − 1) in degrees, R =", "R", "point_rotation", 0,
                               [](const Mat<3>& R) {
                                   const Vec<3> axial(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
@@ -131,7 +127,7 @@ void DeformationGradientLesson::explain_probes() {
         words{"largest singular value of F =", "middle singular value of F =",
               "least singular value, with the sign of det F, of F ="};
     for (std::size_t k = 0; k < 3; ++k)
-        give(names[k], [k, symbols, words] {
+        explain_probe(names[k], [k, symbols, words] {
             return why::of_matrix(symbols[k], words[k], "F", "point_deformation", 0,
                                   [k](const Mat<3>& F) { return principal_stretches<3>(F).stretches[static_cast<Index>(k)]; });
         });

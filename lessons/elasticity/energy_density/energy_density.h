@@ -4,9 +4,8 @@
 #include "kits/material/material_parameters.h"
 
 #include <pliant/continuum/deformation_path.h>
-#include <pliant/solids/stretched_block.h>
-
 #include <pliant/lesson/registry.h>
+#include <pliant/solids/stretched_block.h>
 
 #include <array>
 #include <memory>

@@ -1,8 +1,9 @@
 // E14: what the lecture says of energy densities, measured along a pulled and pressed bar.
-#include <fmt/format.h>
 #include <pliant/continuum/uniaxial.h>
 #include <pliant/study/claims.h>
 #include <pliant/text/format.h>
+
+#include <fmt/format.h>
 
 #include <cmath>
 

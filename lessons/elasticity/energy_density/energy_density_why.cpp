@@ -1,10 +1,9 @@
 // Why F, the strain, the energy density, the stress and its check, and the probes are what they are.
 #include "energy_density.h"
+#include "kits/tensors/tensor_why.h"
 
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/uniaxial.h>
-
-#include "kits/tensors/tensor_why.h"
 
 #include <fmt/format.h>
 
@@ -191,18 +190,15 @@ Explanation EnergyDensityLesson::why_difference(int row, int column) const {
 }
 
 void EnergyDensityLesson::explain_probes() {
-    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
-        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
-    };
-    give("psi", [] { return same("energy per volume = ψ", Input::now("ψ", "energy_density", 0)); });
-    give("det_F", [] { return same("det F = J", Input::now("J", "volume_ratio", 0)); });
-    give("lateral_stretch", [] { return same("a = F_22", why::entry_now("F", F_field, 0, 1, 1)); });
+    explain_probe("psi", [] { return same("energy per volume = ψ", Input::now("ψ", "energy_density", 0)); });
+    explain_probe("det_F", [] { return same("det F = J", Input::now("J", "volume_ratio", 0)); });
+    explain_probe("lateral_stretch", [] { return same("a = F_22", why::entry_now("F", F_field, 0, 1, 1)); });
     for (int k = 0; k < 9; ++k)
-        give(fmt::format("P{}{}", k / 3 + 1, k % 3 + 1), [k] {
+        explain_probe(fmt::format("P{}{}", k / 3 + 1, k % 3 + 1), [k] {
             return same(fmt::format("force per area at rest = {}", why::entry("P", k / 3, k % 3)),
                         why::entry_now("P", "stress", 0, k / 3, k % 3));
         });
-    give("stiffness", [this] {
+    explain_probe("stiffness", [this] {
         Explanation e{"dP/ds = ∂P/∂F : dF/ds", {mu(), lambda()}};
         for (Input& input : why::all_entries("F", F_field, 0)) e.inputs.push_back(std::move(input));
         e.evaluate = [kind = Energy(energy), along = way()](std::span<const Real> x) {
@@ -213,7 +209,7 @@ void EnergyDensityLesson::explain_probes() {
         };
         return e;
     });
-    give("derivative_check", [this] {
+    explain_probe("derivative_check", [this] {
         Explanation e{"error = max |P − P_h| / max(|P|, μ/1000)", {mu()}};
         for (Input& input : why::all_entries("P", "stress", 0)) e.inputs.push_back(std::move(input));
         for (Input& input : why::all_entries("H", "difference_stress", 0)) e.inputs.push_back(std::move(input));

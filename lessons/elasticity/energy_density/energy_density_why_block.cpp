@@ -1,6 +1,5 @@
 // Why the nodes of the block move as they do: a row of Newton's equations, and the forces of the tetrahedra about a node.
 #include "energy_density.h"
-
 #include "kits/linear_body/linear_body_why.h"
 
 #include <fmt/format.h>
@@ -110,17 +109,11 @@ Explanation EnergyDensityLesson::why_block_stress() const {
 }
 
 Explanation EnergyDensityLesson::why_block_width() const {
-    const auto mean = [this](bool upper) {
-        const std::vector<Index> nodes = block_->middle(upper);
-        std::vector<std::pair<Input, Input>> terms;
-        for (const Index n : nodes)
-            terms.emplace_back(Input::constant("w", 1 / static_cast<Real>(nodes.size()), "", "share of the node"),
-                               Input::now(fmt::format("u_{}", n), "displacement", corners + n, 2));
-        const std::string name = upper ? "ū_max" : "ū_min";
-        return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
+    const auto mean = [this](const char* end) {
+        return linear_body::mean_displacement(end, block_->middle(std::string_view(end) == "max"), 2, corners);
     };
     return {"w/w₀ = 1 + (ū_max − ū_min) / w₀",
-            {mean(true), mean(false), Input::constant("w₀", StretchedBlock::width_at_rest, "m", "width at rest")}};
+            {mean("max"), mean("min"), Input::constant("w₀", StretchedBlock::width_at_rest, "m", "width at rest")}};
 }
 
 }  // namespace pliant::energies

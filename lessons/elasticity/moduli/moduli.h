@@ -1,11 +1,11 @@
 // Virtual tension, shear and pressure tests that measure the three moduli of a soft block.
 #pragma once
-#include <pliant/solids/specimen.h>
 #include "kits/linear_body/linear_body_why.h"
 #include "kits/material/material_parameters.h"
 
 #include <pliant/continuum/energy_density.h>
 #include <pliant/lesson/registry.h>
+#include <pliant/solids/specimen.h>
 
 #include <memory>
 #include <optional>

@@ -4,10 +4,10 @@
 
 #include <pliant/text/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace pliant::moduli {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pliant::moduli {
@@ -55,17 +54,14 @@ Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 
 }  // namespace
 
 void ModuliLesson::explain_probes() {
-    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
-        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
-    };
-    give("force", [this] { return why_force(); });
-    give("area", [this] { return why_area(); });
-    give("stress", [] { return Explanation{"F/A = F / A", {Input::now("F", "force", 0), Input::now("A", "area", 0)}}; });
-    give("strain", [this] { return why_specimen_strain(); });
-    give("measured_modulus", [this] { return why_modulus(); });
-    give("volume_change", [this] { return why_volume_change("ΔV/V"); });
-    give("transverse_strain", [this] { return why_lengthening("Δw/w", "z", 2, width); });
-    give("strain_energy", [this] { return why_strain_energy(); });
+    explain_probe("force", [this] { return why_force(); });
+    explain_probe("area", [this] { return why_area(); });
+    explain_probe("stress", [] { return Explanation{"F/A = F / A", {Input::now("F", "force", 0), Input::now("A", "area", 0)}}; });
+    explain_probe("strain", [this] { return why_specimen_strain(); });
+    explain_probe("measured_modulus", [this] { return why_modulus(); });
+    explain_probe("volume_change", [this] { return why_volume_change("ΔV/V"); });
+    explain_probe("transverse_strain", [this] { return why_lengthening("Δw/w", "z", 2, width); });
+    explain_probe("strain_energy", [this] { return why_strain_energy(); });
 }
 
 Explanation ModuliLesson::why_force() const {

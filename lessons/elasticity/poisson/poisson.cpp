@@ -1,31 +1,18 @@
+// The start and the stages.
 #include "poisson.h"
-
-#include <pliant/continuum/contraction_law.h>
-
-#include <pliant/text/format.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace pliant::poisson {
 
-PoissonLesson::PoissonLesson() {
-    declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
-}
-
 // Each step narrows by nu times its strain, which must leave a width.
 void PoissonLesson::check() const {
-    if (bends()) return;
     const Real narrowing = poisson_ratio * axial_strain / static_cast<Real>(steps());
-    if (narrowing < 1) return;
+    if (bends() || narrowing < 1) return;
     throw Refused(
         fmt::format("axial_strain = {} with poisson_ratio = {}: {} would narrow the cube by {}, so that no width is left. "
                     "Give ν ΔL/L below {}{}",
                     format_quantity(axial_strain, ""), format_quantity(poisson_ratio, ""),
                     steps() == 1 ? "one linear step" : "the first step", format_quantity(narrowing, ""), steps(),
-                    Method(method) == Method::linear ? ", or method=incremental" : ", or more increments"));
+                    method == Method::linear ? ", or method=incremental" : ", or more increments"));
 }
 
 void PoissonLesson::reset() {
@@ -37,58 +24,49 @@ void PoissonLesson::reset() {
     strains_ = contractions_ = VecX::Zero(rounds() + 1);
     volumes_ = VecX::Ones(rounds() + 1);
     deflections_ = VecX::Zero(rounds());
-    done_.setZero();
+    done_[0] = 0;
 }
 
-// ------------------------------------------------------------------------------------------------------------ stages
-
 void PoissonLesson::declare_stages() {
-    const auto bent = [this] { return bends(); };
+    const auto more = [this] { return advancing_ && done() < rounds(); };
+    const auto why = [this](const Question& q) { return why_number(q); };
     formula_symbols = {{"s"}, {"V", "m³"}, {"K", "Pa"}, {"f", "N/m"}};
     stages = {stage_of("pull", "Δx = s L / N on the far face", "lecture: Poisson's ratio, the cube of size L",
                        [this] { stretch_cube(); })
                   .done_in("lessons/elasticity/poisson/poisson.cpp: stretch_cube")
                   .maps({}, {"prescribed"})
-                  .when(stretched())
-                  .because([this](const Question& q) { return why_step(q); }),
+                  .when(stretched)
+                  .because(why),
               stage_of("solve", "K(x) Δu = 0,  Δu = Δx on the far face",
                        "linear elasticity on the shape that was reached [Hughes2000 §2.9]", [this] { solve(); })
                   .done_in("core/pliant/solids/stretched_cube.cpp: StretchedCube::increment")
                   .maps({"prescribed", "displacement"}, {"increment"})
-                  .when(stretched())
-                  .because([this](const Question& q) { return why_step(q); }),
+                  .when(stretched)
+                  .because(why),
               stage_of("move", "u ← u + Δu", "lecture: the integral of dε_y = −ν dε_x, as a sum", [this] { move(); })
                   .done_in("lessons/elasticity/poisson/poisson.cpp: move")
                   .maps({"increment", "displacement"}, {"displacement"})
-                  .when(stretched())
-                  .because([this](const Question& q) { return why_step(q); }),
-              {.name = "measure",
-               .formula = "ΔL′/L,  V/V₀ = det(I + ∇u);  exact: 1 − (1 + ΔL/L)^(−ν)",
-               .source = "lecture: Poisson's ratio, ν ≈ ΔL′/ΔL",
-               .code = "core/pliant/solids/stretched_cube.cpp: StretchedCube::volume_ratio",
-               .run = [this] { measure(); },
-               .reads = {"displacement"},
-               .writes = {"element_volume"},
-               .active = stretched(),
-               .again = [this] { return advancing_ && done() < rounds(); },
-               .loop_from = "pull",
-               .explain = [this](const Question& q) { return why_step(q); }},
+                  .when(stretched)
+                  .because(why),
+              stage_of("measure", "ΔL′/L,  V/V₀ = det(I + ∇u);  exact: 1 − (1 + ΔL/L)^(−ν)",
+                       "lecture: Poisson's ratio, ν ≈ ΔL′/ΔL", [this] { measure(); })
+                  .done_in("core/pliant/solids/stretched_cube.cpp: StretchedCube::volume_ratio")
+                  .maps({"displacement"}, {"element_volume"})
+                  .when(stretched)
+                  .loops_from("pull", more)
+                  .because(why),
               stage_of("bend", "K(ν) u = f in plane strain", "Cook's membrane [Cook1974], linear triangles [Hughes2000 §4.4]",
                        [this] { bend(); })
                   .done_in("core/pliant/solids/cooks_membrane.cpp: displacement")
                   .maps({}, {"displacement"})
                   .when(bent)
-                  .because([this](const Question& q) { return why_bent(q); }),
-              {.name = "read_deflection",
-               .formula = "u_y at the middle of the loaded edge",
-               .source = "converged values of cubic triangles on 32 × 32 cells",
-               .code = "lessons/elasticity/poisson/poisson.cpp: read_deflection",
-               .run = [this] { read_deflection(); },
-               .reads = {"displacement"},
-               .writes = {"deflection"},
-               .active = bent,
-               .again = [this] { return advancing_ && done() < rounds(); },
-               .loop_from = "bend"}};
+                  .because(why),
+              stage_of("read_deflection", "u_y at the middle of the loaded edge",
+                       "converged values of cubic triangles on 32 × 32 cells", [this] { read_deflection(); })
+                  .done_in("lessons/elasticity/poisson/poisson.cpp: read_deflection")
+                  .maps({"displacement"}, {"deflection"})
+                  .when(bent)
+                  .loops_from("bend", more)};
 }
 
 // The next step; after the last one nothing is left to do.
@@ -128,8 +106,8 @@ std::vector<Real> PoissonLesson::ratios() const {
 void PoissonLesson::bend() {
     advancing_ = !at_rest();
     if (!advancing_) return;
-    const Real nu = ratios()[static_cast<std::size_t>(done())];
-    displacement_.topRows<2>() = membrane_->displacement(IsotropicModuli::from_young_poisson(1, nu).lame(), 1);
+    const Lame material = IsotropicModuli::from_young_poisson(1, ratio_of_round(done())).lame();
+    displacement_.topRows<2>() = membrane_->displacement(material, 1);
 }
 
 void PoissonLesson::read_deflection() {
@@ -139,12 +117,11 @@ void PoissonLesson::read_deflection() {
 }
 
 std::string PoissonLesson::blow_up_hint() const {
-    if (poisson_ratio > 0.4)
-        return fmt::format(
-            "The solve is linear and cannot blow up by itself; ν = {} is close to ½, where λ is infinite: lower poisson_ratio",
-            format_quantity(poisson_ratio, ""));
-    return fmt::format("The solve is linear and cannot blow up by itself; a strain of {} carries it too far: lower axial_strain",
-                       format_quantity(axial_strain, ""));
+    return "The solve is linear and cannot blow up by itself; " +
+           (poisson_ratio > 0.4
+                ? fmt::format("ν = {} is close to ½, where λ is infinite: lower poisson_ratio",
+                              format_quantity(poisson_ratio, ""))
+                : fmt::format("a strain of {} carries it too far: lower axial_strain", format_quantity(axial_strain, "")));
 }
 
 const Registration<PoissonLesson> registration{

@@ -1,24 +1,32 @@
 // Poisson's ratio: a cube that narrows as it is stretched, and linear triangles that lock where it may not change its volume.
 #pragma once
-#include <pliant/solids/stretched_cube.h>
+#include "kits/linear_body/linear_body_picture.h"
+#include "kits/linear_body/linear_body_why.h"
 #include "kits/material/material_parameters.h"
 
+#include <pliant/continuum/contraction_law.h>
+#include <pliant/continuum/deformation.h>
 #include <pliant/lesson/registry.h>
 #include <pliant/solids/cooks_membrane.h>
+#include <pliant/solids/cooks_membrane_table.h>
+#include <pliant/solids/stretched_cube.h>
+#include <pliant/text/format.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
-#include <optional>
-#include <vector>
 
 namespace pliant::poisson {
 
 enum class Setting { stretch, bending };
 enum class Method { incremental, linear };
 
-// A static lesson: one step is the whole stretch, increment by increment, or the membrane for one ratio after another.
-class PoissonLesson final : public Lesson {
-public:
-    PoissonLesson();
+// A static lesson: one step is the whole stretch, increment by increment, or the panel for one ratio after another.
+struct PoissonLesson final : Lesson {
+    PoissonLesson() { declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return bends() ? 2 : 3; }
     void check() const override;
@@ -27,7 +35,7 @@ public:
     bool at_rest() const override { return done() == rounds(); }
     void draw(Scene& scene) const override;
     std::string blow_up_hint() const override;
-    std::optional<Fix> fix(const Failure& failure) const override;
+    std::optional<Fix> fix(const Failure&) const override { return fix_by(poisson_ratio, 0.3); }
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return bends() ? "deflection" : "transverse_fem"; }
     ColourBy first_colours() const override { return {"displacement", -1}; }
@@ -37,10 +45,7 @@ public:
         return {"transverse_fem", "transverse_exact", "volume_ratio"};
     }
 
-private:
-    std::function<bool()> stretched() const {
-        return [this] { return !bends(); };
-    }
+    const std::function<bool()> stretched = [this] { return !bends(); }, bent = [this] { return bends(); };
 
     Choice<Setting> setting{*this,
                             setting_of("scene", "a cube that is pulled, or a panel that is bent").rebuilds(),
@@ -49,7 +54,7 @@ private:
         *this,
         setting_of("method", "linear elasticity in small steps, each on the shape reached before, or in one step").rebuilds(),
         {{"incremental", "many small steps"}, {"linear", "one linear step"}},
-        stretched()};
+        stretched};
     Number poisson_ratio{
         *this, poisson_ratio_info("narrowing over lengthening; 0.5 would be incompressible, below 0 the cube widens when pulled",
                                   {-0.9, 0.4999})};
@@ -57,66 +62,59 @@ private:
                         quantity("axial_strain", "ΔL/L", "", 0.5, {-0.6, 2}, {-1, 100, true, false},
                                  "lengthening over length, at the end; negative pushes")
                             .rebuilds(),
-                        stretched()};
+                        stretched};
     Whole increments{*this,
                      quantity("increments", "N", "", 20, {1, 60}, {1, 1000},
                               "steps of equal lengthening; the error of the contraction halves when they are doubled")
                          .rebuilds(),
-                     [this] { return !bends() && Method(method) == Method::incremental; }};
+                     [this] { return !bends() && method == Method::incremental; }};
     Number length{*this, log_quantity("length", "L", "m", 0.1, {0.01, 1}, {1e-6, 1e6}, "of the edges of the cube").rebuilds(),
-                  stretched()};
+                  stretched};
     Whole resolution{*this,
                      quantity("resolution", "n", "", 2, {1, 4}, {1, 8},
                               "cells along each edge of the cube, of 5 tetrahedra each; the strain is uniform, so one would do")
                          .rebuilds(),
-                     stretched()};
+                     stretched};
     Whole membrane_cells{*this,
                          quantity("membrane_cells", "m", "", 8, {2, 16}, {1, 32},
                                   "pairs of cells along each edge of the panel; every cell is two linear triangles")
                              .rebuilds(),
-                         [this] { return bends(); }};
+                         bent};
 
-    using One = Eigen::Matrix<Real, 1, 1>;
+    void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 
-    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
+    // --- what the parameters mean ---
+    bool bends() const { return setting == Setting::bending; }
+    Index steps() const { return method == Method::linear ? 1 : Index(increments); }
+    // How often the loop runs: steps of the cube, or ratios of the panel.
+    Index rounds() const { return bends() ? static_cast<Index>(ratios().size()) : steps(); }
+    // Ratios for which the panel is bent; the present one last.
+    std::vector<Real> ratios() const;
+    Real ratio_of_round(Index k) const { return ratios()[static_cast<std::size_t>(k)]; }
 
     // --- the stages ---
     void stretch_cube(), solve(), move(), measure(), bend(), read_deflection();
-
-    bool bends() const { return Setting(setting) == Setting::bending; }
     Index done() const { return static_cast<Index>(done_[0]); }
-    // How often the loop runs: increments, or ratios of the membrane.
-    Index rounds() const { return bends() ? static_cast<Index>(ratios().size()) : steps(); }
-    Index steps() const { return Method(method) == Method::linear ? 1 : Index(increments); }
-    // Ratios for which the membrane is bent; the present one last.
-    std::vector<Real> ratios() const;
-    // dL/L that has been reached.
-    Real reached() const { return axial_strain * done_[0] / static_cast<Real>(steps()); }
-    std::optional<Real> stiffness_ratio() const;
-    void sample_law(Real (*law)(Real nu, Real strain), Curve& curve) const;
+    Real reached() const { return axial_strain * done_[0] / static_cast<Real>(steps()); }  // dL/L so far
 
     // --- why a number is what it is ---
-    std::optional<Explanation> why_step(const Question& q) const;
+    std::optional<Explanation> why_number(const Question& q) const;
     Explanation why_increment(Index node, int component) const, why_volume(Index element) const;
-    std::optional<Explanation> why_bent(const Question& q) const;
-    void explain_probes();
+    Explanation why_bent(Index node, int component) const;
 
     // --- the picture ---
-    void draw_cube(Scene& scene) const;
-    void draw_measures(Scene& scene) const;
-    void draw_pull(Scene& scene) const;
-    void write_notes(Scene& scene) const;
-    void draw_membrane(Scene& scene) const;
+    void draw_cube(Scene&) const, draw_pull(Scene&) const, draw_measures(Scene&) const;
+    void write_notes(Scene&) const, draw_panel(Scene&) const, draw_deflection(Scene&, Position) const;
 
     std::unique_ptr<StretchedCube> cube_;
     std::unique_ptr<CooksMembrane> membrane_;
     bool advancing_ = false;  // does this pass through the stages go on?
 
     // What defines now: displacements of the cube or of the panel [m]; lengthening, narrowing and volume after each round, and
-    // the panel's deflection for each ratio.
+    // the panel's deflection for each ratio; rounds that are done.
     Points<3> displacement_;
     VecX strains_, contractions_, volumes_, deflections_;
-    One done_;
+    std::array<Real, 1> done_{};
     // What the stages make of it.
     Points<3> prescribed_, increment_;
     VecX element_volumes_;

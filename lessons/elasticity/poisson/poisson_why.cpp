@@ -1,22 +1,17 @@
 // Why nodes and elements of the cube and the panel have the numbers that they have.
 #include "poisson.h"
 
-#include "kits/linear_body/linear_body_why.h"
-
-#include <pliant/continuum/contraction_law.h>
-#include <pliant/solids/cooks_membrane_table.h>
-
-#include <pliant/continuum/deformation.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-
 namespace pliant::poisson {
+namespace {
+
+Input number_of_steps(Index steps) { return Input::constant("N", static_cast<Real>(steps), "", "number of steps"); }
+
+}  // namespace
 
 // A stretch that is over changes nothing.
-std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
+std::optional<Explanation> PoissonLesson::why_number(const Question& q) const {
     if (!advancing_) return std::nullopt;
+    if (bends()) return why_bent(q.index, q.component);
     if (q.field == "element_volume") return why_volume(q.index);
     if (q.field == "increment") return why_increment(q.index, q.component);
     if (q.field == "displacement")
@@ -24,9 +19,7 @@ std::optional<Explanation> PoissonLesson::why_step(const Question& q) const {
             "u′ = u + Δu",
             {Input::before("u", "displacement", q.index, q.component), Input::now("Δu", "increment", q.index, q.component)}};
     if (!cube_->pulled(q.index, q.component)) return fixed_value("Δx = 0: only the far face is pulled", 0);
-    return Explanation{
-        "Δx = s L / N",
-        {Input::of(axial_strain, "s"), length, Input::constant("N", static_cast<Real>(steps()), "", "number of steps")}};
+    return Explanation{"Δx = s L / N", {Input::of(axial_strain, "s"), length, number_of_steps(steps())}};
 }
 
 Explanation PoissonLesson::why_increment(Index node, int component) const {
@@ -57,47 +50,35 @@ Explanation PoissonLesson::why_volume(Index element) const {
     return e;
 }
 
-std::optional<Explanation> PoissonLesson::why_bent(const Question& q) const {
-    if (!advancing_) return std::nullopt;
-    if (q.component == 2) return fixed_value("u_z = 0: plane strain", 0);
-    if (membrane_->mesh().points()(0, q.index) == 0) return fixed_value("u = 0: clamped", 0);
-    const Real nu = ratios()[static_cast<std::size_t>(done())];
-    const LinearFem<2> body(membrane_->mesh(), IsotropicModuli::from_young_poisson(1, nu).lame());
+Explanation PoissonLesson::why_bent(Index node, int component) const {
+    if (component == 2) return fixed_value("u_z = 0: plane strain", 0);
+    if (membrane_->mesh().points()(0, node) == 0) return fixed_value("u = 0: clamped", 0);
+    const LinearFem<2> body(membrane_->mesh(), IsotropicModuli::from_young_poisson(1, ratio_of_round(done())).lame());
     return linear_body::why_unknown<2>(
-        {&body.stiffness(), 2 * q.index + q.component, "u", "displacement"},
-        {Input::constant("f_a", membrane_->unit_load()(q.component, q.index), "N", "load on the node")});
+        {&body.stiffness(), 2 * node + component, "u", "displacement"},
+        {Input::constant("f_a", membrane_->unit_load()(component, node), "N", "load on the node")});
 }
 
-// -------------------------------------------------------------------------------------------------------------- probes
-
 void PoissonLesson::explain_probes() {
-    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
-        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
-    };
-    const auto reached_part = [this] {
+    const auto s = [this] {
         return part("s = S k / N", {Input::of(axial_strain, "S"), Input::constant("k", done_[0], "", "steps that are done"),
-                                    Input::constant("N", static_cast<Real>(steps()), "", "number of steps")});
+                                    number_of_steps(steps())});
     };
-    const auto means = [this](std::string_view symbol, const char* from, const char* to, int component) {
+    // How far two faces have moved apart.
+    const auto widening = [this](std::string_view symbol, const char* from, const char* to, int component) {
         const auto mean = [&](const char* face) {
-            const auto& nodes = cube_->rest().nodes(face);
-            std::vector<std::pair<Input, Input>> terms;
-            for (const Index n : nodes)
-                terms.emplace_back(Input::constant("w", 1 / static_cast<Real>(nodes.size()), "", "share of the node in the face"),
-                                   Input::now(fmt::format("u_{}", n), "displacement", n, component));
-            const std::string name = fmt::format("ū_{}", std::string_view(face).substr(2));
-            return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
+            return linear_body::mean_displacement(std::string_view(face).substr(2), cube_->rest().nodes(face), component);
         };
         return Explanation{fmt::format("{} = (ū_{} − ū_{}) / L", symbol, to + 2, from + 2), {mean(to), mean(from), length}};
     };
-    give("transverse_fem", [=] { return means("ΔL′/L", "z_max", "z_min", 2); });
-    give("strain", [=] { return means("ΔL/L", "x_min", "x_max", 0); });
-    give("transverse_exact", [=, this] { return Explanation{"ΔL′/L = 1 − (1 + s)^(−ν)", {reached_part(), poisson_ratio}}; });
-    give("transverse_linear", [=, this] { return Explanation{"ΔL′/L = ν s", {poisson_ratio, reached_part()}}; });
-    give("transverse_error", [] {
+    explain_probe("transverse_fem", [=] { return widening("ΔL′/L", "z_max", "z_min", 2); });
+    explain_probe("strain", [=] { return widening("ΔL/L", "x_min", "x_max", 0); });
+    explain_probe("transverse_exact", [=, this] { return Explanation{"ΔL′/L = 1 − (1 + s)^(−ν)", {s(), poisson_ratio}}; });
+    explain_probe("transverse_linear", [=, this] { return Explanation{"ΔL′/L = ν s", {poisson_ratio, s()}}; });
+    explain_probe("transverse_error", [] {
         return Explanation{"error = |c − e|", {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)}};
     });
-    give("volume_ratio", [this] {
+    explain_probe("volume_ratio", [this] {
         const SimplexMesh<3>& mesh = cube_->rest();
         std::vector<std::pair<Input, Input>> terms;
         for (Index e = 0; e < mesh.simplex_count(); ++e)
@@ -106,8 +87,11 @@ void PoissonLesson::explain_probes() {
                 Input::now(fmt::format("v_{}", e), "element_volume", e));
         return weighted_sum("V/V₀ = Σ w v", terms);
     });
-    give("times_too_stiff", [this] {
-        const Real right = converged_deflection(ratios()[static_cast<std::size_t>(done() - 1)]).value_or(0);
+    explain_probe("deflection", [this] {
+        return Explanation{"u_y = u", {Input::now("u", "displacement", membrane_->tip(), 1)}};
+    });
+    explain_probe("times_too_stiff", [this] {
+        const Real right = converged_deflection(ratio_of_round(done() - 1)).value_or(0);
         return Explanation{"ratio = u_ref / u",
                            {Input::constant("u_ref", right, "m", "converged deflection"), Input::now("u", "deflection", 0)}};
     });

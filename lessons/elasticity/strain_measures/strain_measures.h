@@ -1,13 +1,13 @@
 // Measures of one homogeneous deformation: right Cauchy-Green, Green's and Cauchy's strain, what they say of the stretch of a
 // direction, and the stress that Hooke's law makes of them.
 #pragma once
-#include <pliant/continuum/moduli.h>
-#include <pliant/continuum/strain.h>
-#include <pliant/lesson/registry.h>
+#include "kits/deformation_maps/map_controls.h"
 #include "kits/material/material_parameters.h"
 
+#include <pliant/continuum/moduli.h>
+#include <pliant/continuum/strain.h>
 #include <pliant/continuum/strain_cost.h>
-#include "kits/deformation_maps/map_controls.h"
+#include <pliant/lesson/registry.h>
 
 namespace pliant::strain_measures {
 

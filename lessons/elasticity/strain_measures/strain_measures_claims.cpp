@@ -1,14 +1,14 @@
 // What the lectures say of strains and Hooke's law, measured.
-#include <fmt/format.h>
 #include <pliant/continuum/deformation.h>
 #include <pliant/continuum/deformation_map.h>
 #include <pliant/continuum/moduli.h>
+#include <pliant/continuum/strain_cost.h>
 #include <pliant/math/small_eigen.h>
 #include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
-#include <Eigen/Geometry>
 
-#include <pliant/continuum/strain_cost.h>
+#include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,11 @@
 // The figure: a circle of directions and what F makes of it, the direction v, and the ellipses of the three tensors.
-#include <fmt/format.h>
+#include "strain_measures.h"
+
 #include <pliant/continuum/deformation.h>
 #include <pliant/math/small_eigen.h>
 #include <pliant/text/format.h>
 
-#include "strain_measures.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

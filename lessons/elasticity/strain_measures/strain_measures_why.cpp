@@ -1,10 +1,11 @@
 // Why every tensor, stretch and stress is what it is.
-#include <fmt/format.h>
-#include <pliant/continuum/deformation.h>
-
 #include "kits/material/material_parameters.h"
 #include "kits/tensors/tensor_why.h"
 #include "strain_measures.h"
+
+#include <pliant/continuum/deformation.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -121,23 +122,20 @@ Explanation StrainMeasuresLesson::why_stress(const Question& q) const {
 // -------------------------------------------------------------------------------------------------------------- probes
 
 void StrainMeasuresLesson::explain_probes() {
-    const auto give = [this](std::string_view name, std::function<Explanation()> why) {
-        std::ranges::find(probes, name, &Probe::name)->explain = std::move(why);
-    };
     const auto squares = [](const char* symbol, std::string_view field) {
         return Input::part(fmt::format("|{}|²", symbol), "", squared_length(fmt::format("|{}|²", symbol), symbol, field));
     };
     const auto of_C = [] { return Input::part("vᵀCv", "", quadratic("vᵀCv", "C", "right_cauchy_green")); };
-    give("stretch_of_v", [squares] {
+    explain_probe("stretch_of_v", [squares] {
         return Explanation{"|v′| = √(|v'|² / |v|²)", {squares("v'", "deformed_direction"), squares("v", "direction")}};
     });
-    give("stretch_from_C", [of_C] { return Explanation{"√(vᵀC v) = √(vᵀCv)", {of_C()}}; });
-    give("stretch_from_cauchy", [] { return quadratic("1 + vᵀε v", "ε", "cauchy_strain", "1 + "); });
-    give("stretch_mismatch", [squares, of_C] {
+    explain_probe("stretch_from_C", [of_C] { return Explanation{"√(vᵀC v) = √(vᵀCv)", {of_C()}}; });
+    explain_probe("stretch_from_cauchy", [] { return quadratic("1 + vᵀε v", "ε", "cauchy_strain", "1 + "); });
+    explain_probe("stretch_mismatch", [squares, of_C] {
         return Explanation{"|v′|² − vᵀC v = |v'|² − vᵀCv", {squares("v'", "deformed_direction"), of_C()}};
     });
-    give("volume_ratio", [] { return why::determinant("deformation_gradient", 0); });
-    give("strain_difference", [] {
+    explain_probe("volume_ratio", [] { return why::determinant("deformation_gradient", 0); });
+    explain_probe("strain_difference", [] {
         std::vector<Input> inputs = why::all_entries("ε", "cauchy_strain", 0);
         for (Input& of_green : why::all_entries("E", "green_strain", 0)) inputs.push_back(std::move(of_green));
         std::string right;

@@ -1,11 +1,11 @@
 // What stress and strain are: force over area, change of length over length, and the force on a plane that cuts the body.
 #pragma once
-#include <pliant/solids/loaded_body.h>
 #include "kits/linear_body/linear_body_why.h"
 #include "kits/material/material_parameters.h"
 
 #include <pliant/lesson/registry.h>
 #include <pliant/math/sparse_cholesky.h>
+#include <pliant/solids/loaded_body.h>
 
 #include <cmath>
 #include <memory>

@@ -1,12 +1,9 @@
 // Why the loaded bodies have the numbers that they have.
-#include "stress_strain.h"
-
 #include "kits/material/material_parameters.h"
 #include "kits/tensors/tensor_why.h"
+#include "stress_strain.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace pliant::stress_strain {
 namespace {
@@ -69,10 +66,7 @@ Explanation StressStrainLesson::why_traction(const Question& q) const {
 // ------------------------------------------------------------------------------------------------------------- probes
 
 void StressStrainLesson::explain_probes() {
-    const auto give = [this](std::string_view probe, std::function<Explanation()> why) {
-        std::ranges::find(probes, probe, &Probe::name)->explain = std::move(why);
-    };
-    give("support_force", [this] {
+    explain_probe("support_force", [this] {
         std::vector<Input> reactions;
         for (const Index n : body_->mesh().nodes(body_->held_face()))
             reactions.push_back(Input::now(fmt::format("r_{}", n), "reaction", n, body_->axis()));
@@ -83,16 +77,18 @@ void StressStrainLesson::explain_probes() {
         e.substitute = [](std::span<const Real> x) { return fmt::format("−({})", sum_text(x)); };
         return e;
     });
-    give("area", [this] {
+    explain_probe("area", [this] {
         std::vector<Input> areas;
         for (const Index f : body_->mesh().facets(body_->held_face()))
             areas.push_back(
                 Input::constant(fmt::format("A_{}", f), body_->mesh().facet_areas().col(f).norm(), "m²", "area of a facet"));
         return sum_of("A = Σ A_facet", std::move(areas));
     });
-    give("stress", [] { return Explanation{"σ = F / A", {Input::now("F", "support_force", 0), Input::now("A", "area", 0)}}; });
-    give("strain", [this] { return Explanation{"ε = ΔL / L", {Input::now("ΔL", "lengthening", 0), length}}; });
-    give("traction", [] {
+    explain_probe("stress", [] {
+        return Explanation{"σ = F / A", {Input::now("F", "support_force", 0), Input::now("A", "area", 0)}};
+    });
+    explain_probe("strain", [this] { return Explanation{"ε = ΔL / L", {Input::now("ΔL", "lengthening", 0), length}}; });
+    explain_probe("traction", [] {
         return Explanation{"|t| = √(σ_n² + τ²)", {Input::now("σ_n", "normal_stress", 0), Input::now("τ", "shear_stress", 0)}};
     });
 }

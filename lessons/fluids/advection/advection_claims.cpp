@@ -1,11 +1,12 @@
 // F2: semi-Lagrangian advection is stable at any Courant number, and dissipates.
-#include <fmt/format.h>
 #include <pliant/fluids/advection.h>
 #include <pliant/fluids/diagnostics.h>
 #include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 #include <pliant/study/claims_report.h>
 #include <pliant/text/format.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

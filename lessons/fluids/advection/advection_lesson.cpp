@@ -3,11 +3,11 @@
 #include <pliant/fluids/diagnostics.h>
 #include <pliant/text/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <fmt/format.h>
 
 namespace pliant::carrying {
 namespace {

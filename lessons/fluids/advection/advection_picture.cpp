@@ -1,14 +1,13 @@
 // The figure: the quantity on the grid, the path back of one cell, and its samples under a magnifying glass.
 #include "advection_lesson.h"
-
 #include "kits/grid2d/grid_picture.h"
 
 #include <pliant/text/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace pliant::carrying {
 namespace {

@@ -2,11 +2,11 @@
 #include "kits/grid2d/advection_why.h"
 #include "advection_lesson.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <fmt/format.h>
 
 namespace pliant::carrying {
 namespace {

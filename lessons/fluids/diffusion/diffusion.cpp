@@ -1,9 +1,9 @@
 #include "diffusion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <random>
-
-#include <fmt/format.h>
 
 namespace pliant::diffusion {
 namespace {

@@ -4,13 +4,13 @@
 #include <pliant/run/runner.h>
 #include <pliant/study/claims_report.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
-
-#include <fmt/format.h>
 
 namespace pliant::diffusion {
 namespace {

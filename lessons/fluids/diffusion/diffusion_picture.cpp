@@ -3,9 +3,9 @@
 
 #include <pliant/text/format.h>
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace pliant::diffusion {
 namespace {

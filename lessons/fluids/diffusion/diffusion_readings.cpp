@@ -3,9 +3,9 @@
 
 #include <pliant/fluids/channel_flow.h>
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace pliant::diffusion {
 namespace {

@@ -2,9 +2,9 @@
 #include "diffusion.h"
 #include "kits/grid2d/grid_why.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace pliant::diffusion {
 namespace {

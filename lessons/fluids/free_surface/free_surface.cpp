@@ -2,11 +2,11 @@
 
 #include <pliant/text/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <fmt/format.h>
 
 namespace pliant::free_surface {
 namespace {

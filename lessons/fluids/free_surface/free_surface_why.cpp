@@ -1,11 +1,11 @@
 // How each number of a step came about.
 #include "free_surface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace pliant::free_surface {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <pliant/text/format.h>
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace pliant::navier_stokes {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <pliant/text/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace pliant::navier_stokes {
 namespace {

@@ -1,5 +1,4 @@
 // F1 and F6: what the lectures say of splitting and of compressible fluids, measured stage by stage.
-#include <fmt/format.h>
 #include <pliant/fluids/diagnostics.h>
 #include <pliant/fluids/isothermal_gas.h>
 #include <pliant/fluids/projection.h>
@@ -7,6 +6,8 @@
 #include <pliant/study/claims.h>
 #include <pliant/study/claims_report.h>
 #include <pliant/text/format.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

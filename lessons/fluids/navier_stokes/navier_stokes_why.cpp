@@ -2,10 +2,10 @@
 // share.
 #include "navier_stokes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace pliant::navier_stokes {
 namespace {

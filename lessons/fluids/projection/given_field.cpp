@@ -1,10 +1,10 @@
 #include "given_field.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <random>
-
-#include <fmt/format.h>
 
 namespace pliant::projection {
 namespace {

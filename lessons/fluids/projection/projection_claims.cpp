@@ -5,10 +5,10 @@
 #include <pliant/study/claims.h>
 #include <pliant/study/claims_report.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
 
 namespace pliant::projection {
 namespace {

@@ -1,9 +1,9 @@
 // The parameters of a chosen map x = phi(X), as several lessons offer them, and why a position or a gradient is what it is.
 #pragma once
+#include "gradient_entries.h"
+
 #include <pliant/continuum/deformation_map.h>
 #include <pliant/lesson/lesson.h>
-
-#include "gradient_entries.h"
 
 #include <deque>
 

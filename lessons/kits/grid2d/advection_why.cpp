@@ -2,9 +2,9 @@
 
 #include <pliant/fluids/interpolation_stencil.h>
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace pliant::grid2d {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <pliant/fluids/level_set.h>
 
-#include <array>
-
 #include <fmt/format.h>
+
+#include <array>
 
 namespace pliant::grid2d {
 namespace {

@@ -1,8 +1,8 @@
 #include "grid_why.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace pliant::grid2d {
 namespace {

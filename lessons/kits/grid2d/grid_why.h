@@ -2,7 +2,6 @@
 // v_on_faces, velocity, speed, pressure, divergence_before and divergence_after.
 #pragma once
 #include <pliant/fluids/samples_beyond.h>
-
 #include <pliant/fluids/velocity_sampler.h>
 #include <pliant/lesson/lesson.h>
 

@@ -93,6 +93,15 @@ Explanation why_residual(const StaticProblem<3>& problem, Index node, int compon
     return e;
 }
 
+Input mean_displacement(std::string_view face, const std::vector<Index>& nodes, int component, Index first_row) {
+    std::vector<std::pair<Input, Input>> terms;
+    for (const Index n : nodes)
+        terms.emplace_back(Input::constant("w", 1 / static_cast<Real>(nodes.size()), "", "share of the node in the face"),
+                           Input::now(fmt::format("u_{}", n), "displacement", first_row + n, component));
+    const std::string name = fmt::format("ū_{}", face);
+    return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
+}
+
 Explanation why_strain(const SimplexMesh<3>& mesh, Index element, int row, int column) {
     const auto g = mesh.gradients(element);
     const char *r = axis_name(row), *c = axis_name(column);

@@ -32,6 +32,9 @@ Explanation why_unknown(const RowOfEquations& equations, std::vector<Input> righ
 Explanation why_displacement(const StaticProblem<3>& problem, Index node, int component, bool has_residual);
 Explanation why_residual(const StaticProblem<3>& problem, Index node, int component);
 
+// "ū_max", the mean over nodes of a face; their rows in the field of displacements begin at `first_row`.
+Input mean_displacement(std::string_view face, const std::vector<Index>& nodes, int component, Index first_row = 0);
+
 // From the corners' displacements and the slopes of the corners' shape functions.
 Explanation why_strain(const SimplexMesh<3>& mesh, Index element, int row, int column);
 

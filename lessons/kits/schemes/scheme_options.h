@@ -1,7 +1,6 @@
 // The time integrators as options of a choice, and the parameters of a step.
 #pragma once
-#include "kits/declare/declare.h"
-
+#include <pliant/lesson/parameter.h>
 #include <pliant/time/scheme.h>
 
 #include <vector>

@@ -1,7 +1,6 @@
 // Parameters that nets of springs share, with the words of the field.
 #pragma once
-#include "kits/declare/declare.h"
-
+#include <pliant/lesson/parameter.h>
 #include <pliant/solids/springs.h>
 
 namespace pliant::springs {

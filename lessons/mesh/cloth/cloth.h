@@ -1,7 +1,5 @@
 // A sheet of point masses and springs that hangs, flies as a flag or drapes over a sphere: forces, air, contact, strain limiting.
 #pragma once
-#include <pliant/solids/cloth_sheet.h>
-#include "kits/declare/declare.h"
 #include "kits/schemes/scheme_options.h"
 #include "kits/springs/net_parameters.h"
 #include "kits/springs/spring_why.h"

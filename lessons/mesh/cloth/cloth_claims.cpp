@@ -2,12 +2,12 @@
 #include <pliant/run/runner.h>
 #include <pliant/study/claims.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
-
-#include <fmt/format.h>
 
 namespace pliant::cloth {
 namespace {

@@ -65,10 +65,10 @@ std::string too_large_a_step(const ClothLesson& l) {
 }  // namespace
 void ClothLesson::declare_probes() {
     const auto joules = [](std::string_view name, std::string_view symbol, std::string_view help, std::function<Real()> value) {
-        return measured(name, symbol, "J", help, std::move(value));
+        return probe_of(name, symbol, "J", help, std::move(value));
     };
     const auto of_solver = [this](std::string_view name, std::string_view unit, std::string_view help, auto value) {
-        return measured(name, "", unit, help, [this, value] { return solver() ? std::optional<Real>(value()) : std::nullopt; });
+        return probe_of(name, "", unit, help, [this, value] { return solver() ? std::optional<Real>(value()) : std::nullopt; });
     };
     const auto elastic = [this] {
         return sheet_->energy(structural, position_) + sheet_->energy(shear, position_) + sheet_->energy(bending, position_);
@@ -85,25 +85,25 @@ void ClothLesson::declare_probes() {
                [this] {
                    return gravitational_energy<3>(sheet_->mass(), {0, -gravity, 0}, position_);
                }),
-        measured("bending_share", "U_b/U", "", "of the elastic energy: how much of it is in the folds",
+        probe_of("bending_share", "U_b/U", "", "of the elastic energy: how much of it is in the folds",
                  [this, elastic]() -> std::optional<Real> {
                      const Real all = elastic();
                      if (!(all > rounding_energy(*this))) return std::nullopt;
                      return sheet_->energy(bending, position_) / all;
                  }),
-        measured("largest_stretch", "ε", "", "largest strain of a structural spring",
+        probe_of("largest_stretch", "ε", "", "largest strain of a structural spring",
                  [this] { return largest_stretch(sheet_->springs(), sheet_->last(structural), position_); }),
-        measured("stretch_before_limiting", "ε₀", "",
+        probe_of("stretch_before_limiting", "ε₀", "",
                  "largest strain of a structural or shear spring before strain limiting, in the latest step",
                  [this] { return strain_limiting ? std::optional<Real>(stretch_before_limiting_) : std::nullopt; }),
-        measured("limiting_passes", "", "", "passes of strain limiting in the latest step",
+        probe_of("limiting_passes", "", "", "passes of strain limiting in the latest step",
                  [this] { return !strain_limiting || !limiter_ ? std::nullopt : std::optional<Real>(limiter_->passes()); }),
-        measured("lowest", "y", "m", "height of the lowest node; 0 is the start of a level sheet",
+        probe_of("lowest", "y", "m", "height of the lowest node; 0 is the start of a level sheet",
                  [this] { return position_.row(1).minCoeff(); }),
-        measured("drape_coefficient", "D", "",
+        probe_of("drape_coefficient", "D", "",
                  "area of the sheet seen from above over its flat area; in the drape test both less the disc, as for fabrics",
                  [this] { return drape_coefficient(); }),
-        measured("touching_nodes", "", "", "nodes on the sphere",
+        probe_of("touching_nodes", "", "", "nodes on the sphere",
                  [this] { return has_sphere() ? std::optional<Real>(touching_) : std::nullopt; }),
         of_solver("newton_iterations_used", "", "of the latest time step", [this] { return solver()->iterations(); }),
         of_solver("linear_iterations_used", "", "of conjugate gradients in the latest time step",
@@ -125,39 +125,30 @@ void ClothLesson::declare_checks() {
     const auto missing = [](const Number& k) { return [&k] { return k > 0 ? 0.0 : 1.0; }; };
     const auto half = [] { return 0.5; };
     assumptions = {
-        assumption(
+        assumption_of(
             "stability", "s", [this] { return Real(dt); }, [this] { return stable_time_step(); },
             "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω up to ζ = 1, so none without damping, beyond it "
             "(2/ω)(ζ − √(ζ² − 1));  ω of the fastest mode",
-            "the fastest mode grows in every step until the sheet tears itself apart", [this] { return !implicit(); },
-            [] {
-                return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
-            }),
-        assumption(
+            "the fastest mode grows in every step until the sheet tears itself apart")
+            .when([this] { return !implicit(); })
+            .mended_by(Fix{"implicit Euler", {{"scheme", "implicit_euler"}}}),
+        assumption_of(
             "inextensible", "", [this] { return largest_stretch(sheet_->springs(), sheet_->last(structural), position_); },
             [] { return 0.1; }, "ε ≤ 10 % along every thread",
-            "woven cloth hardly stretches: a sheet that does looks like rubber", {},
-            [] {
-                return Fix{"limit the strain", {{"strain_limiting", "on"}}};
-            }),
-        assumption(
+            "woven cloth hardly stretches: a sheet that does looks like rubber")
+            .mended_by(Fix{"limit the strain", {{"strain_limiting", "on"}}}),
+        assumption_of(
             "solved", "N", [this] { return solver() && imbalance_.size() ? imbalance_.cwiseAbs().maxCoeff() : Real{0}; },
             [this] { return 0.2 * total_mass * std::max(Real{gravity}, Real{1}); }, "|r| ≤ a fifth of the weight at every node",
-            "one Newton iteration is not enough for this motion: forces are left unbalanced, and it is slowed down",
-            [this] { return implicit(); },
-            [] {
-                return Fix{"solve each step fully", {{"newton", "full"}}};
-            }),
-        assumption("shear_springs", "", missing(k_shear), half, "k_d > 0",
-                   "threads alone do not resist shear: the squares fold up into needles", {},
-                   [] {
-                       return Fix{"k_d = 100 N/m", {{"k_shear", "100"}}};
-                   }),
-        assumption("bending_springs", "", missing(k_bending), half, "k_b > 0",
-                   "nothing resists bending: folds are as sharp as the cells are small", {},
-                   [] {
-                       return Fix{"k_b = 1 N/m", {{"k_bending", "1"}}};
-                   }),
+            "one Newton iteration is not enough for this motion: forces are left unbalanced, and it is slowed down")
+            .when([this] { return implicit(); })
+            .mended_by(Fix{"solve each step fully", {{"newton", "full"}}}),
+        assumption_of("shear_springs", "", missing(k_shear), half, "k_d > 0",
+                      "threads alone do not resist shear: the squares fold up into needles")
+            .mended_by(Fix{"k_d = 100 N/m", {{"k_shear", "100"}}}),
+        assumption_of("bending_springs", "", missing(k_bending), half, "k_b > 0",
+                      "nothing resists bending: folds are as sharp as the cells are small")
+            .mended_by(Fix{"k_b = 1 N/m", {{"k_bending", "1"}}}),
     };
 }
 

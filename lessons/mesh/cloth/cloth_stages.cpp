@@ -26,23 +26,24 @@ void ClothLesson::declare_fields() {
         vector_field("position", "x", "m", On::node, position_, "of the nodes"),
         vector_field("velocity", "v", "m/s", On::node, velocity_, "of the nodes"),
         vector_field("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node"),
-        when(has(damping_force_),
-             vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node")),
-        when(has(external_force_),
-             vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight, and the pull of the hand")),
-        when(has(drag_numbers_), tensor_field("wind_drag", "C", "N s/m", On::node, drag_numbers_,
-                                              "force of the air on a node for each m/s of the wind against it")),
-        when(has(wind_force_),
-             vector_field("wind_force", "fʷ", "N", On::node, wind_force_, "of the air, at the start of the step")),
-        when(has(contact_force_),
-             scalar_field("contact_force", "N", "N", On::node, contact_force_, "with which the sphere presses a node outwards")),
-        within(strained, scalar_field("strain", "ε", "", On::edge, strain_,
-                                      "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest")),
-        within(strained,
-               scalar_field("stretch", "ε_s", "", On::node, stretch_,
-                            "of the strains of a node's structural springs the one farthest from 0: red where it is stretched")),
-        within(strained, scalar_field("bending", "β", "", On::node, bending_,
-                                      "largest shortening of a node's bending springs: 0 where it is flat")),
+        vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node")
+            .when(has(damping_force_)),
+        vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight, and the pull of the hand")
+            .when(has(external_force_)),
+        tensor_field("wind_drag", "C", "N s/m", On::node, drag_numbers_,
+                     "force of the air on a node for each m/s of the wind against it")
+            .when(has(drag_numbers_)),
+        vector_field("wind_force", "fʷ", "N", On::node, wind_force_, "of the air, at the start of the step")
+            .when(has(wind_force_)),
+        scalar_field("contact_force", "N", "N", On::node, contact_force_, "with which the sphere presses a node outwards")
+            .when(has(contact_force_)),
+        scalar_field("strain", "ε", "", On::edge, strain_, "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest")
+            .stops_at(strained),
+        scalar_field("stretch", "ε_s", "", On::node, stretch_,
+                     "of the strains of a node's structural springs the one farthest from 0: red where it is stretched")
+            .stops_at(strained),
+        scalar_field("bending", "β", "", On::node, bending_, "largest shortening of a node's bending springs: 0 where it is flat")
+            .stops_at(strained),
     };
     fields[0].bound = [this] { return 1e4 * size + 1e3 * (std::abs(wind) + 1) * std::max(Real{1}, Real{dt}); };
     fields[1].bound = [this] { return 1000 * size / dt + 10 * (std::abs(wind) * (1 + gust) + gravity * dt); };
@@ -65,10 +66,11 @@ void ClothLesson::declare_stages() {
                 add_external_forces<3>(load_, sheet_->mass(), position_, external_force_);
             },
             why, [this] { return loaded(); }),
-        stage_of(
-            "wind", "fᵢ = Cᵢ (w − vᵢ),  Cᵢ = Σ ρ c A |u·n| n nᵀ / 6 over its triangles,  u = w − v",
-            "pressure on a plate across the wind; [Ling1996]", [this] { wind_stage(); }, {"position", "velocity"},
-            {"wind_drag", "wind_force"}, [this](const Question& q) { return why_force(q); }, [this] { return in_air(); })
+        stage_of("wind", "fᵢ = Cᵢ (w − vᵢ),  Cᵢ = Σ ρ c A |u·n| n nᵀ / 6 over its triangles,  u = w − v",
+                 "pressure on a plate across the wind; [Ling1996]", [this] { wind_stage(); })
+            .maps({"position", "velocity"}, {"wind_drag", "wind_force"})
+            .because([this](const Question& q) { return why_force(q); })
+            .when([this] { return in_air(); })
             .done_in("core/pliant/solids/sheet_wind.cpp: triangle_drag, wind_drag"),
         {.name = "integrate",
          .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
@@ -103,17 +105,17 @@ void ClothLesson::declare_stages() {
              },
          .end = [this] { note_pace(); },
          .explain = [this](const Question& q) { return why_limited(q); }},
-        stage_of(
-            "sphere_contact",
-            "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = m |Δv_n| / Δt, or the force of the plane that held it",
-            "[Baraff1998 §5], [Bridson2002]",
-            [this] {
-                touching_ = resolve_sphere_contact(sphere(), sheet_->inertia(), dt, held_, position_, velocity_, contact_force_,
-                                                   touches_);
-                note_pace();
-            },
-            {"position", "velocity"}, {"position", "velocity", "contact_force"},
-            [this](const Question& q) { return why_contact(q); }, [this] { return has_sphere(); })
+        stage_of("sphere_contact",
+                 "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = m |Δv_n| / Δt, or the force of the plane that held it",
+                 "[Baraff1998 §5], [Bridson2002]",
+                 [this] {
+                     touching_ = resolve_sphere_contact(sphere(), sheet_->inertia(), dt, held_, position_, velocity_,
+                                                        contact_force_, touches_);
+                     note_pace();
+                 })
+            .maps({"position", "velocity"}, {"position", "velocity", "contact_force"})
+            .because([this](const Question& q) { return why_contact(q); })
+            .when([this] { return has_sphere(); })
             .done_in("core/pliant/solids/sphere_contact.cpp: resolve_sphere_contact"),
     };
 }

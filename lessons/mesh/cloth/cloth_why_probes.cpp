@@ -72,7 +72,7 @@ Explanation why_drape(const ClothLesson& l) {
 
 void ClothLesson::explain_probes() {
     const auto give = [this](std::string_view name, std::function<Explanation(const ClothLesson&)> why) {
-        std::ranges::find(probes, name, &Probe::name)->explain = [this, why] { return why(*this); };
+        explain_probe(name, [this, why] { return why(*this); });
     };
     using L = const ClothLesson&;
     give("energy", [](L l) { return springs::energy_in_all(l.load_, l.pull_stiffness); });

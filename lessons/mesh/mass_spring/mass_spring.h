@@ -1,7 +1,6 @@
 // A soft block of point masses and springs that falls, hangs, spins, swings or is put to a static test: lattices, forces,
 // damping, integrators, contact.
 #pragma once
-#include "kits/declare/declare.h"
 #include "kits/schemes/scheme_options.h"
 #include "kits/springs/net_parameters.h"
 #include "kits/springs/spring_why.h"

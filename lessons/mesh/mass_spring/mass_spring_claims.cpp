@@ -4,12 +4,12 @@
 #include <pliant/solids/lattice_elasticity.h>
 #include <pliant/study/claims_report.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
-
-#include <fmt/format.h>
 
 namespace pliant::mass_spring {
 namespace {

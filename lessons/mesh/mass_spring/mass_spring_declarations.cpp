@@ -20,11 +20,11 @@ MassSpringLesson::MassSpringLesson() {
 void MassSpringLesson::declare_fields() {
     const auto nodal = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                           const Points<3>& values) {
-        return when([&values] { return values.size() > 0; }, vector_field(name, symbol, unit, On::node, values, help));
+        return vector_field(name, symbol, unit, On::node, values, help).when([&values] { return values.size() > 0; });
     };
     const auto of_springs = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                                const VecX& values) {
-        return when([&values] { return values.size() > 0; }, scalar_field(name, symbol, unit, On::edge, values, help));
+        return scalar_field(name, symbol, unit, On::edge, values, help).when([&values] { return values.size() > 0; });
     };
     state = {state_array("position", "m", position_), state_array("velocity", "m/s", velocity_),
              state_array("integrator_memory", "", memory_), state_array("clock", "s", clock_),
@@ -74,16 +74,18 @@ void MassSpringLesson::declare_stages() {
          .begin = [this] { begin_integration(); },
          .end = [this] { end_integration(); },
          .explain = [this](const Question& q) { return why_integrated(q); }},
-        stage_of(
-            "contact", "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|", "[Bridson2002]", [this] { contact_stage(); },
-            {"position", "velocity"}, {"position", "velocity"}, [this](const Question& q) { return why_contact(q); },
-            [this] { return grounded(); })
+        stage_of("contact", "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|", "[Bridson2002]",
+                 [this] { contact_stage(); })
+            .maps({"position", "velocity"}, {"position", "velocity"})
+            .because([this](const Question& q) { return why_contact(q); })
+            .when([this] { return grounded(); })
             .done_in("core/pliant/solids/contact.cpp: resolve")
             .where({{"y", "m"}, {"u", "m/s"}, {"h", "m"}}),
-        stage_of(
-            "static_test", "K u = 0 at the free nodes,  K = Σ k n nᵀ,  u given at the plates",
-            "[BornHuang1954 §11], [Hughes2000 §1.6]", [this] { static_stage(); }, {}, {"position", "strain", "tension"},
-            [this](const Question& q) { return why_static(q); }, [this] { return tested(); })
+        stage_of("static_test", "K u = 0 at the free nodes,  K = Σ k n nᵀ,  u given at the plates",
+                 "[BornHuang1954 §11], [Hughes2000 §1.6]", [this] { static_stage(); })
+            .maps({}, {"position", "strain", "tension"})
+            .because([this](const Question& q) { return why_static(q); })
+            .when([this] { return tested(); })
             .done_in("core/pliant/solids/lattice_elasticity.cpp: solve, test_block")
             .where({{"K", "N/m"}, {"u", "m"}}),
     };
@@ -108,7 +110,7 @@ Real rotation_after(const MassSpringLesson& l, Real t) {
 
 void MassSpringLesson::declare_lines() {
     const auto to_now = [this](Curve& curve, const std::function<Real(Real)>& value) {
-        add_range(curve, 0, std::max(clock_[0], Real{1}), 61, value);
+        curve.add_range(0, std::max(clock_[0], Real{1}), 61, value);
     };
     const auto spins = [this] { return setting == Setting::spin && start_angular_momentum_ > 0; };
     const auto coupling = [this](Curve& curve, BlockTest row) {
@@ -129,7 +131,7 @@ void MassSpringLesson::declare_lines() {
          .value_name = "naive dampers",
          .used = spins,
          .others = {{.name = "this run",
-                     .sample = [this](Curve& c) { add(c, clock_[0], *probe("angular_momentum").value()); },
+                     .sample = [this](Curve& c) { c.add(clock_[0], *probe("angular_momentum").value()); },
                      .points = true}}},
         {.name = "modulus_by_cells",
          .unit = "",
@@ -137,7 +139,7 @@ void MassSpringLesson::declare_lines() {
          .help = "Young's modulus of pieces of this lattice over that of the endless one: what more cells change",
          .sample =
              [this](Curve& c) {
-                 for (const Real ratio : tests_.modulus_by_cells()) add(c, Real(c.position.size() + 1), ratio);
+                 for (const Real ratio : tests_.modulus_by_cells()) c.add(Real(c.position.size() + 1), ratio);
              },
          .reference =
              [](Curve& c) {
@@ -164,12 +166,12 @@ void MassSpringLesson::declare_lines() {
          .sample =
              [this](Curve& c) {
                  for (Index n = position_.cols() - 1; n >= 0; --n)
-                     add(c, Real(cells_y - n), position_(1, n) - block_->rest()(1, n));
+                     c.add(Real(cells_y - n), position_(1, n) - block_->rest()(1, n));
              },
          .reference =
              [this](Curve& c) {
                  for (Index n = position_.cols() - 1; n >= 0; --n)
-                     add(c, Real(cells_y - n), swing_amplitude * edge() * mode_shape(n));
+                     c.add(Real(cells_y - n), swing_amplitude * edge() * mode_shape(n));
              },
          .reference_name = "start",
          .value_name = "displacement",

@@ -15,7 +15,7 @@ namespace pliant::mass_spring {
 
 void MassSpringLesson::declare_probes() {
     const auto joules = [](std::string_view name, std::string_view symbol, std::string_view help, std::function<Real()> value) {
-        return measured(name, symbol, "J", help, std::move(value));
+        return probe_of(name, symbol, "J", help, std::move(value));
     };
     probes = {
         joules("energy", "E", "kinetic, elastic and gravitational, and of the hand's spring", [this] { return total_energy(); }),
@@ -25,41 +25,38 @@ void MassSpringLesson::declare_probes() {
                [this] {
                    return gravitational_energy<3>(block_->mass(), {0, -weight_acceleration(), 0}, position_);
                }),
-        measured("shadow_energy", "Ẽ", "J", "E + Δt/2 v·f, which semi-implicit Euler conserves in place of the energy",
+        probe_of("shadow_energy", "Ẽ", "J", "E + Δt/2 v·f, which semi-implicit Euler conserves in place of the energy",
                  [this] { return shadow_energy(); }),
-        measured(
+        probe_of(
             "damping_power", "P", "W", "that the dampers take out of the motion; 0 for a rigid rotation if they are projected",
             [this] {
                 return damped() ? std::optional<Real>(damping_power<3>(block_->springs(), damping_mode, position_, velocity_))
                                 : std::nullopt;
             }),
-        measured(
-            "frequency", "ω", "rad/s",
-            "of a chain that swings, from its passages through the middle; exact: of its mode, without damping",
-            [this] { return measured_frequency(); },
-            [this](Real) {
+        probe_of("frequency", "ω", "rad/s",
+                 "of a chain that swings, from its passages through the middle; exact: of its mode, without damping",
+                 [this] { return measured_frequency(); })
+            .exactly([this](Real) {
                 return setting != Setting::swing || interfered_ || k_bending > 0 || damped() || rest_length_scale != 1 ||
                                k_structural == 0
                            ? std::nullopt
                            : std::optional<Real>(mode_frequency());
             }),
-        measured("momentum", "p", "kg m/s", "magnitude of Σ m v",
+        probe_of("momentum", "p", "kg m/s", "magnitude of Σ m v",
                  [this] { return momentum<3>(block_->mass(), velocity_).norm(); }),
-        measured(
-            "angular_momentum", "J", "kg m²/s", "magnitude, about the centre of mass",
-            [this] { return angular_momentum<3>(block_->mass(), position_, velocity_).norm(); },
-            [this](Real) {
+        probe_of("angular_momentum", "J", "kg m²/s", "magnitude, about the centre of mass",
+                 [this] { return angular_momentum<3>(block_->mass(), position_, velocity_).norm(); })
+            .exactly([this](Real) {
                 return setting != Setting::spin || interfered_ ? std::nullopt : std::optional<Real>(start_angular_momentum_);
             }),
-        measured(
-            "height", "h", "m", "of the centre of mass", [this] { return centre_of_mass<3>(block_->mass(), position_)[1]; },
-            [this](Real t) { return falling_height(t); }),
-        measured("stretch", "ε", "", "largest |strain| of a spring", [this] { return stretch(); }),
-        measured("sag", "s", "m", "by how much the face opposite to the held one (the lower one) hangs lower than at rest",
+        probe_of("height", "h", "m", "of the centre of mass", [this] { return centre_of_mass<3>(block_->mass(), position_)[1]; })
+            .exactly([this](Real t) { return falling_height(t); }),
+        probe_of("stretch", "ε", "", "largest |strain| of a spring", [this] { return stretch(); }),
+        probe_of("sag", "s", "m", "by how much the face opposite to the held one (the lower one) hangs lower than at rest",
                  [this] { return sag(); }),
-        measured("touching_nodes", "", "", "nodes on the ground",
+        probe_of("touching_nodes", "", "", "nodes on the ground",
                  [this] { return grounded() ? std::optional<Real>(touching_) : std::nullopt; }),
-        measured("newton_iterations_used", "", "", "of the latest time step",
+        probe_of("newton_iterations_used", "", "", "of the latest time step",
                  [this] {
                      return !implicit() || !integrator_ || tested() || integrator_->scheme() != integrator
                                 ? std::nullopt
@@ -206,7 +203,7 @@ void MassSpringLesson::static_stage() {
 
 std::vector<Probe> MassSpringLesson::static_probes() {
     using Number = std::function<Real()>;
-    const auto when = [this](std::function<bool()> uses, Number value) {
+    const auto once_known = [this](std::function<bool()> uses, Number value) {
         return [this, uses, value] { return test_known() && uses() ? std::optional<Real>(value()) : std::nullopt; };
     };
     const auto as_material = [this] { return block_test() == BlockTest::stretch && block_->dimension() > 1; };
@@ -217,22 +214,24 @@ std::vector<Probe> MassSpringLesson::static_probes() {
     };
     const auto stiffness = [this] { return tests_.response().stiffness; };
     std::vector<Probe> declared{
-        measured(
-            "youngs_modulus", "E", "Pa",
-            "of the net as a material, pulled along y; a sheet is taken to be as thick as its edges are long",
-            when(as_material, [this] { return tests_.modulus_in_pascal(tests_.response().youngs_modulus, block_->lattice()); }),
-            endless([](const MassSpringLesson& l) {
+        probe_of("youngs_modulus", "E", "Pa",
+                 "of the net as a material, pulled along y; a sheet is taken to be as thick as its edges are long",
+                 once_known(as_material,
+                            [this] { return tests_.modulus_in_pascal(tests_.response().youngs_modulus, block_->lattice()); }))
+            .exactly(endless([](const MassSpringLesson& l) {
                 return l.tests_.modulus_in_pascal(l.endless_lattice().youngs_modulus(), l.block_->lattice());
             })),
-        measured("poisson_ratio", "ν", "", "mean strain across over that along; exact: of the endless lattice",
-                 when(as_material, [this] { return tests_.response().poisson_ratio; }),
-                 endless([](const MassSpringLesson& l) { return l.endless_lattice().poisson_ratio(); })),
-        measured("test_stiffness", "K", "N/m", "force on a plate per displacement", when([this] { return !bends(); }, stiffness)),
-        measured("bending_stiffness", "K", "N m/rad", "moment on a plate per angle", when([this] { return bends(); }, stiffness)),
-        measured("stiffness_ratio", "K/K*", "",
+        probe_of("poisson_ratio", "ν", "", "mean strain across over that along; exact: of the endless lattice",
+                 once_known(as_material, [this] { return tests_.response().poisson_ratio; }))
+            .exactly(endless([](const MassSpringLesson& l) { return l.endless_lattice().poisson_ratio(); })),
+        probe_of("test_stiffness", "K", "N/m", "force on a plate per displacement",
+                 once_known([this] { return !bends(); }, stiffness)),
+        probe_of("bending_stiffness", "K", "N m/rad", "moment on a plate per angle",
+                 once_known([this] { return bends(); }, stiffness)),
+        probe_of("stiffness_ratio", "K/K*", "",
                  "stiffness of the net over that of the solid of modulus E of the endless lattice and Poisson's ratio ν*",
-                 when([this] { return tests_.continuum().has_value(); },
-                      [this] { return tests_.response().stiffness / tests_.continuum()->stiffness; })),
+                 once_known([this] { return tests_.continuum().has_value(); },
+                            [this] { return tests_.response().stiffness / tests_.continuum()->stiffness; })),
     };
     constexpr std::array<std::string_view, 3> names{"coupling_structural", "coupling_shear", "coupling_bending"},
         symbols{"cₛ", "c_d", "c_b"},
@@ -240,8 +239,9 @@ std::vector<Probe> MassSpringLesson::static_probes() {
              "∂ ln K/∂ ln k_d: part of the energy that the diagonals store",
              "∂ ln K/∂ ln k_b: part of the energy that the bending springs store"};
     for (const SpringFamily family : {structural, shear, bending})
-        declared.push_back(measured(names[family], symbols[family], "", help[family],
-                                    when([] { return true; }, [this, family] { return tests_.response().coupling[family]; })));
+        declared.push_back(
+            probe_of(names[family], symbols[family], "", help[family],
+                     once_known([] { return true; }, [this, family] { return tests_.response().coupling[family]; })));
     return declared;
 }
 

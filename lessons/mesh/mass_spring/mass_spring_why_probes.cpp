@@ -200,7 +200,7 @@ Explanation MassSpringLesson::why_static(const Question& q) const {
 
 void MassSpringLesson::explain_probes() {
     const auto give = [this](std::string_view name, std::function<Explanation(const MassSpringLesson&)> why) {
-        std::ranges::find(probes, name, &Probe::name)->explain = [this, why] { return why(*this); };
+        explain_probe(name, [this, why] { return why(*this); });
     };
     using L = const MassSpringLesson&;
     give("energy", [](L l) { return springs::energy_in_all(l.load_, l.pull_stiffness); });

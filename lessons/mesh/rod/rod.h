@@ -1,7 +1,6 @@
 // An elastic rod that hangs, swings or carries waves: positions, strain, energy, and the springs that its energy turns out to be;
 // beside it a rod of springs picked by hand, and the continuum.
 #pragma once
-#include "kits/declare/declare.h"
 #include "kits/schemes/scheme_options.h"
 #include "kits/springs/net_parameters.h"
 #include "kits/springs/spring_why.h"

@@ -3,12 +3,12 @@
 #include <pliant/run/runner.h>
 #include <pliant/study/claims_report.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace pliant::rod {
 namespace {

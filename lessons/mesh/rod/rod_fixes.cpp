@@ -63,25 +63,26 @@ void RodLesson::declare_checks() {
                   .expected = [this] { return !hangs_still(); },
                   .cancels = [this] { return kinetic_energy_now() + elastic_energy() + std::abs(gravitational_energy_now()); }}};
     assumptions = {
-        assumption(
+        assumption_of(
             "stability", "s", [this] { return Real(dt); }, [this] { return stable_time_step(); },
             "Δt ≤ limit of the scheme for ω = 2√(k/m) sin((2N − 1)π/(2(2N + 1))): Verlet and semi-implicit Euler 2/ω",
-            "neighbouring points swing against each other, more in every step, until the run blows up",
-            [this] { return !hangs_still() && std::isfinite(stable_time_step()); }, [this] { return stable_fix(*this); }),
-        assumption(
+            "neighbouring points swing against each other, more in every step, until the run blows up")
+            .when([this] { return !hangs_still() && std::isfinite(stable_time_step()); })
+            .mended_by([this] { return stable_fix(*this); }),
+        assumption_of(
             "not_turned_over", "", [this] { return 1 - (along().transpose() * slope_).minCoeff(); }, [] { return 0.9; },
             "1 − ∂x/∂s ≤ 0.9 along the rod, in every segment",
-            "a segment is squeezed to nothing or turned over: |∂x/∂s| does not tell, and the waves are no longer linear", {},
-            [this]() -> std::optional<Fix> {
+            "a segment is squeezed to nothing or turned over: |∂x/∂s| does not tell, and the waves are no longer linear")
+            .mended_by([this]() -> std::optional<Fix> {
                 if (hangs()) return fix_by(dt, rounded_down(dt / 4, 2));
                 const Real A = rounded_down(0.2 * std::min(segment(), runs_a_pulse() ? Real{pulse_width} : segment()), 1);
                 return fix_by(amplitude, A);
             }),
-        assumption(
+        assumption_of(
             "pulse_resolved", "", [this] { return segment() / pulse_width; }, [] { return 0.5; }, "Δs ≤ w/2",
-            "a pulse as short as the segments falls apart: short waves run slower along a chain than along a rod",
-            [this] { return runs_a_pulse(); },
-            [this]() -> std::optional<Fix> {
+            "a pulse as short as the segments falls apart: short waves run slower along a chain than along a rod")
+            .when([this] { return runs_a_pulse(); })
+            .mended_by([this]() -> std::optional<Fix> {
                 const Real n = std::ceil(2.5 * length / pulse_width);
                 if (n <= segments.accepted().max)
                     return Fix{fmt::format("N = {}", n), {{"segments", format_exact(n)}, {"time_step", format_exact(dt)}}};
@@ -89,17 +90,15 @@ void RodLesson::declare_checks() {
                 return Fix{fmt::format("N = 200, w = {}", format_quantity(w, "m")),
                            {{"segments", "200"}, {"pulse_width", format_exact(w)}}};
             }),
-        assumption(
+        assumption_of(
             "rod_of_its_own", "",
             [this] {
                 const Real ratio = chain_axial_stiffness() / axial_stiffness;
                 return std::max(ratio, 1 / ratio);
             },
             [] { return 1.01; }, "k Δs = EA",
-            "springs picked by hand are another rod at every N: EA = k₀ Δs falls as segments are added", {},
-            [] {
-                return Fix{"derived springs", {{"spring_rule", "derived"}}};
-            }),
+            "springs picked by hand are another rod at every N: EA = k₀ Δs falls as segments are added")
+            .mended_by(Fix{"derived springs", {{"spring_rule", "derived"}}}),
     };
 }
 

@@ -33,42 +33,41 @@ void RodLesson::declare_probes() {
         return hangs_still() || damped() ? std::nullopt : std::optional<Real>(start_energy_);
     };
     probes = {
-        measured(
-            "tip_displacement", "u_L", "m",
-            "of the free end, along the rod; exact: of the continuum, M g L/(2EA) when it hangs at rest",
-            [this] { return tip_displacement(); }, [this](Real t) { return exact_displacement(length, t); }),
-        measured(
-            "tip_over_continuum", "", "",
-            "u_L over that of the continuum; exact: (N + 1)/N for derived springs, which tends to 1",
-            [this] {
-                return !hangs_still() || gravity == 0
-                           ? std::nullopt
-                           : std::optional<Real>(tip_displacement() / continuum().hanging_tip(gravity));
-            },
-            [this](Real) {
+        probe_of("tip_displacement", "u_L", "m",
+                 "of the free end, along the rod; exact: of the continuum, M g L/(2EA) when it hangs at rest",
+                 [this] { return tip_displacement(); })
+            .exactly([this](Real t) { return exact_displacement(length, t); }),
+        probe_of("tip_over_continuum", "", "",
+                 "u_L over that of the continuum; exact: (N + 1)/N for derived springs, which tends to 1",
+                 [this] {
+                     return !hangs_still() || gravity == 0
+                                ? std::nullopt
+                                : std::optional<Real>(tip_displacement() / continuum().hanging_tip(gravity));
+                 })
+            .exactly([this](Real) {
                 return !hangs_still() || gravity == 0
                            ? std::nullopt
                            : std::optional<Real>(chain().hanging_tip(gravity) / continuum().hanging_tip(gravity));
             }),
-        measured("tip_of_chain", "u_N", "m", "M g (N + 1)/(2k): what a chain of N springs k comes to, at rest",
+        probe_of("tip_of_chain", "u_N", "m", "M g (N + 1)/(2k): what a chain of N springs k comes to, at rest",
                  [this] { return hangs() ? std::optional<Real>(chain().hanging_tip(gravity)) : std::nullopt; }),
-        measured("stiffness", "k", "N/m", "of each spring: EA/Δs, or what was picked", [this] { return stiffness(); }),
-        measured(
-            "chain_axial_stiffness", "k Δs", "N", "EA of the rod that the springs amount to; exact: that of the rod",
-            [this] { return chain_axial_stiffness(); }, [this](Real) { return std::optional<Real>(axial_stiffness); }),
-        measured(
-            "energy", "E", "J", "kinetic, elastic and gravitational", [this] { return total_energy(); }, undamped_start),
-        measured(
-            "elastic_energy", "U", "J", "Σ ½EAε² Δs; exact, of the continuum at rest: M²g²L/(6EA)",
-            [this] { return elastic_energy(); },
-            [this](Real) { return hangs_still() ? std::optional<Real>(continuum().hanging_energy(gravity)) : std::nullopt; }),
-        measured("kinetic_energy", "K", "J", "½ Σ m v²", [this] { return kinetic_energy_now(); }),
-        measured("gravitational_energy", "V", "J", "−Σ m g u_s: 0 with all mass at the support",
+        probe_of("stiffness", "k", "N/m", "of each spring: EA/Δs, or what was picked", [this] { return stiffness(); }),
+        probe_of("chain_axial_stiffness", "k Δs", "N", "EA of the rod that the springs amount to; exact: that of the rod",
+                 [this] { return chain_axial_stiffness(); })
+            .exactly([this](Real) { return std::optional<Real>(axial_stiffness); }),
+        probe_of("energy", "E", "J", "kinetic, elastic and gravitational", [this] { return total_energy(); })
+            .exactly(undamped_start),
+        probe_of("elastic_energy", "U", "J", "Σ ½EAε² Δs; exact, of the continuum at rest: M²g²L/(6EA)",
+                 [this] { return elastic_energy(); })
+            .exactly(
+                [this](Real) { return hangs_still() ? std::optional<Real>(continuum().hanging_energy(gravity)) : std::nullopt; }),
+        probe_of("kinetic_energy", "K", "J", "½ Σ m v²", [this] { return kinetic_energy_now(); }),
+        probe_of("gravitational_energy", "V", "J", "−Σ m g u_s: 0 with all mass at the support",
                  [this] { return gravitational_energy_now(); }),
-        measured("force_difference", "Δf", "N",
+        probe_of("force_difference", "Δf", "N",
                  "largest difference between −∂U/∂x and the forces of the springs: they are the same forces",
                  [this] { return force_difference(); }),
-        measured("imbalance", "|f|", "N", "largest force along the rod that springs leave unbalanced, on nodes that are free",
+        probe_of("imbalance", "|f|", "N", "largest force along the rod that springs leave unbalanced, on nodes that are free",
                  [this] { return hangs_still() ? std::optional<Real>(imbalance()) : std::nullopt; }),
     };
 }

@@ -25,31 +25,34 @@ void RodLesson::declare_fields() {
     const auto density = [this, strain] { return 0.5 * chain_axial_stiffness() * strain() * strain(); };
     const auto moves = [this] { return !hangs_still(); };
     fields = {
-        within(reach, plane_vector_field("position", "x", "m", On::node, position_, "of the nodes")),
-        when(moves, within([this, reach] { return reach() * (1 / dt + 2 * fastest()); },
-                           plane_vector_field("velocity", "v", "m/s", On::node, velocity_, "of the nodes"))),
-        within(reach,
-               scalar_field("displacement", "u", "m", On::node, displacement_, "along the rod, from where the node is at rest")),
-        within([strain] { return 1 + strain(); }, plane_vector_field("slope", "∂x/∂s", "", On::edge, slope_,
-                                                                     "of each segment: how fast x runs along the rod at rest")),
-        within(strain, scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched")),
-        within(density, scalar_field("energy_density", "½EAε²", "J/m", On::edge, energy_density_,
-                                     "elastic energy per length of the rod at rest")),
-        within([this, density] { return density() * segment(); },
-               scalar_field("segment_energy", "Uᵢ", "J", On::edge, segment_energy_, "of each segment: ½EAε² Δs")),
-        within([this] { return 2 * stiffness(); },
-               scalar_field("spring_stiffness", "k", "N/m", On::edge, stiffness_, "of each spring")),
-        within(force,
-               scalar_field("tension", "T", "N", On::edge, tension_, "k (|xᵢ₊₁ − xᵢ| − Δs): positive where a spring pulls")),
-        within(force, plane_vector_field("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_,
-                                         "negative gradient of the energy of all segments")),
-        within(force, plane_vector_field("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node")),
-        when([this] { return damped(); },
-             within([] { return std::numeric_limits<Real>::max(); },
-                    plane_vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node"))),
-        when([this] { return loaded(); },
-             within([this] { return 2 * total_mass * weight_acceleration(); },
-                    plane_vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight of the node"))),
+        plane_vector_field("position", "x", "m", On::node, position_, "of the nodes").stops_at(reach),
+        plane_vector_field("velocity", "v", "m/s", On::node, velocity_, "of the nodes")
+            .stops_at([this, reach] { return reach() * (1 / dt + 2 * fastest()); })
+            .when(moves),
+        scalar_field("displacement", "u", "m", On::node, displacement_, "along the rod, from where the node is at rest")
+            .stops_at(reach),
+        plane_vector_field("slope", "∂x/∂s", "", On::edge, slope_, "of each segment: how fast x runs along the rod at rest")
+            .stops_at([strain] { return 1 + strain(); }),
+        scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched").stops_at(strain),
+        scalar_field("energy_density", "½EAε²", "J/m", On::edge, energy_density_, "elastic energy per length of the rod at rest")
+            .stops_at(density),
+        scalar_field("segment_energy", "Uᵢ", "J", On::edge, segment_energy_, "of each segment: ½EAε² Δs")
+            .stops_at([this, density] { return density() * segment(); }),
+        scalar_field("spring_stiffness", "k", "N/m", On::edge, stiffness_, "of each spring").stops_at([this] {
+            return 2 * stiffness();
+        }),
+        scalar_field("tension", "T", "N", On::edge, tension_, "k (|xᵢ₊₁ − xᵢ| − Δs): positive where a spring pulls")
+            .stops_at(force),
+        plane_vector_field("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_,
+                           "negative gradient of the energy of all segments")
+            .stops_at(force),
+        plane_vector_field("spring_force", "f", "N", On::node, spring_force_, "sum of the springs of a node").stops_at(force),
+        plane_vector_field("damping_force", "fᵈ", "N", On::node, damping_force_, "sum of the dampers of a node")
+            .stops_at([] { return std::numeric_limits<Real>::max(); })
+            .when([this] { return damped(); }),
+        plane_vector_field("external_force", "fᵉ", "N", On::node, external_force_, "weight of the node")
+            .stops_at([this] { return 2 * total_mass * weight_acceleration(); })
+            .when([this] { return loaded(); }),
     };
     // What a stage does not write.
     Field& displacement = fields[2];
@@ -63,59 +66,63 @@ void RodLesson::declare_stages() {
     const auto moves = [this] { return !hangs_still(); };
     formula_symbols = {{"s", "m"}, {"x̂"}, {"m", "kg"}};
     stages = {
-        stage_of(
-            "positions", "∂x/∂s ≈ (xᵢ₊₁ − xᵢ)/Δs", "lecture C: the deformable rod, sample points s₀ … s_N",
-            [this] { slope_stage(); }, {"position"}, {"slope"}, why)
+        stage_of("positions", "∂x/∂s ≈ (xᵢ₊₁ − xᵢ)/Δs", "lecture C: the deformable rod, sample points s₀ … s_N",
+                 [this] { slope_stage(); })
+            .maps({"position"}, {"slope"})
+            .because(why)
             .done_in("core/pliant/solids/rod.cpp: rod_slopes"),
-        stage_of(
-            "strain", "ε = |∂x/∂s| − 1", "lecture C: strain of the rod", [this] { rod_strains(slope_, strain_); }, {"slope"},
-            {"strain"}, why)
+        stage_of("strain", "ε = |∂x/∂s| − 1", "lecture C: strain of the rod", [this] { rod_strains(slope_, strain_); })
+            .maps({"slope"}, {"strain"})
+            .because(why)
             .done_in("core/pliant/solids/rod.cpp: rod_strains"),
-        stage_of(
-            "energy_density", "½ EA ε²  in  U = ∫ ½ EA ε² ds;  springs picked by hand are a rod of EA = k₀ Δs",
-            "lecture C: potential energy U = ∫ ½ k ε² ds; its k is EA",
-            [this] { energy_density_ = 0.5 * chain_axial_stiffness() * strain_.array().square(); }, {"strain"},
-            {"energy_density"}, why)
+        stage_of("energy_density", "½ EA ε²  in  U = ∫ ½ EA ε² ds;  springs picked by hand are a rod of EA = k₀ Δs",
+                 "lecture C: potential energy U = ∫ ½ k ε² ds; its k is EA",
+                 [this] { energy_density_ = 0.5 * chain_axial_stiffness() * strain_.array().square(); })
+            .maps({"strain"}, {"energy_density"})
+            .because(why)
             .done_in("core/pliant/solids/rod.cpp: rod_energy"),
-        stage_of(
-            "discrete_energy", "U ≈ Σ ½ EA ε² Δs", "lecture C: the integral as a sum over the segments",
-            [this] { segment_energy_ = segment() * energy_density_; }, {"energy_density"}, {"segment_energy"}, why)
+        stage_of("discrete_energy", "U ≈ Σ ½ EA ε² Δs", "lecture C: the integral as a sum over the segments",
+                 [this] { segment_energy_ = segment() * energy_density_; })
+            .maps({"energy_density"}, {"segment_energy"})
+            .because(why)
             .done_in("core/pliant/solids/rod.cpp: rod_energy"),
-        stage_of(
-            "springs", "Uᵢ = ½ k (|xᵢ₊₁ − xᵢ| − Δs)²  with  k = EA/Δs;  tension T = k (|xᵢ₊₁ − xᵢ| − Δs)",
-            "lecture C: we have just reinvented mass–spring systems",
-            [this] {
-                stiffness_ = springs_.stiffness();
-                spring_tension<2>(springs_, position_, tension_);
-            },
-            {"position", "segment_energy"}, {"spring_stiffness", "tension"}, why)
+        stage_of("springs", "Uᵢ = ½ k (|xᵢ₊₁ − xᵢ| − Δs)²  with  k = EA/Δs;  tension T = k (|xᵢ₊₁ − xᵢ| − Δs)",
+                 "lecture C: we have just reinvented mass–spring systems",
+                 [this] {
+                     stiffness_ = springs_.stiffness();
+                     spring_tension<2>(springs_, position_, tension_);
+                 })
+            .maps({"position", "segment_energy"}, {"spring_stiffness", "tension"})
+            .because(why)
             .done_in("core/pliant/solids/rod.cpp: rod_springs; core/pliant/solids/springs.cpp: spring_tension"),
-        stage_of(
-            "forces", "fᵢ = −∂U/∂xᵢ = Σ EA ε x̂ᵢⱼ;  as springs: fᵢ = Σ k (|xᵢⱼ| − Δs) x̂ᵢⱼ",
-            "lecture C: net force on particle i; [Nealen2006 §3]",
-            [this] {
-                gradient_force_.setZero();
-                add_rod_forces(chain_axial_stiffness(), slope_, strain_, gradient_force_);
-                spring_force_.setZero();
-                add_spring_forces<2>(springs_, position_, spring_force_);
-            },
-            {"position", "slope", "strain"}, {"gradient_force", "spring_force"}, why)
+        stage_of("forces", "fᵢ = −∂U/∂xᵢ = Σ EA ε x̂ᵢⱼ;  as springs: fᵢ = Σ k (|xᵢⱼ| − Δs) x̂ᵢⱼ",
+                 "lecture C: net force on particle i; [Nealen2006 §3]",
+                 [this] {
+                     gradient_force_.setZero();
+                     add_rod_forces(chain_axial_stiffness(), slope_, strain_, gradient_force_);
+                     spring_force_.setZero();
+                     add_spring_forces<2>(springs_, position_, spring_force_);
+                 })
+            .maps({"position", "slope", "strain"}, {"gradient_force", "spring_force"})
+            .because(why)
             .done_in("core/pliant/solids/rod.cpp: add_rod_forces; core/pliant/solids/springs.cpp: add_spring_forces"),
-        stage_of(
-            "damping_forces", "fᵢ = Σ τ k (vᵢⱼ·x̂ᵢⱼ) x̂ᵢⱼ,  vᵢⱼ = vⱼ − vᵢ", "[Nealen2006 §3]: along the spring",
-            [this] {
-                damping_force_.setZero();
-                add_damping_forces<2>(springs_, SpringDamping::projected, position_, velocity_, damping_force_);
-            },
-            {"position", "velocity"}, {"damping_force"}, why, [this] { return damped(); })
+        stage_of("damping_forces", "fᵢ = Σ τ k (vᵢⱼ·x̂ᵢⱼ) x̂ᵢⱼ,  vᵢⱼ = vⱼ − vᵢ", "[Nealen2006 §3]: along the spring",
+                 [this] {
+                     damping_force_.setZero();
+                     add_damping_forces<2>(springs_, SpringDamping::projected, position_, velocity_, damping_force_);
+                 })
+            .maps({"position", "velocity"}, {"damping_force"})
+            .because(why)
+            .when([this] { return damped(); })
             .done_in("core/pliant/solids/springs.cpp: add_damping_forces"),
-        stage_of(
-            "external_forces", "fᵢ = (M/N) g", "gravity",
-            [this] {
-                external_force_.setZero();
-                add_external_forces<2>({weight_acceleration() * along(), {}}, node_masses_, position_, external_force_);
-            },
-            {}, {"external_force"}, why, [this] { return loaded(); })
+        stage_of("external_forces", "fᵢ = (M/N) g", "gravity",
+                 [this] {
+                     external_force_.setZero();
+                     add_external_forces<2>({weight_acceleration() * along(), {}}, node_masses_, position_, external_force_);
+                 })
+            .maps({}, {"external_force"})
+            .because(why)
+            .when([this] { return loaded(); })
             .done_in("core/pliant/solids/springs_system.cpp: add_external_forces"),
         {.name = "integrate",
          .formula = "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",

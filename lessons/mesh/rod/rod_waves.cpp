@@ -104,50 +104,46 @@ void RodLesson::declare_wave_probes() {
     };
     probes.insert(
         probes.end(),
-        {measured("mode_amplitude", "q", "m",
+        {probe_of("mode_amplitude", "q", "m",
                   "Σ φᵢuᵢ/Σ φᵢ² of the mode that swings, φᵢ = sin iθ; exact: of the chain, A cos ωt, damped by τ",
-                  of_mode([this] { return mode_amplitude(); }),
-                  [this](Real t) -> std::optional<Real> {
-                      if (setting != Setting::wave) return std::nullopt;
-                      const Real omega = chain().frequency(watched_mode(), end());
-                      return amplitude * swing(omega, t);
-                  }),
-         measured(
-             "frequency", "ω", "rad/s",
-             "measured from one rise of q through 0 to the next; exact: 2√(k/m) sin((2j − 1)π/(2(2N + 1))), of the chain",
-             [this]() -> std::optional<Real> {
-                 const auto period = rhythm_.period();
-                 if (setting != Setting::wave || !period) return std::nullopt;
-                 return 2 * pi / *period;
-             },
-             [this](Real) {
+                  of_mode([this] { return mode_amplitude(); }))
+             .exactly([this](Real t) -> std::optional<Real> {
+                 if (setting != Setting::wave) return std::nullopt;
+                 const Real omega = chain().frequency(watched_mode(), end());
+                 return amplitude * swing(omega, t);
+             }),
+         probe_of("frequency", "ω", "rad/s",
+                  "measured from one rise of q through 0 to the next; exact: 2√(k/m) sin((2j − 1)π/(2(2N + 1))), of the chain",
+                  [this]() -> std::optional<Real> {
+                      const auto period = rhythm_.period();
+                      if (setting != Setting::wave || !period) return std::nullopt;
+                      return 2 * pi / *period;
+                  })
+             .exactly([this](Real) {
                  return setting != Setting::wave || damped() ? std::nullopt
                                                              : std::optional<Real>(chain().frequency(watched_mode(), end()));
              }),
-         measured("frequency_chain", "ω_j", "rad/s",
+         probe_of("frequency_chain", "ω_j", "rad/s",
                   "number j of the frequencies of the chain, found as eigenvalues of its matrices; exact: "
                   "2√(k/m) sin((2j − 1)π/(2(2N + 1)))",
-                  of_mode([this] { return frequencies()[watched_mode() - 1]; }),
-                  [this](Real) {
-                      return setting != Setting::wave ? std::nullopt
-                                                      : std::optional<Real>(chain().frequency(watched_mode(), end()));
-                  }),
-         measured("frequency_continuum", "ω_c", "rad/s", "(2j − 1)πc/(2L) of the rod, c = √(EA L/M)",
+                  of_mode([this] { return frequencies()[watched_mode() - 1]; }))
+             .exactly([this](Real) {
+                 return setting != Setting::wave ? std::nullopt : std::optional<Real>(chain().frequency(watched_mode(), end()));
+             }),
+         probe_of("frequency_continuum", "ω_c", "rad/s", "(2j − 1)πc/(2L) of the rod, c = √(EA L/M)",
                   of_mode([this] { return continuum().frequency(watched_mode(), end()); })),
-         measured(
-             "pulse_position", "s_p", "m", "where the energy of the pulse lies on average",
-             [this] { return !runs_a_pulse() || !swings() ? std::nullopt : std::optional<Real>(pulse_position()); },
-             [this](Real t) -> std::optional<Real> {
+         probe_of("pulse_position", "s_p", "m", "where the energy of the pulse lies on average",
+                  [this] { return !runs_a_pulse() || !swings() ? std::nullopt : std::optional<Real>(pulse_position()); })
+             .exactly([this](Real t) -> std::optional<Real> {
                  const auto gone = runs_a_pulse() && !damped() ? way(continuum().wave_speed(), t) : std::nullopt;
                  if (!gone) return std::nullopt;
                  const Real there_and_back = std::fmod(*gone, 2 * length);
                  return std::min(there_and_back, 2 * length - there_and_back);
              }),
-         measured(
-             "wave_speed", "c", "m/s",
-             "of the energy of the pulse since the start, but for when an end turns it back; exact: √(EA L/M)",
-             [this] { return wave_speed(); },
-             [this](Real) { return runs_a_pulse() ? std::optional<Real>(continuum().wave_speed()) : std::nullopt; })});
+         probe_of("wave_speed", "c", "m/s",
+                  "of the energy of the pulse since the start, but for when an end turns it back; exact: √(EA L/M)",
+                  [this] { return wave_speed(); })
+             .exactly([this](Real) { return runs_a_pulse() ? std::optional<Real>(continuum().wave_speed()) : std::nullopt; })});
 }
 
 // ----------------------------------------------------------------------------------------------------------------- lines
@@ -156,7 +152,7 @@ void RodLesson::declare_lines() {
     const auto against_segments = [this](Rule rule) {
         return [this, rule](Curve& curve) {
             for (Real n = 1; n <= 200; n = std::max(n + 1, std::floor(1.25 * n)))
-                add(curve, n, static_tip(rule, static_cast<Index>(n)));
+                curve.add(n, static_tip(rule, static_cast<Index>(n)));
         };
     };
     lines = {{.name = "tip_against_segments",
@@ -185,7 +181,7 @@ void RodLesson::declare_lines() {
               .help = "along the rod, of the nodes, with the continuum's where it is known",
               .sample =
                   [this](Curve& curve) {
-                      for (Index i = 0; i <= segments; ++i) add(curve, rest_place(i), displacement_of(i));
+                      for (Index i = 0; i <= segments; ++i) curve.add(rest_place(i), displacement_of(i));
                   },
               .reference = [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_displacement); },
               .reference_name = "continuum",
@@ -196,7 +192,7 @@ void RodLesson::declare_lines() {
               .help = "in the middle of each segment, with the continuum's where it is known",
               .sample =
                   [this](Curve& curve) {
-                      for (Index i = 0; i < segments; ++i) add(curve, rest_place(i) + 0.5 * segment(), strain_[i]);
+                      for (Index i = 0; i < segments; ++i) curve.add(rest_place(i) + 0.5 * segment(), strain_[i]);
                   },
               .reference = [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_strain); },
               .reference_name = "continuum",
@@ -210,14 +206,14 @@ void RodLesson::sample_exact(Curve& curve, std::optional<Real> (RodLesson::*exac
         const Real s = length * k / (points - 1);
         const auto value = (this->*exact)(s, clock_[elapsed]);
         if (!value) return;
-        add(curve, s, *value);
+        curve.add(s, *value);
     }
 }
 
 void RodLesson::declare_wave_lines() {
     const auto of_modes = [this](auto frequency) {
         return [this, frequency](Curve& curve) {
-            for (Index j = 1; j <= chain().modes(end()); ++j) add(curve, static_cast<Real>(j), frequency(j));
+            for (Index j = 1; j <= chain().modes(end()); ++j) curve.add(static_cast<Real>(j), frequency(j));
         };
     };
     lines.push_back({.name = "frequencies",

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -84,53 +83,52 @@ Explanation why_pulse_position(const RodLesson& l) {
 }  // namespace
 
 void RodLesson::explain_probes() {
-    const auto give = [this](std::string_view name, auto why) { std::ranges::find(probes, name, &Probe::name)->explain = why; };
-    give("tip_displacement", [this] {
+    explain_probe("tip_displacement", [this] {
         return Explanation{"u_L = u: of the last node", {Input::now("u", "displacement", segments)}};
     });
-    give("tip_over_continuum", [this]() -> Explanation {
+    explain_probe("tip_over_continuum", [this]() -> Explanation {
         return {"u_L / u_c",
                 {Input::now("u_L", "tip_displacement", 0),
                  part("u_c = M g L / (2 EA)", {total_mass, gravity, length, axial_stiffness})}};
     });
-    give("tip_of_chain", [this]() -> Explanation {
+    explain_probe("tip_of_chain", [this]() -> Explanation {
         return {"u_N = M g (N + 1) / (2 k)", {total_mass, gravity, segments, why_stiffness()}};
     });
-    give("stiffness", [this] { return why_field({"spring_stiffness", 0}); });
-    give("chain_axial_stiffness", [this]() -> Explanation { return {"k Δs", {why_stiffness(), why_segment()}}; });
-    give("energy", [] {
+    explain_probe("stiffness", [this] { return why_field({"spring_stiffness", 0}); });
+    explain_probe("chain_axial_stiffness", [this]() -> Explanation { return {"k Δs", {why_stiffness(), why_segment()}}; });
+    explain_probe("energy", [] {
         return sum_of("E = K + U + V", {Input::now("K", "kinetic_energy", 0), Input::now("U", "elastic_energy", 0),
                                         Input::now("V", "gravitational_energy", 0)});
     });
-    give("elastic_energy", [this] { return why_elastic_energy(*this); });
-    give("kinetic_energy", [this] {
+    explain_probe("elastic_energy", [this] { return why_elastic_energy(*this); });
+    explain_probe("kinetic_energy", [this] {
         return hangs_still() ? fixed_value("K = 0: the rod hangs still", 0)
                              : springs::kinetic_energy_of(why_node_mass(), segments + 1, 2);
     });
-    give("gravitational_energy", [this] {
+    explain_probe("gravitational_energy", [this] {
         return loaded() ? springs::gravitational_energy_of(why_node_mass(), gravity, segments + 1)
                         : fixed_value("V = 0: there is no weight", 0);
     });
-    give("force_difference", [this] { return why_force_difference(*this); });
-    give("imbalance", [this] { return why_imbalance(*this); });
-    give("mode_amplitude", [this] { return why_mode_amplitude(*this); });
-    give("frequency", [this]() -> Explanation {
+    explain_probe("force_difference", [this] { return why_force_difference(*this); });
+    explain_probe("imbalance", [this] { return why_imbalance(*this); });
+    explain_probe("mode_amplitude", [this] { return why_mode_amplitude(*this); });
+    explain_probe("frequency", [this]() -> Explanation {
         return {
             "ω = 2 π / T_q",
             {Input::constant("T_q", rhythm_.period().value_or(0), "s", "mean time from one rise of q through 0 to the next")}};
     });
-    give("frequency_chain", [this]() -> Explanation {
+    explain_probe("frequency_chain", [this]() -> Explanation {
         return {"ω_j = 2 √(k / m) sin(θ / 2)",
                 {why_stiffness(), why_node_mass(),
                  Input::constant("θ", chain().phase(watched_mode(), end()), "rad", "(2j − 1)π/(2N + 1)")}};
     });
-    give("frequency_continuum", [this]() -> Explanation {
+    explain_probe("frequency_continuum", [this]() -> Explanation {
         return {"ω_c = κ √(EA L / M)",
                 {Input::constant("κ", continuum().wave_number(watched_mode(), end()), "1/m", "(2j − 1)π/(2L)"), axial_stiffness,
                  length, total_mass}};
     });
-    give("pulse_position", [this] { return why_pulse_position(*this); });
-    give("wave_speed", [this]() -> Explanation {
+    explain_probe("pulse_position", [this] { return why_pulse_position(*this); });
+    explain_probe("wave_speed", [this]() -> Explanation {
         const Index turned = turns().value_or(0), even = turned + turned % 2;
         return {
             "c = (d + q s_p − s_start) / t",

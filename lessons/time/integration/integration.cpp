@@ -61,7 +61,7 @@ void IntegrationLesson::declare_fields() {
     };
     const auto of_mass = [](std::string_view name, std::string_view symbol, std::string_view unit, const VecX& numbers,
                             std::string_view help, std::function<Real()> bound) {
-        return within(std::move(bound), scalar_field(name, symbol, unit, On::node, numbers, help));
+        return scalar_field(name, symbol, unit, On::node, numbers, help).stops_at(std::move(bound));
     };
     fields = {
         of_mass("position", "x", "m", x_, "of each mass; of the pendulum along its arc", furthest),
@@ -71,51 +71,51 @@ void IntegrationLesson::declare_fields() {
                 "where the next force is evaluated, or the end of the step; the iterate of an implicit scheme",
                 [this, furthest] { return motion_->can_leave() ? 1e300 : far * furthest(); }),
         of_mass("trial_velocity", "V", "m/s", trial_v_, "the velocity there", [fastest] { return far * fastest(); }),
-        when([this] { return !implicit(); }, of_mass("pass_force", "f_k", "N", pass_force_, "that this pass has evaluated",
-                                                     [strongest] { return far * strongest(); })),
-        when([this] { return implicit(); },
-             of_mass("residual", "r", "N", residual_, "what the iterate before this pass left of the equation: m a − f(X, V)",
-                     [this, strongest, fastest] { return strongest() + 100 * fastest() / dt; }))};
+        of_mass("pass_force", "f_k", "N", pass_force_, "that this pass has evaluated", [strongest] { return far * strongest(); })
+            .when([this] { return !implicit(); }),
+        of_mass("residual", "r", "N", residual_, "what the iterate before this pass left of the equation: m a − f(X, V)",
+                [this, strongest, fastest] { return strongest() + 100 * fastest() / dt; })
+            .when([this] { return implicit(); })};
 }
 
 void IntegrationLesson::declare_stages() {
     formula_symbols = {{"m", "kg"}, {"g", "m/s²"}, {"l", "m"}, {"K", "N/m"}, {"C", "N s/m"}, {"H", "N/m"}};
-    stages = {
-        in_force(
-            [this]() -> std::string_view {
-                return system == SwingingKind::oscillator ? "f = −m (ω²x + 2ζωv)"
-                       : system == SwingingKind::pendulum ? "f = −m (g sin(x/l) + 2ζωv)"
-                                                          : "f = −Kx − Cv";
-            },
-            stage_of(
-                "force", "spring: f = −m (ω²x + 2ζωv);  pendulum: f = −m (g sin(x/l) + 2ζωv);  pair: f = −Kx − Cv",
-                "lecture S: time integration, F(v(t), x(t), t)", [this] { force_stage(); }, {"position", "velocity"}, {"force"},
-                [this](const Question& q) { return why_force(q.index, "position", "velocity", Input::now, ""); })
-                .done_in("core/pliant/time/swinging.cpp: Swinging::force")),
-        in_force([this]() -> std::string_view { return implicit() ? "a first guess, X = x + Δt v or X = x" : "X = x,  V = v"; },
-                 stage_of(
-                     "predict", "explicit: X = x, V = v;  implicit: a first guess, X = x + Δt v or X = x",
-                     "Hairer1993 §II.14; Baraff1998", [this] { predict(); }, {"position", "velocity"},
-                     {"trial_position", "trial_velocity"}, [this](const Question& q) { return why_predicted(q); })
-                     .done_in("core/pliant/time/time_integrator.cpp: begin_explicit, begin_implicit")),
-        {.name = "passes",
-         .formula = "explicit: f_k at X, V, then the next X, V;  implicit, Newton: X ← X − r/H",
-         .formula_in_force = [this]() -> std::string_view {
-             return is_implicit(scheme) ? "Newton: X ← X − r/H" : "f_k at X, V, then the next X, V";
-         },
-         .source = "lecture S: time integration; Hairer1993 §II.14; Nocedal2006",
-         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
-         .run = [this] { pass(); },
-         .reads = {"position", "velocity", "force"},
-         .writes = {"trial_position", "trial_velocity", "pass_force", "residual"},
-         .again = [this] { return integrator_->again(); },
-         .explain = [this](const Question& q) { return why_pass(q); }},
-        in_force([this] { return info_of(scheme).formula; },
-                 stage_of(
-                     "advance", "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  semi-implicit: x + Δt v′;  implicit: f(x′, v′)",
-                     "lecture S: time integration", [this] { advance(); }, {"trial_position", "trial_velocity"},
-                     {"position", "velocity"}, [this](const Question& q) { return why_advanced(q); })
-                     .done_in("core/pliant/time/time_integrator.cpp: finish"))};
+    stages = {stage_of("force", "spring: f = −m (ω²x + 2ζωv);  pendulum: f = −m (g sin(x/l) + 2ζωv);  pair: f = −Kx − Cv",
+                       "lecture S: time integration, F(v(t), x(t), t)", [this] { force_stage(); })
+                  .maps({"position", "velocity"}, {"force"})
+                  .because([this](const Question& q) { return why_force(q.index, "position", "velocity", Input::now, ""); })
+                  .done_in("core/pliant/time/swinging.cpp: Swinging::force")
+                  .shows([this]() -> std::string_view {
+                      return system == SwingingKind::oscillator ? "f = −m (ω²x + 2ζωv)"
+                             : system == SwingingKind::pendulum ? "f = −m (g sin(x/l) + 2ζωv)"
+                                                                : "f = −Kx − Cv";
+                  }),
+              stage_of("predict", "explicit: X = x, V = v;  implicit: a first guess, X = x + Δt v or X = x",
+                       "Hairer1993 §II.14; Baraff1998", [this] { predict(); })
+                  .maps({"position", "velocity"}, {"trial_position", "trial_velocity"})
+                  .because([this](const Question& q) { return why_predicted(q); })
+                  .done_in("core/pliant/time/time_integrator.cpp: begin_explicit, begin_implicit")
+                  .shows([this]() -> std::string_view {
+                      return implicit() ? "a first guess, X = x + Δt v or X = x" : "X = x,  V = v";
+                  }),
+              {.name = "passes",
+               .formula = "explicit: f_k at X, V, then the next X, V;  implicit, Newton: X ← X − r/H",
+               .formula_in_force = [this]() -> std::string_view {
+                   return is_implicit(scheme) ? "Newton: X ← X − r/H" : "f_k at X, V, then the next X, V";
+               },
+               .source = "lecture S: time integration; Hairer1993 §II.14; Nocedal2006",
+               .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
+               .run = [this] { pass(); },
+               .reads = {"position", "velocity", "force"},
+               .writes = {"trial_position", "trial_velocity", "pass_force", "residual"},
+               .again = [this] { return integrator_->again(); },
+               .explain = [this](const Question& q) { return why_pass(q); }},
+              stage_of("advance", "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  semi-implicit: x + Δt v′;  implicit: f(x′, v′)",
+                       "lecture S: time integration", [this] { advance(); })
+                  .maps({"trial_position", "trial_velocity"}, {"position", "velocity"})
+                  .because([this](const Question& q) { return why_advanced(q); })
+                  .done_in("core/pliant/time/time_integrator.cpp: finish")
+                  .shows([this] { return info_of(scheme).formula; })};
 }
 
 void IntegrationLesson::force_stage() {

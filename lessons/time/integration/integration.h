@@ -1,6 +1,5 @@
 // Eight time integrators on motions whose exact solution is known: a mass on a spring, a pendulum, a stiff pair.
 #pragma once
-#include "kits/declare/declare.h"
 #include "kits/schemes/scheme_options.h"
 
 #include <pliant/lesson/registry.h>

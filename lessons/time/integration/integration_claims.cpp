@@ -3,11 +3,11 @@
 #include <pliant/study/claims_report.h>
 #include <pliant/text/format.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace pliant::integration {
 namespace {

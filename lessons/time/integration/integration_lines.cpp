@@ -32,7 +32,7 @@ void energy_curve(const IntegrationLesson& l, Scheme one, Curve& curve) {
         // A l.scheme that blows up beside the run must not squeeze it.
         const Real share = path.energy[n] / path.energy[0];
         if (one != l.scheme && share > most_beside) break;
-        add(curve, static_cast<Real>(n) * l.dt, share);
+        curve.add(static_cast<Real>(n) * l.dt, share);
     }
 }
 
@@ -43,7 +43,7 @@ void growth_curve(const IntegrationLesson& l, Scheme one, Curve& curve) {
         const Real step = 3.2 / l.motion_->fast_rate() * k / (samples - 1);
         const Real rho = amplification(one, l.motion_->fast_rate(), l.zeta, step);
         if (rho > outside) break;
-        add(curve, step, rho);
+        curve.add(step, rho);
     }
 }
 
@@ -75,7 +75,7 @@ void IntegrationLesson::declare_lines() {
                           if (!start || *start == 0) return;
                           for (int k = 0; k < samples; ++k) {
                               const Real t = time() * k / (samples - 1);
-                              if (const auto e = motion_->exact_energy(t)) add(c, t, *e / *start);
+                              if (const auto e = motion_->exact_energy(t)) c.add(t, *e / *start);
                           }
                       },
                   .value_name = "E/E₀"};
@@ -88,7 +88,7 @@ void IntegrationLesson::declare_lines() {
                     [this](Curve& c) {
                         const Real w = motion_->fast_rate(),
                                    slow = zeta > 1 ? 1 / (zeta + std::sqrt(zeta * zeta - 1)) : Real(zeta);
-                        add_range(c, 0, 3.2 / w, samples, [=](Real step) { return std::exp(-slow * w * step); });
+                        c.add_range(0, 3.2 / w, samples, [=](Real step) { return std::exp(-slow * w * step); });
                     },
                 .value_name = "factor ρ of a step",
                 .used = [this] { return omega > 0; }};

@@ -77,96 +77,97 @@ void IntegrationLesson::declare_probes() {
         return motion ? std::optional((*motion).*part) : std::nullopt;
     };
     probes = {
-        measured(
+        probe_of(
             "x", "x", "m", "place; of the pendulum along its arc, of the pair the outer mass", [this] { return x_[watched()]; },
-            [exact](Real t) { return exact(t, &Motion::x); },
             [this] {
                 return Explanation{"x = x_m", {Input::now("x_m", "position", watched())}};
-            }),
-        measured(
-            "v", "v", "m/s", "velocity", [this] { return v_[watched()]; }, [exact](Real t) { return exact(t, &Motion::v); },
+            })
+            .exactly([exact](Real t) { return exact(t, &Motion::x); }),
+        probe_of(
+            "v", "v", "m/s", "velocity", [this] { return v_[watched()]; },
             [this] {
                 return Explanation{"v = v_m", {Input::now("v_m", "velocity", watched())}};
-            }),
-        measured(
+            })
+            .exactly([exact](Real t) { return exact(t, &Motion::v); }),
+        probe_of(
             "energy", "E", "J", "kinetic and potential: without drag it never changes, with drag it never grows",
-            [this] { return energy(); }, [this](Real t) { return motion_->exact_energy(t); }, [this] { return why_energy(); }),
-        measured(
-            "kinetic_energy", "K", "J", "½ m v²", [this] { return kinetic_energy(); }, {},
-            [this] { return why_kinetic_energy(); }),
-        measured(
+            [this] { return energy(); }, [this] { return why_energy(); })
+            .exactly([this](Real t) { return motion_->exact_energy(t); }),
+        probe_of(
+            "kinetic_energy", "K", "J", "½ m v²", [this] { return kinetic_energy(); }, [this] { return why_kinetic_energy(); }),
+        probe_of(
             "potential_energy", "U", "J", "of the spring or springs, or of the height", [this] { return motion_->potential(x_); },
-            {}, [this] { return why_potential_energy(); }),
-        measured(
+            [this] { return why_potential_energy(); }),
+        probe_of(
             "exact_x", "x_e", "m", "the solution in closed form; a damped pendulum has none",
-            [this, exact] { return exact(time(), &Motion::x); }, {}, [this] { return why_exact(false); }),
-        measured(
-            "exact_v", "v_e", "m/s", "its velocity", [this, exact] { return exact(time(), &Motion::v); }, {},
+            [this, exact] { return exact(time(), &Motion::x); }, [this] { return why_exact(false); }),
+        probe_of(
+            "exact_v", "v_e", "m/s", "its velocity", [this, exact] { return exact(time(), &Motion::v); },
             [this] { return why_exact(true); }),
-        measured(
+        probe_of(
             "amplitude", "A", "m",
             "how far it would swing with its energy and without drag: √(2E)/ω; for the pendulum 2l asin(√(E/(2gl)))",
             [this] { return amplitude_of(*this, energy()); },
-            [this](Real t) -> std::optional<Real> {
-                const auto e = motion_->exact_energy(t);
-                return e ? amplitude_of(*this, *e) : std::nullopt;
-            },
             [this]() -> Explanation {
                 if (is(SwingingKind::oscillator))
                     return {"A = √(2 E / m) / ω", {Input::now("E", "energy", 0), unit_mass(), omega}};
                 return {"A = 2 l asin(√(E / (2 m g l)))",
                         {Input::now("E", "energy", 0), unit_mass(), Input::constant("g", Swinging::gravity, "m/s²", "gravity"),
                          Input::constant("l", motion_->length(), "m", "length of the pendulum, g/ω²")}};
+            })
+            .exactly([this](Real t) -> std::optional<Real> {
+                const auto e = motion_->exact_energy(t);
+                return e ? amplitude_of(*this, *e) : std::nullopt;
             }),
-        measured(
+        probe_of(
             "error", "e", "", "distance from the exact motion in the plane of x and v/ω, as a part of the swing",
-            [this] { return error(); }, {}, [this] { return why_error(); }),
-        measured("angle", "θ", "°", "of the pendulum, x/l",
+            [this] { return error(); }, [this] { return why_error(); }),
+        probe_of("angle", "θ", "°", "of the pendulum, x/l",
                  [this] {
                      return !is(SwingingKind::pendulum) || omega == 0
                                 ? std::nullopt
                                 : std::optional<Real>(x_[0] / motion_->length() * 180 / std::numbers::pi);
                  }),
-        measured(
+        probe_of(
             "shadow_energy", "Ẽ", "J", "E − Δt/2 v·K x, which semi-implicit Euler keeps in place of the energy",
-            [this] { return shadow_energy(); }, {}, [this] { return why_shadow_energy(); }),
-        measured(
+            [this] { return shadow_energy(); }, [this] { return why_shadow_energy(); }),
+        probe_of(
             "growth_measured", "ρ_m", "",
             "by which a step multiplies the motion: the largest eigenvalue of the map that took the latest two states to the "
             "next two; of a pendulum or a pair √(E/E₀) per step of the whole run",
-            [this] { return measured_growth(); },
-            [this](Real) { return measures_map() && measured_growth() ? theoretical_growth(*this) : std::nullopt; }),
-        measured(
+            [this] { return measured_growth(); })
+            .exactly([this](Real) { return measures_map() && measured_growth() ? theoretical_growth(*this) : std::nullopt; }),
+        probe_of(
             "growth_theory", "ρ", "",
             "the largest eigenvalue of the step's matrix, for the fastest mode or for small swings: above 1 it grows "
             "without end",
-            [this] { return theoretical_growth(*this); }, {}, [this] { return why_growth(); }),
-        measured(
-            "frequency_measured", "ω_m", "rad/s", "the angle by which that map turns, over Δt",
-            [this] { return measured_frequency(*this); },
-            [this](Real) { return measured_frequency(*this) ? theoretical_frequency() : std::nullopt; }),
-        measured(
+            [this] { return theoretical_growth(*this); }, [this] { return why_growth(); }),
+        probe_of("frequency_measured", "ω_m", "rad/s", "the angle by which that map turns, over Δt",
+                 [this] { return measured_frequency(*this); })
+            .exactly([this](Real) { return measured_frequency(*this) ? theoretical_frequency() : std::nullopt; }),
+        probe_of(
             "frequency_theory", "ω′", "rad/s", "of the scheme; undamped semi-implicit Euler has sin(ω′Δt/2) = ωΔt/2",
-            [this] { return theoretical_frequency(); }, {}, [this] { return why_frequency(); }),
-        measured(
-            "period", "T", "s",
-            "of the latest swings, from one rise through 0 to the next; of a pendulum it grows with the amplitude",
-            [this] { return rhythm_.period(); }, [this](Real) { return rhythm_.period() ? exact_period(*this) : std::nullopt; }),
-        measured(
+            [this] { return theoretical_frequency(); }, [this] { return why_frequency(); }),
+        probe_of("period", "T", "s",
+                 "of the latest swings, from one rise through 0 to the next; of a pendulum it grows with the amplitude",
+                 [this] { return rhythm_.period(); })
+            .exactly([this](Real) { return rhythm_.period() ? exact_period(*this) : std::nullopt; }),
+        probe_of(
             "artificial_damping", "ζ_a", "", "damping ratio that the scheme adds to the true one; below 0 it feeds the motion",
-            [this] { return artificial_damping(*this); }, {},
+            [this] { return artificial_damping(*this); },
             [this]() -> Explanation {
                 return {"ζ_a = − ln(ρ) / (ω Δt) − ζ", {Input::now("ρ", "growth_theory", 0), omega, dt, zeta}};
             }),
-        measured("force_evaluations", "", "",
+        probe_of("force_evaluations", "", "",
                  "of the latest step; an implicit scheme evaluates the force, and its slope, once in each Newton iteration",
                  [this] { return counts_[1]; }),
-        measured("force_evaluations_in_all", "", "", "since the start", [this] { return counts_[2]; }),
-        measured("newton_iterations_used", "", "", "of the latest step",
+        probe_of("force_evaluations_in_all", "", "", "since the start", [this] { return counts_[2]; }),
+        probe_of("newton_iterations_used", "", "", "of the latest step",
                  [this] { return implicit() ? std::optional<Real>(static_cast<Real>(integrator_->passes())) : std::nullopt; }),
-        measured(
-            "order", "p", "", "slope of log error against log Δt at a fixed time, from runs of their own with ever smaller steps",
-            [this] { return order(); }, [this](Real) { return std::optional(static_cast<Real>(info_of(scheme).order)); })};
+        probe_of("order", "p", "",
+                 "slope of log error against log Δt at a fixed time, from runs of their own with ever smaller steps",
+                 [this] { return order(); })
+            .exactly([this](Real) { return std::optional(static_cast<Real>(info_of(scheme).order)); })};
 }
 
 // ------------------------------------------------------------------------------------------------------ measured now
