@@ -31,7 +31,7 @@ const std::map<std::string, Names> allowed_folders{
     {"core/pliant/particles", {"math", "continuum", "mesh", "time"}},
     {"core/pliant/fluids", {"math", "continuum", "mesh", "time"}},
     {"core/pliant/text", {"math"}},
-    {"core/pliant/formula", {"math"}},
+    {"core/pliant/formula", {"math", "text"}},
     {"core/pliant/lesson", {"math", "text", "formula"}},
     {"core/pliant/run", {"math", "text", "formula", "lesson"}},
     {"core/pliant/document", {"math", "text", "formula", "lesson", "run"}},

@@ -27,7 +27,6 @@ void check_briefly(Runner& runner, const std::string& where) {
 
 TEST_CASE("explanations hold in every scene, method and preset", "[slow][every_lesson]") {
     for (const LessonEntry& entry : every_lesson()) {
-        formula_tally().begin();
         const auto made = entry.make();
         for (const Parameter* p : made->parameters) {
             if (p->info.kind != Kind::choice && p->info.kind != Kind::toggle) continue;
@@ -40,12 +39,6 @@ TEST_CASE("explanations hold in every scene, method and preset", "[slow][every_l
             Runner runner(entry, preset(entry, name).parameters);
             check_briefly(runner, std::string(entry.info.id) + " preset " + name);
         }
-        // Matrices, sums over families within a formula, and what is found by other means than a formula.
-        constexpr std::size_t few = 40;
-        WARN(entry.info.id << ": " << formula_tally().wrong() << " of " << formula_tally().all()
-                           << " formulas cannot be checked:\n"
-                           << formula_tally().text());
-        CHECK(formula_tally().wrong() <= few);
     }
 }
 

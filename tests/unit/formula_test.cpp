@@ -7,12 +7,14 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 using namespace pliant;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -24,10 +26,9 @@ struct Given {
 };
 
 Formula formula(std::string text, const std::vector<Given>& given) {
-    std::vector<std::string> symbols;
-    std::vector<Unit> units;
-    for (const Given& g : given) symbols.push_back(g.symbol), units.emplace_back(g.unit);
-    return Formula(std::move(text), std::move(symbols), std::move(units));
+    std::vector<FormulaSymbol> symbols;
+    for (const Given& g : given) symbols.push_back({g.symbol, Unit(g.unit)});
+    return Formula(std::move(text), std::move(symbols));
 }
 
 std::vector<Real> values_of(const std::vector<Given>& given) {
@@ -162,6 +163,110 @@ TEST_CASE("formula: sine takes degrees where the angle is given in degrees") {
     CHECK(value("y = φ π / 180°", {{"φ", 180, "°"}}) == std::numbers::pi);
     CHECK(unit_of("y = φ π / 180°", {{"φ", 30, "°/m"}}) == "1/m");
     CHECK_THAT(unit_of("y = φ + 1", {{"φ", 30, "°"}}), ContainsSubstring("° and a number"));
+}
+
+namespace {
+
+// x_i and w_i are families of this size; a is one number.
+struct Families {
+    std::vector<Real> x, w;
+    Real a = 1.5;
+    std::vector<FormulaSymbol> symbols{{"x_i", Unit("m"), true}, {"w_i", Unit("kg"), true}, {"a", Unit("m")}};
+    std::vector<FormulaNumbers> numbers() const { return {{x.data(), x.size()}, {w.data(), w.size()}, {&a}}; }
+    Real value(const std::string& text) const { return Formula(text, symbols).evaluate(numbers()); }
+};
+
+}  // namespace
+
+TEST_CASE("formula: sums and extrema over families") {
+    const Families f{.x = {1, -4, 2.5}, .w = {2, 3, 5}};
+    CHECK(f.value("y = Σ_i w_i x_i") == 2 - 12 + 12.5);
+    CHECK(f.value("y = ½ Σ w_i x_i² + a") == (2 + 48 + 31.25) / 2 + 1.5);
+    CHECK_THAT(f.value("y = a − Σ_i x_i w_i / a"), WithinRel(1.5 - 2.5 / 1.5, 1e-14));
+    CHECK(f.value("y = max_i x_i") == 2.5);
+    CHECK(f.value("y = max |x_i|") == 4);
+    CHECK(f.value("y = min_i(x_i w_i)") == -12);
+    CHECK(f.value("y = mean x_i") == -0.5 / 3);
+    CHECK(f.value("y = max(max |x_i|, a)") == 4);
+    CHECK(f.value("y = Σ_i (x_i − mean x_i) (w_i − mean w_i)") == f.value("y = Σ x_i w_i − mean x_i Σ w_i"));
+    CHECK(Formula("y = Σ w_i x_i", f.symbols).check_units().unit == Unit("kg m"));
+    CHECK_THAT(Formula("y = Σ w_i x_i + a", f.symbols).check_units().mismatch, ContainsSubstring("kg m and m"));
+    CHECK(Formula("y = max_i x_i / mean_i x_i", f.symbols).check_units().unit == Unit());
+    CHECK(Formula("E = Σ_i w_i x_i", f.symbols).latex() == "E = \\sum_{i} w_{i} x_{i}");
+    CHECK(Formula("y = max_i x_i", f.symbols).latex() == "y = \\max_{i} x_{i}");
+    CHECK(Families{}.value("y = Σ x_i") == 0);
+    CHECK_THROWS_AS(Families{}.value("y = max x_i"), BadFormula);
+    CHECK_THROWS_AS((Families{.x = {1}, .w = {1, 2}}.value("y = Σ x_i w_i")), BadFormula);
+    CHECK_THROWS_AS(f.value("y = x_i"), BadFormula);
+    CHECK_THROWS_AS(f.value("y = Σ a"), BadFormula);
+}
+
+TEST_CASE("formula: families and named functions are differentiated") {
+    const Families f{.x = {1, -4, 2.5}, .w = {2, 3, 5}};
+    const auto squares = [](std::span<const Real> v) {
+        Real sum = 0;
+        for (const Real one : v) sum += one * one;
+        return sum;
+    };
+    for (const char* text : {"y = Σ_i w_i x_i² + a", "y = max_i |x_i w_i| a", "y = min x_i + a mean(x_i² w_i)",
+                             "y = Σ_i (x_i − mean x_i)² / Σ w_i", "y = a s(x_i, a) + Σ w_i", "y = Σ_i a x_i s(w_i)"}) {
+        CAPTURE(text);
+        Families moved = f;
+        const Formula formula(text, f.symbols, {{"s", Unit(), squares}});
+        const std::vector<Real> g = formula.gradient(f.numbers());
+        REQUIRE(g.size() == 7);
+        for (std::size_t k = 0; k < 7; ++k) {
+            constexpr Real h = 1e-5;
+            Real& number = k < 3 ? moved.x[k] : k < 6 ? moved.w[k - 3] : moved.a;
+            const Real kept = number;
+            number = kept + h;
+            const Real above = formula.evaluate(moved.numbers());
+            number = kept - h;
+            const Real below = formula.evaluate(moved.numbers());
+            number = kept;
+            CHECK_THAT(g[k], WithinAbs((above - below) / (2 * h), 1e-4 * (1 + std::abs(g[k]))));
+        }
+    }
+}
+
+// Pieces of formulas and what is none, put together by a generator of fixed seed.
+TEST_CASE("formula: any text is read or refused at a letter of it, and no letter of it is lost") {
+    const std::vector<std::string> pieces{"x",  "x_i", "Σ",   "Σ_i ", "max", "mean ", "(", ")",    "|",    "²",
+                                          "⁻¹", "^",   "√",   "½",    " ",   "   ",   "+", "−",    "·",    "/",
+                                          "=",  ",",   "1.5", "det(", "π",   "°",     "Δ", "ε̄",    "\xce", "_",
+                                          "a",  "sin", "10",  "e",    "∇",   "…",     "[", "\xff", "\n"};
+    std::uint32_t state = 1;
+    const auto next = [&](std::size_t below) {
+        state = state * 1664525u + 1013904223u;
+        return static_cast<std::size_t>(state >> 8) % below;
+    };
+    const std::vector<FormulaSymbol> symbols{{"x", Unit("m")}, {"x_i", Unit("m"), true}, {"a", Unit()}, {"ε̄", Unit()}};
+    const std::vector<Real> many{1, -2, 3};
+    const Real one = 0.5;
+    const std::vector<FormulaNumbers> numbers{{&one}, {many.data(), many.size()}, {&one}, {&one}};
+    const std::vector<std::string> units{"m", "m", "", ""};
+    std::size_t read = 0;
+    for (int k = 0; k < 20000; ++k) {
+        std::string text = k % 2 ? "y = " : "";
+        for (std::size_t n = 1 + next(9); n > 0; --n) text += pieces[next(pieces.size())];
+        try {
+            const Formula f(text, symbols, {{"det", Unit(), [](std::span<const Real> v) { return v[0]; }}});
+            ++read;
+            const std::string whole = std::string(f.left()) + std::string(f.right()) + std::string(f.remark());
+            std::string letters = text, kept = whole;
+            std::erase_if(letters, [](char c) { return c == ' '; });
+            std::erase_if(kept, [](char c) { return c == ' '; });
+            if (const std::size_t equals = letters.find('='); equals != letters.npos) letters.erase(equals, 1);
+            CHECK(kept == letters);
+            f.check_units();
+            CHECK(f.gradient(numbers).size() == 6);
+            CHECK(!f.with_numbers(numbers, units).empty());
+            CHECK(!f.latex().empty());
+        } catch (const BadFormula& e) {
+            CHECK_THAT(e.what(), ContainsSubstring("cannot be read at letter") && ContainsSubstring("^"));
+        }
+    }
+    CHECK(read > 500);
 }
 
 TEST_CASE("formula: a unit is written as people write it") {

@@ -21,7 +21,7 @@ int why(const RunOptions& options, const WhyOptions& w) {
     if (!w.stage.empty()) runner.run_to_stage(w.stage);
     const Answer answer = pliant::why(runner, w.field, w.index, w.component, std::max(w.depth, 1));
     print(options.json ? why_json(answer, w.depth) : why_text(answer));
-    return 0;
+    return has_trouble(answer) ? static_cast<int>(ExitCode::check_failed) : 0;
 }
 
 }  // namespace pliant::viewer

@@ -39,8 +39,14 @@ void formula_block(LabState& lab, const Answer& a) {
     if (a.formula.empty()) return;
     const float size = lab.fonts.medium->FontSize, width = ImGui::GetContentRegionAvail().x;
     formula_item(lab.fonts.mathematics, a.formula, size, width);
+    if (!a.trouble.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
+        wrapped("This formula cannot be evaluated. " + a.trouble);
+        ImGui::PopStyleColor();
+        return;
+    }
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));
-    formula_item(lab.fonts.mathematics, a.substituted, size, width);
+    formula_item(lab.fonts.mathematics, a.substituted, size, width, Numbers::with_units);
     ImGui::PopStyleColor();
     if (const std::string words = unit_words(a); !words.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));

@@ -20,6 +20,11 @@ constexpr float script_size = 0.72f, smallest_script = 0.55f, fraction_size = 0.
 constexpr float around_sign = 0.20f, around_relation = 0.25f, after_comma = 0.22f, between_formulas = 1.1f, beside_words = 0.24f,
                 between_factors = 0.13f, after_name = 0.14f;
 constexpr float least_before_breaking = 0.7f;
+
+// Indices stand below it: of Σ, and of max, min and mean.
+bool takes_limits(const Notation& n) {
+    return n.kind == Kind::large || (n.kind == Kind::name && (n.text == "max" || n.text == "min" || n.text == "mean"));
+}
 constexpr float fraction_gap = 0.10f, rule = 0.055f, line_gap = 0.30f, indent = 1.2f;
 
 // The layout of one formula at one size.
@@ -106,7 +111,7 @@ float Setter::gap_between(const Notation* before, const Notation& next) const {
     const bool sign = is(before, Kind::sign) || next.kind == Kind::sign;
     if (sign) return size_ * (next.spaced ? around_sign : 0.04f);
     if (is(before, Kind::name) && next.kind != Kind::fence && next.text != "(") return size_ * after_name;
-    if (is(before, Kind::large) || (is(before, Kind::scripts) && is(&before->of[0], Kind::large))) return size_ * after_name;
+    if (is(before, Kind::large) || (is(before, Kind::scripts) && takes_limits(before->of[0]))) return size_ * after_name;
     if (is(before, Kind::prefix)) return 0;
     return next.spaced ? size_ * between_factors : 0;
 }
@@ -137,7 +142,7 @@ MathBox Setter::piece(const Notation& n) const {
         case Kind::root:
             return root(n);
         case Kind::scripts:
-            return n.of[0].kind == Kind::large ? limits(n) : scripts(n);
+            return takes_limits(n.of[0]) ? limits(n) : scripts(n);
         case Kind::accent:
             return accent(n);
         case Kind::fence:

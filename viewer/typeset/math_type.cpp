@@ -62,8 +62,8 @@ void draw_item(const MathType& type, const MathBox& box, unsigned colour) {
     ImGui::Dummy({box.width, box.height()});
 }
 
-void formula_item(const MathType& type, std::string_view text, float size, float width) {
-    draw_item(type, set_formula(notation(text), type, size, width), ImGui::GetColorU32(ImGuiCol_Text));
+void formula_item(const MathType& type, std::string_view text, float size, float width, Numbers numbers) {
+    draw_item(type, set_formula(notation(text, numbers), type, size, width), ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 }  // namespace pliant::viewer

@@ -33,6 +33,6 @@ private:
 // As an item of ImGui at its cursor.
 void draw_item(const MathType& type, const MathBox& box, unsigned colour);
 // A formula no wider than `width`, in the colour of ImGui's text; size: height of a line of type, px.
-void formula_item(const MathType& type, std::string_view text, float size, float width);
+void formula_item(const MathType& type, std::string_view text, float size, float width, Numbers numbers = Numbers::plain);
 
 }  // namespace pliant::viewer

@@ -44,6 +44,7 @@ Json json_of(const Answer& a, int depth) {
     j["stage"] = a.stage;
     j["formula"] = a.formula;
     j["substituted"] = a.substituted;
+    if (!a.trouble.empty()) j["error"] = a.trouble;
     if (!a.latex.empty()) j["latex"] = a.latex;
     if (!a.unit_check.empty()) j["unit_check"] = a.unit_check;
     j["inputs"] = Json::array();
@@ -51,6 +52,7 @@ Json json_of(const Answer& a, int depth) {
     for (const Answer& input : a.inputs) {
         j["inputs"].push_back(json_of(input, depth - 1));
         j["inputs"].back()["sensitivity"] = input.sensitivity;
+        if (a.by_differences) j["inputs"].back()["sensitivity_by"] = "differences";
     }
     return j;
 }
@@ -91,7 +93,8 @@ void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
     text += fmt::format("{:{}}{} = {}{}\n", "", indent, name_of(a), format_quantity(a.value, a.unit, 7),
                         origin.empty() ? "" : fmt::format("   ({})", origin));
     if (!a.formula.empty()) text += fmt::format("{:{}}{}\n", "", indent + 4, a.formula);
-    if (a.substituted != a.formula) text += fmt::format("{:{}}{}\n", "", indent + 4, a.substituted);
+    if (!a.trouble.empty()) text += fmt::format("{:{}}the formula cannot be evaluated\n{}\n", "", indent + 4, a.trouble);
+    if (!a.substituted.empty() && a.substituted != a.formula) text += fmt::format("{:{}}{}\n", "", indent + 4, a.substituted);
     if (const std::string words = unit_words(a); !words.empty()) text += fmt::format("{:{}}{}\n", "", indent + 4, words);
     if (!with_inputs) return;
     const auto parts = static_cast<std::size_t>(std::ranges::count(a.inputs, Answer::Kind::part, &Answer::kind));
@@ -102,6 +105,8 @@ void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
 }
 
 }  // namespace
+
+bool has_trouble(const Answer& a) { return !a.trouble.empty() || std::ranges::any_of(a.inputs, has_trouble); }
 
 std::string unit_words(const Answer& a) {
     if (a.unit_check.empty() || a.unit_check == "ok") return "";

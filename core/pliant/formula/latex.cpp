@@ -30,7 +30,7 @@ constexpr std::array<Command, 58> commands{
      {"°", "^{\\circ}"},    {"′", "\\prime"},   {"%", "\\%"},         {"~", "\\sim"},
      {"∠", "\\angle"},      {"⟨", "\\langle"},  {"⟩", "\\rangle"},    {"⇔", "\\Leftrightarrow"},
      {"−=", "-="},          {"Ẽ", "\\tilde{E}"}}};
-constexpr std::array<Command, 11> names{{{"asin", "\\arcsin"},
+constexpr std::array<Command, 12> names{{{"asin", "\\arcsin"},
                                          {"acos", "\\arccos"},
                                          {"atan", "\\arctan"},
                                          {"log10", "\\log_{10}"},
@@ -40,6 +40,7 @@ constexpr std::array<Command, 11> names{{{"asin", "\\arcsin"},
                                          {"grad", "\\operatorname{grad}"},
                                          {"curl", "\\operatorname{curl}"},
                                          {"diag", "\\operatorname{diag}"},
+                                         {"mean", "\\operatorname*{mean}"},
                                          {"floor", "\\operatorname{floor}"}}};
 constexpr std::array<std::string_view, 12> own_names{"sin", "cos", "tan", "sinh", "cosh", "tanh",
                                                      "exp", "ln",  "log", "min",  "max",  "det"};

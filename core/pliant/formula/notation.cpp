@@ -62,8 +62,8 @@ std::string_view accent_of(char32_t c) {
 // Pieces that a fraction may take as a factor.
 bool is_factor(const Notation& n) {
     return n.kind == Kind::variable || n.kind == Kind::digits || n.kind == Kind::name || n.kind == Kind::fraction ||
-           n.kind == Kind::root || n.kind == Kind::scripts || n.kind == Kind::accent || n.kind == Kind::fence ||
-           (n.kind == Kind::prefix && n.text != "−");
+           n.kind == Kind::root || n.kind == Kind::row || n.kind == Kind::scripts || n.kind == Kind::accent ||
+           n.kind == Kind::fence || (n.kind == Kind::prefix && n.text != "−");
 }
 bool is_product_sign(const Notation& n) { return n.kind == Kind::sign && (n.text == "·" || n.text == "×"); }
 
@@ -364,8 +364,18 @@ private:
             at_ = end + (run == "log" && text_.substr(end, 2) == "10" ? 2 : run == "atan" && text_.substr(end, 1) == "2" ? 1 : 0);
             return {.kind = Kind::name, .text = slice(from)};
         }
+        if (run == "mean" && is_mean_of(end)) return at_ = end, Notation{.kind = Kind::name, .text = slice(from)};
         if (is_word(from, end) || is_article(before, from, end)) return words(from, end);
         return combined({.kind = Kind::variable, .text = std::string(take_letter())});
+    }
+    // "mean x_i", "mean_i x_i", "mean(x)"; else it is a word.
+    bool is_mean_of(std::size_t end) const {
+        if (end >= text_.size()) return false;
+        const char32_t next = code_point(text_, end).letter;
+        if (next != ' ') return next == '_' || next == '(' || !lowered(next).empty();
+        if (end + 1 >= text_.size()) return false;
+        const char32_t operand = code_point(text_, end + 1).letter;
+        return operand == '|' || operand == '(' || (is_letter(operand) && !is_word(end + 1, run_end(end + 1)));
     }
     // "a" before a word.
     bool is_article(const Notation& before, std::size_t from, std::size_t end) const {

@@ -1,5 +1,6 @@
 #include <pliant/formula/reader.h>
 #include <pliant/formula/unicode.h>
+#include <pliant/text/suggest.h>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Function>, 16> function_names{{{"asin", Function::asin},
+constexpr std::array<std::pair<std::string_view, Function>, 17> function_names{{{"asin", Function::asin},
                                                                                 {"acos", Function::acos},
                                                                                 {"atan2", Function::atan2},
                                                                                 {"atan", Function::atan},
@@ -27,6 +28,7 @@ constexpr std::array<std::pair<std::string_view, Function>, 16> function_names{{
                                                                                 {"log10", Function::log10},
                                                                                 {"min", Function::min},
                                                                                 {"max", Function::max},
+                                                                                {"mean", Function::mean},
                                                                                 {"floor", Function::floor}}};
 
 constexpr std::array<std::pair<char32_t, Real>, 8> fractions{{{U'½', 1.0 / 2},
@@ -40,19 +42,28 @@ constexpr std::array<std::pair<char32_t, Real>, 8> fractions{{{U'½', 1.0 / 2},
 
 bool takes_several(Function f) { return f == Function::min || f == Function::max || f == Function::atan2; }
 
-std::size_t letters_before(std::string_view text, std::size_t byte) {
-    std::size_t letters = 0;
-    for (std::size_t i = 0; i < byte && i < text.size(); ++letters) i += code_point(text, i).bytes;
-    return letters;
+bool takes_families(Function f) { return f == Function::min || f == Function::max || f == Function::mean; }
+
+struct Column {
+    std::size_t letters = 0, width = 0;  // before it; an accent above a letter takes no room of its own
+};
+Column column_of(std::string_view text, std::size_t byte) {
+    Column column;
+    for (std::size_t i = 0; i < byte && i < text.size(); ++column.letters) {
+        const CodePoint c = code_point(text, i);
+        column.width += !(c.letter >= 0x300 && c.letter <= 0x36f);
+        i += c.bytes;
+    }
+    return column;
 }
 
 }  // namespace
 
-int symbol_at(std::string_view text, std::size_t at, std::span<const std::string> symbols) {
+int symbol_at(std::string_view text, std::size_t at, std::span<const FormulaSymbol> symbols) {
     int found = -1;
     std::size_t longest = 0;
     for (std::size_t k = 0; k < symbols.size(); ++k) {
-        const std::string& symbol = symbols[k];
+        const std::string& symbol = symbols[k].text;
         if (symbol.size() <= longest || text.substr(at, symbol.size()) != symbol) continue;
         const std::size_t end = at + symbol.size();
         if (end < text.size() && continues_symbol(code_point(text, end).letter)) continue;
@@ -68,9 +79,24 @@ std::string_view name_of(Function function) {
 
 BadFormula::BadFormula(std::string_view text, std::size_t at_byte, std::string_view what)
     : Error(ExitCode::check_failed,
-            fmt::format("\"{}\" cannot be read at letter {}: {}", text, letters_before(text, at_byte) + 1, what)) {}
+            fmt::format("\"{}\" cannot be read at letter {}: {}\n  {}\n  {:{}}^", text, column_of(text, at_byte).letters + 1,
+                        what, text, "", column_of(text, at_byte).width)) {}
 
 void FormulaReader::refuse(std::string_view what) const { throw BadFormula(text_, at_, what); }
+
+void FormulaReader::refuse_unknown() const {
+    std::size_t end = at_;
+    while (end < f_.right_end_ && continues_symbol(code_point(text_, end).letter)) end += code_point(text_, end).bytes;
+    const std::string name(text_.substr(at_, end - at_));
+    std::vector<std::string> known;
+    std::string all;
+    for (const FormulaSymbol& s : f_.symbols_) {
+        known.push_back(s.text);
+        all += (all.empty() ? "" : ", ") + s.text;
+    }
+    refuse(all.empty() ? fmt::format("no symbol '{}' is declared, nor any other", name)
+                       : fmt::format("no symbol '{}' is declared{}; there are: {}", name, did_you_mean(name, known), all));
+}
 
 void FormulaReader::read() {
     split();
@@ -84,6 +110,7 @@ void FormulaReader::read() {
         f_.remark_begin_ = at_;
     }
     while (f_.right_end_ > f_.right_begin_ && text_[f_.right_end_ - 1] == ' ') --f_.right_end_;
+    check_families();
 }
 
 // The first sign of equality divides the sides.
@@ -167,11 +194,12 @@ int FormulaReader::primary() {
     skip_blanks();
     const std::size_t begin = at_;
     if (const int k = symbol_here(); k >= 0) {
-        at_ += f_.symbols_[static_cast<std::size_t>(k)].size();
+        at_ += f_.symbols_[static_cast<std::size_t>(k)].text.size();
         const int node = add(Operation::symbol, {}, begin);
         f_.nodes_.back().symbol = k;
         return node;
     }
+    if (const int k = named_here(); k >= 0) return call(k);
     if (const auto function = function_here()) return call(*function);
     if (const auto value = fraction_here()) {
         at_ += code_point(text_, at_).bytes;
@@ -182,9 +210,10 @@ int FormulaReader::primary() {
     if (c == '(') return grouped();
     if (c == '|') return magnitude();
     if (c == U'√') return root();
+    if (c == U'Σ') return total();
     if (take(U'π')) return add_number(std::numbers::pi, begin);
     if (c == 0) refuse("the formula ends where a number or a symbol is expected");
-    if (is_letter(c)) refuse("no symbol of this name is declared");
+    if (is_letter(c)) refuse_unknown();
     refuse("a number, a symbol or a parenthesis is expected here");
 }
 
@@ -215,12 +244,15 @@ int FormulaReader::root() {
     return add(Operation::root, {inner}, begin);
 }
 
-// "cos θ", "max(a, b)", "sin²(κ/2)"
+// "cos θ", "max(a, b)", "sin²(κ/2)", "max_i |x_i|"
 int FormulaReader::call(Function function) {
     const std::size_t begin = at_;
+    const int first = node_count();
     at_ += name_of(function).size();
+    if (takes_families(function)) skip_index();
     const std::size_t raised_at = at_;
     const auto exponent = exponent_digits();
+    const std::size_t raised_end = at_;
     std::vector<int> of;
     if (take('(')) {
         const int bars = std::exchange(bars_, 0);
@@ -231,11 +263,86 @@ int FormulaReader::call(Function function) {
     } else {
         of.push_back(primary());
     }
-    int node = add(Operation::call, std::move(of), begin);
-    f_.nodes_.back().function = function;
+    int node;
+    if (takes_families(function) && of.size() == 1 && (function == Function::mean || has_free_family(first, node_count()))) {
+        node = over_families(function == Function::mean  ? Operation::mean
+                             : function == Function::max ? Operation::largest
+                                                         : Operation::smallest,
+                             first, of[0], begin);
+    } else {
+        node = add(Operation::call, std::move(of), begin);
+        f_.nodes_.back().function = function;
+    }
     if (!exponent) return node;
     const int power = add_number(*exponent, raised_at);
+    f_.nodes_.back().end = raised_end;
     return add(Operation::power, {node, power}, begin);
+}
+
+// A family alone is an argument as a whole.
+int FormulaReader::call(int named) {
+    const std::size_t begin = at_;
+    at_ += f_.functions_[static_cast<std::size_t>(named)].name.size();
+    take('(');
+    const int bars = std::exchange(bars_, 0);
+    std::vector<int> of;
+    do {
+        skip_blanks();
+        const std::size_t from = at_;
+        const int k = symbol_here();
+        if (k >= 0 && f_.symbols_[static_cast<std::size_t>(k)].family) {
+            at_ += f_.symbols_[static_cast<std::size_t>(k)].text.size();
+            skip_blanks();
+            if (here() == ',' || here() == ')') {
+                of.push_back(add(Operation::family, {}, from));
+                f_.nodes_.back().symbol = k;
+                continue;
+            }
+            at_ = from;
+        }
+        of.push_back(sum());
+    } while (take(','));
+    bars_ = bars;
+    if (!take(')')) refuse("the parenthesis of a function is not closed");
+    const int node = add(Operation::named, std::move(of), begin);
+    f_.nodes_.back().symbol = named;
+    return node;
+}
+
+// "Σ_b K_ab u_b": of the whole term that follows.
+int FormulaReader::total() {
+    const std::size_t begin = at_;
+    const int first = node_count();
+    take(U'Σ');
+    skip_index();
+    const int term = product();
+    return over_families(Operation::total, first, term, begin);
+}
+
+bool FormulaReader::has_free_family(int first, int last) const {
+    for (int k = first; k < last; ++k) {
+        const FormulaNode& n = f_.nodes_[static_cast<std::size_t>(k)];
+        if (n.operation == Operation::symbol && n.repeated_for < 0 && f_.symbols_[static_cast<std::size_t>(n.symbol)].family)
+            return true;
+    }
+    return false;
+}
+
+int FormulaReader::over_families(Operation operation, int first, int inner, std::size_t begin) {
+    if (!has_free_family(first, node_count())) throw BadFormula(text_, begin, "no family of numbers stands in what it runs over");
+    const int node = add(operation, {inner}, begin);
+    f_.nodes_.back().first = first;
+    for (int k = first; k < node; ++k) {
+        FormulaNode& n = f_.nodes_[static_cast<std::size_t>(k)];
+        if (n.repeated_for < 0 && !runs_over_family(n.operation)) n.repeated_for = node;
+    }
+    return node;
+}
+
+void FormulaReader::check_families() const {
+    for (const FormulaNode& n : f_.nodes_)
+        if (n.operation == Operation::symbol && n.repeated_for < 0 && f_.symbols_[static_cast<std::size_t>(n.symbol)].family)
+            throw BadFormula(text_, n.begin, "this stands for many numbers: take them by Σ, max, min or mean");
 }
 
 int FormulaReader::number() {
@@ -267,7 +374,7 @@ bool FormulaReader::take(char32_t letter) {
 
 bool FormulaReader::begins_factor() {
     skip_blanks();
-    if (symbol_here() >= 0 || function_here() || fraction_here()) return true;
+    if (symbol_here() >= 0 || named_here() >= 0 || function_here() || fraction_here()) return true;
     const char32_t c = here();
     return is_digit(c) || is_letter(c) || c == '(' || c == U'√' || (c == '|' && bars_ == 0);
 }
@@ -298,9 +405,31 @@ std::optional<Function> FormulaReader::function_here() const {
     for (const auto& [name, function] : function_names) {
         if (text_.substr(at_, name.size()) != name) continue;
         const std::size_t end = at_ + name.size();
-        if (end < f_.right_end_ && !continues_symbol(code_point(text_, end).letter)) return function;
+        if (end >= f_.right_end_) continue;
+        const char32_t next = code_point(text_, end).letter;
+        if (!continues_symbol(next) || (takes_families(function) && (next == '_' || !lowered(next).empty()))) return function;
     }
     return std::nullopt;
+}
+
+int FormulaReader::named_here() const {
+    int found = -1;
+    std::size_t longest = 0;
+    for (std::size_t k = 0; k < f_.functions_.size(); ++k) {
+        const std::string& name = f_.functions_[k].name;
+        if (name.size() <= longest || text_.substr(at_, name.size()) != name) continue;
+        if (at_ + name.size() < f_.right_end_ && text_[at_ + name.size()] == '(')
+            found = static_cast<int>(k), longest = name.size();
+    }
+    return found;
+}
+
+void FormulaReader::skip_index() {
+    while (here() != 0 && (here() == '_' || !lowered(here()).empty())) {
+        const bool word = here() == '_';
+        at_ += code_point(text_, at_).bytes;
+        while (word && (is_letter(here()) || is_digit(here()))) at_ += code_point(text_, at_).bytes;
+    }
 }
 
 std::optional<Real> FormulaReader::fraction_here() const {

@@ -22,7 +22,7 @@ std::string unit_words(const Unit& unit) { return unit.is_number() ? "a number" 
 
 class UnitSweep {
 public:
-    UnitSweep(const Formula& formula, std::span<const Unit> units) : formula_(formula), units_(units) {
+    explicit UnitSweep(const Formula& formula) : formula_(formula) {
         for (const FormulaNode& n : formula.nodes()) found_.push_back(of(n));
     }
     const Found& whole() const { return found_.back(); }
@@ -76,9 +76,16 @@ private:
             case Operation::number:
                 return n.of_degrees ? Found(Unit("°")) : n.number == 0 ? Found() : Found(Unit());
             case Operation::symbol:
-                return units_[static_cast<std::size_t>(n.symbol)];
+            case Operation::family:
+                return formula_.symbols()[static_cast<std::size_t>(n.symbol)].unit;
+            case Operation::named:
+                return formula_.functions()[static_cast<std::size_t>(n.symbol)].unit;
             case Operation::negative:
             case Operation::magnitude:
+            case Operation::total:
+            case Operation::mean:
+            case Operation::largest:
+            case Operation::smallest:
                 return operand(0);
             case Operation::sum:
             case Operation::difference:
@@ -98,7 +105,6 @@ private:
     }
 
     const Formula& formula_;
-    std::span<const Unit> units_;
     std::vector<Found> found_;
 };
 
@@ -106,7 +112,7 @@ private:
 
 Formula::UnitCheck Formula::check_units() const {
     try {
-        return {UnitSweep(*this, units_).whole(), ""};
+        return {UnitSweep(*this).whole(), ""};
     } catch (const Mismatch& m) {
         return {std::nullopt, m.words};
     }
@@ -115,7 +121,7 @@ Formula::UnitCheck Formula::check_units() const {
 void Formula::mark_degrees() {
     std::optional<UnitSweep> sweep;
     try {
-        sweep.emplace(*this, units_);
+        sweep.emplace(*this);
     } catch (const Mismatch&) {
         return;  // told by check_units
     }

@@ -53,6 +53,9 @@ Probe probe_of(std::string_view name, std::string_view symbol, std::string_view 
     Probe probe{.name = name, .symbol = symbol, .unit = unit, .help = help, .value = std::move(value)};
     return with(std::move(probe), &Probe::explain, std::move(why));
 }
+Probe probe_of(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help) {
+    return {.name = name, .symbol = symbol, .unit = unit, .help = help, .value = {}};
+}
 Probe Probe::exactly(std::function<std::optional<Real>(Real)> closed_form) const {
     return with(*this, &Probe::exact, std::move(closed_form));
 }

@@ -1,5 +1,3 @@
-#include <pliant/formula/formula.h>
-#include <pliant/formula/unicode.h>
 #include <pliant/lesson/explanation.h>
 #include <pliant/text/format.h>
 
@@ -7,8 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <iterator>
 
 namespace pliant {
 
@@ -34,6 +30,16 @@ Input Input::now(std::string symbol, std::string_view field, Index index, int co
     in.index = index, in.component = component;
     return in;
 }
+Input Input::all_of(std::string symbol, std::string_view field, int component) {
+    Input in = now(symbol, field, 0, component);
+    in.family = std::move(symbol), in.all = true;
+    return in;
+}
+Input Input::live(std::string symbol, std::string unit, std::string meaning, std::function<Real()> value) {
+    Input in = constant(std::move(symbol), 0, std::move(unit), std::move(meaning));
+    in.value_now = std::move(value);
+    return in;
+}
 Input Input::before(std::string symbol, std::string_view field, Index index, int component) {
     Input in = now(std::move(symbol), field, index, component);
     in.from = From::before;
@@ -51,7 +57,29 @@ Input Input::part(std::string symbol, std::string unit, Explanation why) {
     return in;
 }
 
-Input part(std::string formula, std::vector<Input> inputs) {
+Input Input::in(std::string family_symbol) const {
+    Input one = *this;
+    one.family = std::move(family_symbol);
+    return one;
+}
+
+std::string FormulaText::place() const {
+    std::string_view file = where_.file_name();
+    for (const std::string_view folder : {"lessons/", "core/", "viewer/", "tests/", "docs/"})
+        if (const std::size_t at = file.rfind(folder); at != file.npos && at > 0) {
+            file.remove_prefix(at);
+            break;
+        }
+    return fmt::format("{}:{}", file, where_.line());
+}
+
+Explanation Explanation::by(std::string name, std::string unit, std::function<Real(Values)> value) && {
+    name.resize(std::min(name.find('('), name.size()));
+    functions.push_back({std::move(name), std::move(unit), std::move(value)});
+    return std::move(*this);
+}
+
+Input part(FormulaText formula, std::vector<Input> inputs) {
     std::string symbol = formula.substr(0, formula.find(" = "));
     return Input::part(std::move(symbol), unit_from_formula, {std::move(formula), std::move(inputs)});
 }
@@ -65,145 +93,38 @@ std::string as_factor(Real value, bool raised) {
                : text;
 }
 
+Explanation fixed_value(FormulaText formula) { return {std::move(formula)}; }
+
 namespace {
 
-// Terms with their signs; of a long sum the first ones stand for all.
-template <class Sign, class Text>
-std::string signed_terms(std::size_t count, Sign is_negative, Text text_of) {
-    constexpr std::size_t most = 8;
-    const std::size_t shown = count > most ? most - 2 : count;
-    std::string text;
-    for (std::size_t k = 0; k < shown; ++k) {
-        const bool minus = is_negative(k);
-        text += k == 0 ? (minus ? "−" : "") : (minus ? " − " : " + ");
-        text += text_of(k);
-    }
-    if (shown < count) text += fmt::format(" + … ({} terms)", count);
-    return text.empty() ? "0" : text;
+Explanation nothing_added(const FormulaText& formula) {
+    Explanation e{formula};
+    static_cast<std::string&>(e.formula) = formula.substr(0, formula.find(" = ")) + " = 0: nothing is added";
+    return e;
 }
 
 }  // namespace
 
-std::string products_text(std::span<const Real> factors_in_pairs) {
-    std::vector<std::pair<Real, Real>> terms;
-    for (std::size_t k = 0; k + 1 < factors_in_pairs.size(); k += 2)
-        if (factors_in_pairs[k] != 0 && factors_in_pairs[k + 1] != 0)
-            terms.emplace_back(factors_in_pairs[k], factors_in_pairs[k + 1]);
-    return signed_terms(
-        terms.size(), [&](std::size_t k) { return terms[k].first < 0; },
-        [&](std::size_t k) { return fmt::format("{} · {}", as_factor(std::abs(terms[k].first)), as_factor(terms[k].second)); });
+std::vector<Input> family_of(const std::string& symbol, std::vector<Input> inputs) {
+    for (Input& one : inputs) one.family = symbol;
+    return inputs;
 }
 
-std::string sum_text(std::span<const Real> terms) {
-    std::vector<Real> written;
-    std::ranges::copy_if(terms, std::back_inserter(written), [](Real x) { return x != 0; });
-    return signed_terms(
-        written.size(), [&](std::size_t k) { return written[k] < 0; },
-        [&](std::size_t k) { return as_factor(std::abs(written[k])); });
+Explanation sum_of(FormulaText formula, const std::string& family, std::vector<Input> terms) {
+    if (terms.empty()) return nothing_added(formula);
+    return {std::move(formula), family_of(family, std::move(terms))};
 }
 
-Explanation fixed_value(std::string formula, Real value) {
-    return {.formula = std::move(formula), .inputs = {}, .evaluate = [value](std::span<const Real>) { return value; }};
-}
-
-Explanation sum_of(std::string formula, std::vector<Input> terms) {
-    return {.formula = std::move(formula), .inputs = std::move(terms), .making = Making::sum};
-}
-
-Real sum_of_terms(Making making, std::span<const Real> values) {
-    const std::size_t factors = factors_of(making);
-    Real total = 0;
-    for (std::size_t k = 0; k + factors <= values.size(); k += factors)
-        total += factors == 2 ? values[k] * values[k + 1] : values[k];
-    return total;
-}
-
-Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms) {
-    Explanation sum{.formula = std::move(formula), .making = Making::products};
+Explanation weighted_sum(FormulaText formula, const std::string& weights, const std::string& quantities,
+                         const std::vector<std::pair<Input, Input>>& terms) {
+    std::vector<Input> inputs;
     for (const auto& [weight, quantity] : terms) {
         if (weight.from == Input::From::constant && weight.value == 0) continue;
-        sum.inputs.push_back(weight);
-        sum.inputs.push_back(quantity);
+        inputs.push_back(weight.in(weights));
+        inputs.push_back(quantity.in(quantities));
     }
-    return sum;
-}
-
-// ------------------------------------------------------------------------------------------------------- substitution
-namespace {
-
-// Does a number beside this multiply it?
-bool multiplies(char32_t c) {
-    return is_letter(c) || is_digit(c) || c == 0xbd || c == 0xbc || c == 0x221a || c == 0xb2 || c == 0xb3;
-}
-
-char32_t last_visible(std::string_view text) {
-    char32_t last = 0;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto [c, length] = code_point(text, i);
-        if (c != ' ') last = c;
-        i += length;
-    }
-    return last;
-}
-char32_t first_visible(std::string_view text) {
-    const std::size_t at = text.find_first_not_of(' ');
-    return at == std::string_view::npos ? U'\0' : code_point(text, at).letter;
-}
-
-std::string with_numbers(std::string_view right, const std::vector<Input>& inputs, std::span<const Real> values) {
-    std::vector<std::string> symbols;
-    for (const Input& in : inputs) symbols.push_back(in.symbol);
-    std::string text;
-    char32_t before = 0;  // the code point before this place, of the formula
-    bool after_number = false;
-    for (std::size_t at = 0; at < right.size();) {
-        const auto [c, length] = code_point(right, at);
-        const int k = continues_symbol(before) && !is_digit(before) ? -1 : symbol_at(right, at, symbols);
-        if (k < 0) {
-            if (after_number && c != ' ') {
-                if (c == '(' || multiplies(first_visible(right.substr(at)))) {
-                    if (c != 0xb2 && c != 0xb3) text += text.ends_with(' ') ? "· " : " · ";
-                }
-                after_number = false;
-            } else if (c == '(' && text.ends_with(' ') && last_visible(text) == ')') {
-                text += "· ";
-            }
-            text += right.substr(at, length);
-            before = c;
-            at += length;
-            continue;
-        }
-        const char32_t last = last_visible(text);
-        const bool product = after_number || multiplies(last) || last == ')' || (last == '|' && text.ends_with(' '));
-        if (product) text += text.ends_with(' ') ? "· " : " · ";
-        const Real value = values[static_cast<std::size_t>(k)];
-        const std::size_t end = at + inputs[static_cast<std::size_t>(k)].symbol.size();
-        const char32_t next = end < right.size() ? code_point(right, end).letter : U'\0';
-        const bool alone = last == 0 || last == '(';
-        const bool raised = next == 0xb2 || next == 0xb3;
-        text += alone && !raised ? format_quantity(value, "", 6) : as_factor(value, raised);
-        before = ' ';
-        after_number = true;
-        at = end;
-    }
-    return text;
-}
-
-}  // namespace
-
-std::string substituted(const Explanation& explanation, std::span<const Real> values) {
-    const std::string_view formula = explanation.formula;
-    const std::size_t equals = formula.find('=');
-    const std::string_view left = equals == std::string_view::npos ? "" : formula.substr(0, equals + 1);
-    std::string_view right = equals == std::string_view::npos ? formula : formula.substr(equals + 1);
-    right.remove_prefix(std::min(right.find_first_not_of(' '), right.size()));
-    // A remark behind the formula holds no numbers.
-    right = right.substr(0, right.find("   ("));
-    const std::string numbers = explanation.substitute                   ? explanation.substitute(values)
-                                : explanation.making == Making::sum      ? sum_text(values)
-                                : explanation.making == Making::products ? products_text(values)
-                                                                         : with_numbers(right, explanation.inputs, values);
-    return left.empty() ? numbers : fmt::format("{} {}", left, numbers);
+    if (inputs.empty()) return nothing_added(formula);
+    return {std::move(formula), std::move(inputs)};
 }
 
 }  // namespace pliant

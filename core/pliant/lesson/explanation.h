@@ -5,9 +5,11 @@
 #include <pliant/lesson/parameter.h>
 #include <pliant/math/types.h>
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +23,22 @@ struct Question {
     Index index = 0;
     int component = 0;
 };
+
+// The text of a formula, and where in the sources it stands, for whoever has to mend it.
+class FormulaText : public std::string {
+public:
+    FormulaText() = default;
+    template <std::convertible_to<std::string> Text>
+    FormulaText(Text&& text, std::source_location where = std::source_location::current())
+        : std::string(std::forward<Text>(text)), where_(where) {}
+    // "lessons/mesh/rod/rod_why.cpp:77"
+    std::string place() const;
+
+private:
+    std::source_location where_{};
+};
+
+using Values = std::span<const Real>;
 
 struct Explanation;
 
@@ -38,79 +56,73 @@ struct Input {
         part       // an intermediate result with an explanation of its own
     };
     From from = From::constant;
-    std::string symbol;  // as the formula writes it
-    std::string name{};  // of the parameter or field; what a constant means
+    std::string symbol;    // as the formula writes it
+    std::string family{};  // of one of many: the symbol under which the formula writes all of them
+    std::string name{};    // of the parameter or field; what a constant means
     Index index = 0;
     int component = 0;
     Real value = 0;                            // of a constant; looked up for all others
     std::string unit{};                        // of a part may be unit_from_formula
     std::shared_ptr<const Explanation> why{};  // of a part
+    std::function<Real()> value_now{};         // of a constant that changes: what it is now
+    bool all = false;                          // of a probe's formula: every row of the field
 
     Input() = default;
     Input(const Parameter& parameter);  // under its own symbol: "{length, segments}" are two inputs
     static Input of(const Parameter& parameter) { return parameter; }
     static Input of(const Parameter& parameter, std::string symbol);
     static Input constant(std::string symbol, Real value, std::string unit, std::string meaning);
+    // A constant that is asked for whenever the formula is evaluated: the time, the steps that are done.
+    static Input live(std::string symbol, std::string unit, std::string meaning, std::function<Real()> value);
     static Input now(std::string symbol, std::string_view field, Index index, int component = 0);
+    // A component of all rows of a field, in the formula of a probe: a family.
+    static Input all_of(std::string symbol, std::string_view field, int component = 0);
     static Input before(std::string symbol, std::string_view field, Index index, int component = 0);
     static Input earlier(std::string symbol, std::string_view field, Index index, int component = 0);
     static Input part(std::string symbol, std::string unit, Explanation why);
+    // The same as one of a family.
+    Input in(std::string family_symbol) const;
 
 private:
     Input(From from, std::string symbol, std::string name, std::string unit);
 };
 
-// How the inputs make the value.
-enum class Making {
-    formula,  // as its right side says
-    sum,      // all inputs are added
-    products  // pairs of inputs are multiplied and added
+// What cannot be said in the grammar: it takes its arguments one after the other, of a family all.
+struct NamedFunction {
+    std::string name, unit;
+    std::function<Real(Values)> value;
 };
 
-// `formula` is "left = right"; every input's symbol stands in the right side, which is read as data and evaluated (see Formula),
-// and is replaced by its number in the substituted formula. The inputs of a sum, or of a sum of products, are its terms, and its
-// right side describes them.
-//
-// What no formula says: `evaluate` gives the value back from the values of the inputs, in their order, and `substitute` writes
-// these.
+// `formula` is "left = right", read as data and evaluated (see Formula): every input's symbol stands in the right side, or that
+// of its family, and so does the name of every function. One that cannot be read, or whose inputs have a unit that is none, is
+// told with its place in the sources wherever the answer is shown, and fails the tests.
 struct Explanation {
-    std::string formula;
+    FormulaText formula;
     std::vector<Input> inputs{};
-    std::function<Real(std::span<const Real>)> evaluate{};
-    std::function<std::string(std::span<const Real>)> substitute{};
-    Making making = Making::formula;
+    std::vector<NamedFunction> functions{};
     bool wrong_unit = false;  // on purpose: the slide's formula, which a lesson shows to be so
+
+    // With a function that its formula calls by name: Explanation{"λ = largest(F)", …}.by("largest(F)", "", …).
+    Explanation by(std::string name, std::string unit, std::function<Real(Values)> value) &&;
 };
 
 // An intermediate result: its symbol is the left side of its formula, and its unit follows from those of its inputs,
 // part("Δs = L / N", {length, segments}).
-Input part(std::string formula, std::vector<Input> inputs);
+Input part(FormulaText formula, std::vector<Input> inputs);
 
-// Σ w q: pairs of a weight and a quantity, after `head` inputs that `evaluate` of the caller may need. formula: "u = Σ w u_k".
-// Terms of weight 0 are left out.
-Explanation weighted_sum(std::string formula, const std::vector<std::pair<Input, Input>>& terms);
+// Σ w q of two families under their symbols, weighted_sum("u = Σ_k w_k q_k", "w_k", "q_k", …). Weights of 0 are left out; without
+// any other the sum is 0.
+Explanation weighted_sum(FormulaText formula, const std::string& weights, const std::string& quantities,
+                         const std::vector<std::pair<Input, Input>>& terms);
+// "f = Σ f_j", of so many inputs under one symbol. None of them gives 0.
+Explanation sum_of(FormulaText formula, const std::string& family, std::vector<Input> terms);
+// The inputs as one family.
+std::vector<Input> family_of(const std::string& symbol, std::vector<Input> inputs);
 
-// Σ q, "a + b − c + …" where numbers are put in: of quantities that are added as they are. No term gives 0.
-Explanation sum_of(std::string formula, std::vector<Input> terms);
-
-// How many inputs make a term of a sum, or of a sum of products.
-inline std::size_t factors_of(Making making) { return making == Making::products ? 2 : 1; }
-// Of the values of the inputs, where they make a sum, or a sum of products.
-Real sum_of_terms(Making making, std::span<const Real> values);
-
-// A value that follows from nothing but the words of its formula: "u = 0: held by the support".
-Explanation fixed_value(std::string formula, Real value);
-
-// The numbers of a formula written out: the right side of the formula with each symbol replaced. Negative numbers are put into
-// parentheses where an operator stands before them.
-std::string substituted(const Explanation& explanation, std::span<const Real> values);
+// "u = 0: held by the support": a value that is the number in its formula.
+Explanation fixed_value(FormulaText formula);
 
 // A number as it stands in a product: "0.5", "(-3)"; and before an exponent: "(10⁻³)".
 std::string as_factor(Real value, bool raised = false);
-
-// "3 · 0.5 + 2 · 0.25 + … (12 terms)": for formulas that sum many terms. Terms that are 0 are not written.
-std::string products_text(std::span<const Real> factors_in_pairs);
-// "3 + 0.25 − 2 + … (12 terms)"
-std::string sum_text(std::span<const Real> terms);
 
 }  // namespace pliant

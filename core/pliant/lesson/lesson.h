@@ -80,7 +80,12 @@ struct Probe {
     Probe exactly(std::function<std::optional<Real>(Real t)> closed_form) const;
     Probe exactly(std::function<std::optional<Real>()> at_all_times) const;
     Probe when(std::function<bool()> defined) const;
+    // It is what the formula gives: of parameters, parts, numbers of fields (Input::now, or Input::all_of under one symbol),
+    // other probes, and Input::live. Fields and probes are looked up when it is first asked for.
+    Probe formula(const Lesson& lesson, FormulaText text, std::vector<Input> inputs) const;
+    Probe formula(const Lesson& lesson, Explanation text_and_inputs) const;
 };
+Probe probe_of(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help);
 Probe probe_of(std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                std::function<std::optional<Real>()> value, std::function<Explanation()> why = {});
 

@@ -143,9 +143,11 @@ Answer Asking::input(const Input& in, const Request& r) {
     switch (in.from) {
         case From::parameter:
             a.kind = Answer::Kind::parameter;
+            a.value = lesson_.parameter(in.name).value();
             break;
         case From::constant:
             a.kind = Answer::Kind::constant;
+            if (in.value_now) a.value = in.value_now();
             break;
         case From::part:
             a.kind = Answer::Kind::part;

@@ -1,68 +1,95 @@
 #include <pliant/formula/formula.h>
 #include <pliant/formula/notation.h>
 #include <pliant/run/evaluation.h>
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
-#include <stdexcept>
 
 namespace pliant {
 namespace {
 
-// The formula as data; empty when it cannot be read and need not be.
-std::optional<Formula> read(const Answer& a, const Explanation& e) {
-    std::vector<std::string> symbols;
-    std::vector<Unit> units;
-    for (const Answer& input : a.inputs) symbols.push_back(input.symbol);
-    try {
-        for (const Answer& input : a.inputs) units.emplace_back(input.unit);
-    } catch (const Refused&) {
-        units.clear();
+// What the formula of an explanation is read against, and what is put in: a symbol of its own for each input but those of a
+// family.
+struct Slots {
+    std::vector<FormulaSymbol> symbols{};
+    std::vector<std::string> units{};
+    std::vector<std::vector<Real>> numbers{};
+    std::vector<std::vector<std::size_t>> inputs{};  // that give them
+
+    std::vector<FormulaNumbers> values() const {
+        std::vector<FormulaNumbers> all;
+        for (const auto& of_symbol : numbers) all.push_back({of_symbol.data(), of_symbol.size()});
+        return all;
     }
+    // By symbol, of one in the order of its inputs.
+    std::vector<Real> by_input(std::span<const Real> flat, std::size_t count) const {
+        std::vector<Real> all(count, 0);
+        std::size_t at = 0;
+        for (const auto& of_symbol : inputs)
+            for (const std::size_t input : of_symbol) all[input] = flat[at++];
+        return all;
+    }
+};
+
+Unit unit_in(const FormulaText& formula, std::string_view symbol, std::string_view unit) {
     try {
-        return Formula(e.formula, std::move(symbols), std::move(units));
-    } catch (const BadFormula&) {
-        if (!e.evaluate) throw;
-        return std::nullopt;
+        return Unit(unit);
+    } catch (const Refused& e) {
+        const std::size_t at = formula.find(symbol, std::min(formula.find('='), formula.size()));
+        throw BadFormula(formula, at == formula.npos ? 0 : at, e.what());
     }
 }
 
-// But for rounding. Where much cancels the lesson's own number counts.
-bool same(Real by_formula, Real by_lesson) { return std::abs(by_formula - by_lesson) <= 1e-9 * std::abs(by_lesson) + 1e-300; }
-
-using Evaluate = std::function<Real(std::span<const Real>)>;
-
-// ∂/∂x of one input by a difference: it is moved by a part in a million of its size.
-Real slope_by_difference(const Evaluate& evaluate, const Answer& a, std::vector<Real>& values, std::size_t k) {
-    constexpr Real nudge = 1e-6;
-    const Real kept = values[k], size = std::max(std::abs(kept), a.inputs[k].conditioning);
-    if (size == 0) return 0;
-    values[k] = kept + nudge * size;
-    const Real slope = (evaluate(values) - a.evaluated) / (nudge * size);
-    values[k] = kept;
-    return slope;
+Slots slots_of(const Answer& a, const Explanation& e) {
+    Slots slots;
+    std::map<std::string, std::size_t> families;
+    for (std::size_t k = 0; k < a.inputs.size(); ++k) {
+        const Answer& input = a.inputs[k];
+        const std::string& family = e.inputs[k].family;
+        const auto known = families.find(family);
+        if (!family.empty() && known != families.end()) {
+            slots.numbers[known->second].push_back(input.value), slots.inputs[known->second].push_back(k);
+            if (input.unit != slots.units[known->second])
+                throw BadFormula(
+                    e.formula, std::min(e.formula.find(family), e.formula.size()),
+                    fmt::format("a family has one unit, not {} and {}", unit_or_dimensionless(slots.units[known->second]),
+                                unit_or_dimensionless(input.unit)));
+            continue;
+        }
+        if (!family.empty()) families.emplace(family, slots.symbols.size());
+        const std::string& symbol = family.empty() ? input.symbol : family;
+        slots.symbols.push_back({symbol, unit_in(e.formula, symbol, input.unit), !family.empty()});
+        slots.units.push_back(input.unit);
+        slots.numbers.push_back({input.value}), slots.inputs.push_back({k});
+    }
+    return slots;
 }
 
-// Where the formula is not known as data. Of the very many inputs of a long sum a sample stands for all.
-std::vector<Real> gradient_by_differences(const Evaluate& evaluate, const Answer& a, std::vector<Real>& values) {
-    constexpr std::size_t most = 512;
-    const std::size_t stride = values.size() / most + 1;
-    std::vector<Real> gradient(values.size(), 0);
-    for (std::size_t k = 0; k < values.size(); k += stride)
-        std::fill_n(gradient.begin() + static_cast<std::ptrdiff_t>(k), std::min(stride, values.size() - k),
-                    slope_by_difference(evaluate, a, values, k));
-    return gradient;
+Formula read(const Slots& slots, const Explanation& e) {
+    std::vector<FormulaFunction> functions;
+    for (const NamedFunction& f : e.functions) functions.push_back({f.name, unit_in(e.formula, f.name, f.unit), f.value});
+    return Formula(e.formula, slots.symbols, std::move(functions));
 }
 
 // A root at 0 has no slope there: what its inputs lose to rounding tells how much they matter.
-std::vector<Real> gradient_of(const Formula& formula, const Answer& a, std::vector<Real>& values) {
-    std::vector<Real> gradient = formula.gradient(values);
-    const auto evaluate = [&](std::span<const Real> x) { return formula.evaluate(x); };
-    for (std::size_t k = 0; k < gradient.size(); ++k)
-        if (!std::isfinite(gradient[k])) gradient[k] = slope_by_difference(evaluate, a, values, k);
+std::vector<Real> gradient_of(const Formula& formula, const Slots& slots, Answer& a) {
+    const std::vector<FormulaNumbers> numbers = slots.values();
+    std::vector<Real> gradient = slots.by_input(formula.gradient(numbers), a.inputs.size());
+    for (std::size_t s = 0; s < slots.inputs.size(); ++s)
+        for (std::size_t i = 0; i < slots.inputs[s].size(); ++i) {
+            const std::size_t input = slots.inputs[s][i];
+            if (std::isfinite(gradient[input])) continue;
+            constexpr Real nudge = 1e-6;
+            const Real size = std::max(std::abs(slots.numbers[s][i]), a.inputs[input].conditioning);
+            Slots moved = slots;
+            moved.numbers[s][i] += nudge * size;
+            gradient[input] = size > 0 ? (formula.evaluate(moved.values()) - a.evaluated) / (nudge * size) : 0;
+        }
     return gradient;
 }
 
@@ -89,57 +116,41 @@ std::string unit_check(const Formula& formula, const Answer& a) {
 }
 
 // Of a part that does not say its unit.
-std::string unit_of(const std::optional<Formula>& formula, const Explanation& e) {
-    if (formula && formula->has_units())
-        if (const auto unit = formula->check_units().unit) return unit->usual_text();
-    throw std::logic_error(fmt::format("the unit of \"{}\" does not follow from its inputs: give it by Input::part", e.formula));
+std::string unit_of(const Formula& formula, const Explanation& e) {
+    if (const auto unit = formula.check_units().unit) return unit->usual_text();
+    throw BadFormula(e.formula, 0, "its unit does not follow from its inputs: give it by Input::part");
 }
 
-std::vector<Real> gradient_of_terms(std::span<const Real> values, std::size_t factors) {
-    std::vector<Real> gradient(values.size(), 1);
-    for (std::size_t k = 0; factors == 2 && k + 1 < values.size(); k += 2)
-        gradient[k] = values[k + 1], gradient[k + 1] = values[k];
-    return gradient;
+// The formula with its numbers: remarks that say when it holds stay.
+std::string with_numbers(const Formula& formula, const Slots& slots) {
+    const std::string_view remark = formula.remark();
+    return fmt::format("{}{}{}{}", formula.left(), formula.left().empty() ? "" : " = ",
+                       formula.with_numbers(slots.values(), slots.units), remark.starts_with(':') ? remark : "");
 }
 
-std::string unit_check_of_terms(const Answer& a, std::size_t factors) {
-    const Unit declared(a.unit);
-    for (std::size_t k = 0; k + factors <= a.inputs.size(); k += factors) {
-        Unit term(a.inputs[k].unit);
-        if (factors == 2) term = term * Unit(a.inputs[k + 1].unit);
-        if (const std::string words = compared(declared, term); words != "ok") return words;
-    }
-    return "ok";
-}
-
-void evaluate_terms(Answer& a, Making making, std::span<const Real> values) {
-    const std::size_t factors = factors_of(making);
-    a.evaluated = sum_of_terms(making, values);
-    take_sensitivities(a, gradient_of_terms(values, factors));
-    a.latex = latex(a.formula);
-    a.as_data = true;
-    a.unit_check = unit_check_of_terms(a, factors);
-}
-
-void evaluate_formula(Answer& a, const Explanation& e, std::vector<Real>& values) {
-    const std::optional<Formula> formula = read(a, e);
-    a.evaluated = e.evaluate ? e.evaluate(values) : formula->evaluate(values);
-    a.as_data = formula && (!e.evaluate || same(formula->evaluate(values), a.evaluated));
-    take_sensitivities(a, a.as_data ? gradient_of(*formula, a, values) : gradient_by_differences(e.evaluate, a, values));
-    a.latex = a.as_data ? formula->latex() : latex(e.formula);
+void evaluate_formula(Answer& a, const Explanation& e) {
+    const Slots slots = slots_of(a, e);
+    const Formula formula = read(slots, e);
+    a.evaluated = formula.evaluate(slots.values());
+    a.by_differences = formula.has_functions();
+    take_sensitivities(a, gradient_of(formula, slots, a));
+    a.substituted = with_numbers(formula, slots);
+    a.latex = formula.latex();
     if (a.unit == unit_from_formula) a.unit = unit_of(formula, e);
-    if (a.as_data && formula->has_units()) a.unit_check = unit_check(*formula, a);
+    a.unit_check = unit_check(formula, a);
 }
 
 }  // namespace
 
 void evaluate(Answer& a, const Explanation& e) {
-    std::vector<Real> values;
-    for (const Answer& input : a.inputs) values.push_back(input.value);
     a.formula = e.formula;
     a.wrong_unit = e.wrong_unit;
-    a.substituted = substituted(e, values);
-    e.making == Making::formula || e.evaluate ? evaluate_formula(a, e, values) : evaluate_terms(a, e.making, values);
+    try {
+        evaluate_formula(a, e);
+    } catch (const Error& bad) {
+        a.trouble = fmt::format("{}: {}", e.formula.place(), bad.what());
+        a.evaluated = a.value;
+    }
 }
 
 }  // namespace pliant

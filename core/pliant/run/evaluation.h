@@ -6,8 +6,7 @@
 namespace pliant {
 
 // Fills formula, substituted, evaluated, conditioning, latex and unit_check of the answer, and the sensitivity of each of its
-// inputs, which stand there with their values, units and conditioning. Throws BadFormula for a formula that cannot be read where
-// the explanation has no other way to evaluate it.
+// inputs, which stand there with their values, units and conditioning; or `trouble`, of a formula that cannot be read.
 void evaluate(Answer& a, const Explanation& e);
 
 }  // namespace pliant

@@ -1,4 +1,5 @@
 #include <pliant/run/asking.h>
+#include <pliant/run/evaluation.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -29,8 +30,7 @@ void combine(Answer& a, const Field& field) {
     a.kind = Answer::Kind::combined;
     const auto names = component_names(field);
     const std::string symbol(field.symbol.empty() ? field.name : field.symbol);
-    std::vector<Real> values;
-    Real sum = 0;
+    Explanation length{fmt::format("|{0}| = √(Σ_c {0}_c²)", symbol)};
     for (int c = 0; c < field.components; ++c) {
         Answer part{.symbol = fmt::format("{}_{}", symbol, names[static_cast<std::size_t>(c)]),
                     .field = std::string(field.name),
@@ -40,17 +40,10 @@ void combine(Answer& a, const Field& field) {
                     .unit = std::string(field.unit)};
         part.when = a.when;
         part.can_ask = true;
-        sum += part.value * part.value;
-        values.push_back(part.value);
+        length.inputs.push_back(Input::now(part.symbol, field.name, a.index, c).in(symbol + "_c"));
         a.inputs.push_back(std::move(part));
     }
-    a.formula = fmt::format("|{}| = √(Σ {}_c²)", symbol, symbol);
-    a.substituted = fmt::format("|{}| = √(", symbol);
-    for (std::size_t c = 0; c < values.size(); ++c)
-        a.substituted += fmt::format("{}{}²", c ? " + " : "", as_factor(values[c], true));
-    a.substituted += ")";
-    a.evaluated = std::sqrt(sum);
-    a.conditioning = a.evaluated;
+    evaluate(a, length);
 }
 
 void check_question(const Lesson& lesson, std::string_view name, Index index, int& component) {

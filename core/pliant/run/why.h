@@ -36,15 +36,16 @@ struct Answer {
     Real value = 0;
     std::string unit{}, stage{}, source{}, formula{}, substituted{};
     std::vector<Answer> inputs{};
-    When when{};               // of the value: where to ask again
-    Real evaluated = 0;        // the formula, evaluated again from the inputs; value where there is none
-    Real conditioning = 0;     // Σ |input · ∂formula/∂input|, of a part its own: the size of what cancels in the formula
-    Real sensitivity = 0;      // of an input: |x ∂f/∂x| of the formula that it is put into, in the unit of what that gives
-    std::string latex{};       // the formula; "" where it cannot be read as data
-    std::string unit_check{};  // "ok", or what differs between the sides; "" where units or formula are not known
-    bool wrong_unit = false;   // as the slide has it, on purpose
-    bool as_data = false;      // its formula was read, and evaluates as the lesson does
-    bool can_ask = false;      // has inputs that are not listed here for want of depth
+    When when{};                  // of the value: where to ask again
+    Real evaluated = 0;           // the formula, evaluated again from the inputs; value where there is none
+    Real conditioning = 0;        // Σ |input · ∂formula/∂input|, of a part its own: the size of what cancels in the formula
+    Real sensitivity = 0;         // of an input: |x ∂f/∂x| of the formula that it is put into, in the unit of what that gives
+    std::string latex{};          // the formula; "" where it cannot be read as data
+    std::string unit_check{};     // "ok", or what differs between the sides; "" where units or formula are not known
+    bool wrong_unit = false;      // as the slide has it, on purpose
+    std::string trouble{};        // why its formula cannot be read, and where it stands in the sources; "" where it can
+    bool by_differences = false;  // what its inputs matter passes through a function that is differentiated so
+    bool can_ask = false;         // has inputs that are not listed here for want of depth
 };
 
 // One number: of a field, or of a probe with the index 0; now, where no time is given.
@@ -63,6 +64,9 @@ Answer why(Runner& runner, std::string_view field, Index index, int component, i
            std::optional<When> when = std::nullopt);
 // Many at once, with one way back through the run.
 std::vector<Answer> why(Runner& runner, std::span<const AskedNumber> questions, int depth = 1);
+
+// Is there a formula in it that cannot be evaluated?
+bool has_trouble(const Answer& answer);
 
 // "field, index, value, unit, stage, formula, substituted, latex, unit_check, inputs[]", the inputs likewise down to the depth,
 // and each with its sensitivity.

@@ -1,5 +1,6 @@
 // What is shown of a local deformation: fields, probes, the error over the distance, where the model holds and what mends a run.
 #include "deformation_gradient.h"
+#include "kits/tensors/tensor_why.h"
 
 #include <pliant/text/format.h>
 
@@ -11,6 +12,22 @@
 
 namespace pliant::deformation {
 namespace {
+
+// The length of one of the vectors from P to Q, over that of another.
+std::vector<Input> components(const char* symbol, std::string_view field) {
+    std::vector<Input> inputs;
+    for (int i = 0; i < 3; ++i) inputs.push_back(Input::now(fmt::format("{}_{}", symbol, axis_name(i)), field, 0, i));
+    return inputs;
+}
+Explanation norm(std::string_view left, const char* symbol, std::string_view field) {
+    return {fmt::format("{0} = √({1}_x² + {1}_y² + {1}_z²)", left, symbol), components(symbol, field)};
+}
+Explanation ratio(std::string_view left, const char* symbol, std::string_view field) {
+    const auto part = [](const char* s, std::string_view of) {
+        return Input::part(fmt::format("|{}|", s), "m", norm(fmt::format("|{}|", s), s, of));
+    };
+    return {fmt::format("{} = |{}| / |dX|", left, symbol), {part(symbol, field), part("dX", "rest_vector")}};
+}
 
 constexpr Real degrees = 180 / std::numbers::pi;
 // No accepted parameters come near it.
@@ -61,29 +78,23 @@ void DeformationGradientLesson::declare_probes() {
     };
     probes = {
         probe_of("det_F", "det F", "",
-                 "at P: volume now over volume at rest; exact: 1 for rigid motions, shear and twist, s₁ s₂ s₃, 1 − κ Y",
-                 [this] { return pliant::volume_ratio<3>(at_P(point_deformation_)); })
+                 "at P: volume now over volume at rest; exact: 1 for rigid motions, shear and twist, s₁ s₂ s₃, 1 − κ Y")
+            .formula(*this, why::determinant("point_deformation", 0))
             .exactly([this](Real) { return map_.volume_ratio(material(0)); }),
         probe_of("taylor_error", "|dx − F dX|", "m",
-                 "what F leaves out between P and Q; falls as |dX|², and is 0 where F is the same everywhere",
-                 [this] { return gap_.norm(); }),
-        probe_of("distance", "|dX|", "m", "from P to Q at rest", [this] { return rest_vector_.norm(); }),
-        probe_of("length_ratio", "|dx|/|dX|", "", "length of PQ now over its length at rest; undefined while Q lies on P",
-                 [this]() -> std::optional<Real> {
-                     const Real at_rest = rest_vector_.norm();
-                     return at_rest > 0 ? std::optional(deformed_vector_.norm() / at_rest) : std::nullopt;
-                 })
+                 "what F leaves out between P and Q; falls as |dX|², and is 0 where F is the same everywhere")
+            .formula(*this, norm("|gap|", "gap", "taylor_gap")),
+        probe_of("distance", "|dX|", "m", "from P to Q at rest").formula(*this, norm("|dX|", "dX", "rest_vector")),
+        probe_of("length_ratio", "|dx|/|dX|", "", "length of PQ now over its length at rest; undefined while Q lies on P")
+            .formula(*this, ratio("|dx|/|dX|", "dx", "deformed_vector"))
             .exactly([this](Real) -> std::optional<Real> {
                 const Vec<3> dX = rest_vector();
                 const auto C = map_.right_cauchy_green(material(0));
                 if (!C || !map_.homogeneous() || dX.norm() == 0) return std::nullopt;
                 return std::sqrt(dX.dot(*C * dX)) / dX.norm();
             }),
-        probe_of("mapped_length_ratio", "|F dX|/|dX|", "", "the same as F predicts it",
-                 [this]() -> std::optional<Real> {
-                     const Real at_rest = rest_vector_.norm();
-                     return at_rest > 0 ? std::optional(mapped_vector_.norm() / at_rest) : std::nullopt;
-                 })
+        probe_of("mapped_length_ratio", "|F dX|/|dX|", "", "the same as F predicts it")
+            .formula(*this, ratio("|F dX|/|dX|", "FdX", "mapped_vector"))
             .exactly([this](Real) -> std::optional<Real> {
                 const Vec<3> dX = rest_vector();
                 const auto C = map_.right_cauchy_green(material(0));

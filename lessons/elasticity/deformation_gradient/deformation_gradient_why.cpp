@@ -19,22 +19,6 @@ Explanation difference(std::string formula, Input minuend, Input subtrahend) {
     return {std::move(formula), {std::move(minuend), std::move(subtrahend)}};
 }
 
-// The length of one of the vectors from P to Q, over that of another.
-std::vector<Input> components(const char* symbol, std::string_view field) {
-    std::vector<Input> inputs;
-    for (int i = 0; i < 3; ++i) inputs.push_back(Input::now(fmt::format("{}_{}", symbol, place[at(i)]), field, 0, i));
-    return inputs;
-}
-Explanation norm(std::string_view left, const char* symbol, std::string_view field) {
-    return {fmt::format("{0} = √({1}_x² + {1}_y² + {1}_z²)", left, symbol), components(symbol, field)};
-}
-Explanation ratio(std::string_view left, const char* symbol, std::string_view field) {
-    const auto part = [](const char* s, std::string_view of) {
-        return Input::part(fmt::format("|{}|", s), "m", norm(fmt::format("|{}|", s), s, of));
-    };
-    return {fmt::format("{} = |{}| / |dX|", left, symbol), {part(symbol, field), part("dX", "rest_vector")}};
-}
-
 }  // namespace
 
 // Where the point lies at rest: of the body a place of its grid, of P and Q what their sliders say.
@@ -89,18 +73,19 @@ Explanation DeformationGradientLesson::why_compared(const Question& q) const {
         return difference(fmt::format("gap_{0} = dx_{0} − FdX_{0}", axis),
                           Input::now(fmt::format("dx_{}", axis), "deformed_vector", 0, q.component),
                           Input::now(fmt::format("FdX_{}", axis), "mapped_vector", 0, q.component));
-    std::vector<std::pair<Input, Input>> terms;
-    for (int j = 0; j < 3; ++j)
-        terms.emplace_back(why::entry_now("F", "point_deformation", 0, q.component, j),
-                           Input::now(fmt::format("dX_{}", place[at(j)]), "rest_vector", 0, j));
-    return weighted_sum(fmt::format("FdX_{0} = F_{1}1 dX_x + F_{1}2 dX_y + F_{1}3 dX_z", axis, q.component + 1), terms);
+    std::vector<Input> inputs;
+    for (int j = 0; j < 3; ++j) {
+        inputs.push_back(why::entry_now("F", "point_deformation", 0, q.component, j));
+        inputs.push_back(Input::now(fmt::format("dX_{}", place[at(j)]), "rest_vector", 0, j));
+    }
+    return {fmt::format("FdX_{0} = F_{1}1 dX_x + F_{1}2 dX_y + F_{1}3 dX_z", axis, q.component + 1), std::move(inputs)};
 }
 
 Explanation DeformationGradientLesson::why_polar(const Question& q) const {
     const int i = q.component / 3, j = q.component % 3;
     if (q.field == "point_stretch")
         return why::transposed_product("S", "R", "point_rotation", "F", "point_deformation", q.index, i, j);
-    return why::of_matrix(why::entry("R", i, j), fmt::format("entry {}{} of the rotation nearest to F =", i + 1, j + 1), "F",
+    return why::of_matrix(why::entry("R", i, j), why::entry("rot", i, j), "an entry of the rotation nearest to F", "F",
                           "point_deformation", q.index, [i, j](const Mat<3>& F) { return nearest_rotation<3>(F)(i, j); });
 }
 
@@ -111,24 +96,21 @@ Explanation DeformationGradientLesson::why_strain(const Question& q) const {
 // -------------------------------------------------------------------------------------------------------------- probes
 
 void DeformationGradientLesson::explain_probes() {
-    explain_probe("det_F", [] { return why::determinant("point_deformation", 0); });
-    explain_probe("taylor_error", [] { return norm("|gap|", "gap", "taylor_gap"); });
-    explain_probe("distance", [] { return norm("|dX|", "dX", "rest_vector"); });
-    explain_probe("length_ratio", [] { return ratio("|dx|/|dX|", "dx", "deformed_vector"); });
-    explain_probe("mapped_length_ratio", [] { return ratio("|F dX|/|dX|", "FdX", "mapped_vector"); });
     explain_probe("rotation_angle", [] {
-        return why::of_matrix("∠R", "atan2(|axis of R − Rᵀ|, tr R − 1) in degrees, R =", "R", "point_rotation", 0,
-                              [](const Mat<3>& R) {
-                                  const Vec<3> axial(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-                                  return std::atan2(axial.norm(), R.trace() - 1) * 180 / std::numbers::pi;
-                              });
+        return why::of_matrix(
+            "∠R", "angle", "atan2(|axis of R − Rᵀ|, tr R − 1)", "R", "point_rotation", 0,
+            [](const Mat<3>& R) {
+                const Vec<3> axial(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+                return std::atan2(axial.norm(), R.trace() - 1) * 180 / std::numbers::pi;
+            },
+            "°");
     });
     constexpr std::array<std::string_view, 3> names{"stretch_1", "stretch_2", "stretch_3"}, symbols{"λ₁", "λ₂", "λ₃"},
-        words{"largest singular value of F =", "middle singular value of F =",
-              "least singular value, with the sign of det F, of F ="};
+        functions{"sv₁", "sv₂", "sv₃"},
+        words{"the largest singular value", "the middle singular value", "the least singular value, with the sign of det F"};
     for (std::size_t k = 0; k < 3; ++k)
-        explain_probe(names[k], [k, symbols, words] {
-            return why::of_matrix(symbols[k], words[k], "F", "point_deformation", 0,
+        explain_probe(names[k], [k, symbols, functions, words] {
+            return why::of_matrix(symbols[k], std::string(functions[k]), words[k], "F", "point_deformation", 0,
                                   [k](const Mat<3>& F) { return principal_stretches<3>(F).stretches[static_cast<Index>(k)]; });
         });
 }

@@ -1,6 +1,8 @@
 // What the energies show: fields, probes, curves, where each energy holds, and what mends it where it does not.
 #include "energy_density.h"
 
+#include "kits/tensors/tensor_why.h"
+
 #include <pliant/continuum/uniaxial.h>
 #include <pliant/text/format.h>
 
@@ -70,13 +72,14 @@ void EnergyDensityLesson::declare_fields() {
 }
 
 void EnergyDensityLesson::declare_probes() {
-    probes = {probe_of("psi", "ψ", "J/m³", "energy per volume at rest", [this] { return psi_[0]; }).exactly([this](Real) {
-                  return way().exact_psi(density(), amount());
-              }),
-              probe_of("det_F", "det F", "", "volume now over volume at rest", [this] { return J_[0]; }),
-              probe_of("lateral_stretch", "a", "", "width now over width at rest", [this] { return F_(1, 1); }).when([this] {
-                  return way().stretches();
-              }),
+    probes = {probe_of("psi", "ψ", "J/m³", "energy per volume at rest")
+                  .formula(*this, "energy per volume = ψ", {Input::now("ψ", "energy_density", 0)})
+                  .exactly([this](Real) { return way().exact_psi(density(), amount()); }),
+              probe_of("det_F", "det F", "", "volume now over volume at rest")
+                  .formula(*this, "det F = J", {Input::now("J", "volume_ratio", 0)}),
+              probe_of("lateral_stretch", "a", "", "width now over width at rest")
+                  .formula(*this, "a = F_22", {why::entry_now("F", "deformation_gradient", 0, 1, 1)})
+                  .when([this] { return way().stretches(); }),
               probe_of("stiffness", "dP/ds", "Pa",
                        "change of the stress with the stretch s or the shear γ; below 0 the material softens",
                        [this] { return stiffness(); })
@@ -88,8 +91,9 @@ void EnergyDensityLesson::declare_probes() {
         symbols{"P₁₁", "P₁₂", "P₁₃", "P₂₁", "P₂₂", "P₂₃", "P₃₁", "P₃₂", "P₃₃"};
     for (int k = 0; k < 9; ++k) {
         probes.push_back(probe_of(names[static_cast<std::size_t>(k)], symbols[static_cast<std::size_t>(k)], "Pa",
-                                  "force along axis i on the face across axis j, per area at rest",
-                                  [this, k] { return P_(k / 3, k % 3); }));
+                                  "force along axis i on the face across axis j, per area at rest")
+                             .formula(*this, fmt::format("force per area at rest = {}", why::entry("P", k / 3, k % 3)),
+                                      {why::entry_now("P", "stress", 0, k / 3, k % 3)}));
         if (k < 2)
             probes.back().exact = [this, in_shear = k == 1](Real) {
                 return is(Path::shear) == in_shear ? way().exact_stress(density(), amount()) : std::nullopt;

@@ -22,14 +22,14 @@ constexpr std::string_view F_field = "deformation_gradient";
 // At which nothing pulls across.
 Input EnergyDensityLesson::width() const {
     if (is(Energy::neo_hookean))
-        return Input::part("a", "",
-                           {.formula = "a = root of μ (a² − 1) + λ ln(s a²)",
-                            .inputs = {mu(), lambda(), stretch},
-                            .evaluate = [](std::span<const Real> x) {
-                                return lateral_stretch({Energy::neo_hookean, Lame{.lambda = x[1], .mu = x[0]}}, x[2]).value_or(0);
-                            }});
+        return Input::part(
+            "a", "",
+            Explanation{"a = root(μ, λ, s), where μ (a² − 1) + λ ln(s a²) = 0", {mu(), lambda(), stretch}}.by(
+                "root(μ, λ, s)", "", [](Values x) {
+                    return lateral_stretch({Energy::neo_hookean, Lame{.lambda = x[1], .mu = x[0]}}, x[2]).value_or(0);
+                }));
     if (!is(Energy::stvk)) return part("a = 1 − ν (s − 1)", {poisson_ratio, stretch});
-    if (F_(1, 1) == 0) return Input::part("a", "", fixed_value("a = 0: ν (s² − 1) ≥ 1, the cube has become a line", 0));
+    if (F_(1, 1) == 0) return Input::part("a", "", fixed_value("a = 0: ν (s² − 1) ≥ 1, the cube has become a line"));
     return part("a = √(1 − ν (s² − 1))", {poisson_ratio, stretch});
 }
 
@@ -44,25 +44,22 @@ Explanation EnergyDensityLesson::why_F(int row, int column) const {
     if (is(Path::shear) && row == 0 && column == 1) return same(shear);
     if (diagonal && (is(Path::volumetric) || (row == 0 && !is(Path::shear)))) return same(stretch);
     if (diagonal && is(Path::uniaxial)) return same(width());
-    return diagonal ? fixed_value(fmt::format("{} = 1: not stretched along this axis", name), 1)
-                    : fixed_value(fmt::format("{} = 0: no shear here", name), 0);
+    return diagonal ? fixed_value(fmt::format("{} = 1: not stretched along this axis", name))
+                    : fixed_value(fmt::format("{} = 0: no shear here", name));
 }
 
 std::optional<Explanation> EnergyDensityLesson::why_deformed(const Question& q) const {
     if (q.field == F_field) return why_F(q.component / 3, q.component % 3);
     if (q.field == "volume_ratio") return why::determinant(F_field, 0, "J");
-    if (q.field != "displacement" || q.index >= corners)
-        return fixed_value("0: the block is at rest before the first iteration", 0);
+    if (q.field != "displacement" || q.index >= corners) return fixed_value("0: the block is at rest before the first iteration");
     // A corner moves by the edges that lead to it.
     const Vec<3> X = cube_corner(q.index);
-    std::vector<std::pair<Input, Input>> terms;
-    for (int j = 0; j < 3; ++j)
-        if (X[j] != 0)
-            terms.emplace_back(why::entry_now("F", F_field, 0, q.component, j),
-                               Input::constant("X_j", X[j], "m", "place at rest"));
-    terms.emplace_back(Input::constant("−1", -1, "", "less the place at rest"),
-                       Input::constant("X_i", X[q.component], "m", "place at rest"));
-    return weighted_sum("u = Σ F_ij X_j − X_i", terms);
+    Explanation e{"u = Σ_j F_ij X_j − X_i", {Input::constant("X_i", X[q.component], "m", "place at rest")}};
+    for (int j = 0; j < 3; ++j) {
+        e.inputs.push_back(why::entry_now("F", F_field, 0, q.component, j).in("F_ij"));
+        e.inputs.push_back(Input::constant(fmt::format("X_{}", axis_name(j)), X[j], "m", "place at rest").in("X_j"));
+    }
+    return e;
 }
 
 // -------------------------------------------------------------------------------------------------------------- strain
@@ -71,12 +68,10 @@ Explanation EnergyDensityLesson::why_strain(const Question& q) const {
     const int i = q.component / 3, j = q.component % 3;
     if (q.field == "log_volume") return {"ln J = ln(J)", {Input::now("J", "volume_ratio", 0)}};
     if (q.field == "first_invariant") {
-        std::string squares;
-        for (int k = 0; k < 9; ++k) squares += fmt::format("{}{}²", k ? " + " : "", why::entry("F", k / 3, k % 3));
-        return {fmt::format("I₁ = {}", squares), why::all_entries("F", F_field, 0)};
+        return {"I₁ = Σ_ij F_ij²", family_of("F_ij", why::all_entries("F", F_field, 0))};
     }
     if (q.field == "rotation")
-        return why::of_matrix(why::entry("R", i, j), fmt::format("entry {}{} of the rotation nearest to F =", i + 1, j + 1), "F",
+        return why::of_matrix(why::entry("R", i, j), why::entry("rot", i, j), "an entry of the rotation nearest to F", "F",
                               F_field, 0, [i, j](const Mat<3>& F) { return nearest_rotation<3>(F)(i, j); });
     if (is(Energy::linear)) {
         if (i == j)
@@ -101,27 +96,16 @@ Explanation EnergyDensityLesson::why_psi() const {
         return {"ψ = ½ μ (I₁ − 3) − μ lnJ + ½ λ lnJ²",
                 {mu(), lambda(), Input::now("I₁", "first_invariant", 0), Input::now("lnJ", "log_volume", 0)}};
     const std::string strain = is(Energy::linear) ? "ε" : is(Energy::stvk) ? "E" : "e";
-    Explanation e{fmt::format("ψ = μ {0}:{0} + ½ λ tr({0})²{1}", strain, is(Energy::corotated) ? ",  e = S − I" : ""),
+    Explanation e{fmt::format("ψ = μ Σ_ij {0}_ij² + ½ λ tr²{1}", strain, is(Energy::corotated) ? ", e = S − I" : ""),
                   {mu(), lambda()}};
-    for (Input& input : why::all_entries(strain, "strain", 0)) e.inputs.push_back(std::move(input));
-    e.evaluate = [](std::span<const Real> x) {
-        return hooke_energy_density<3>({.lambda = x[1], .mu = x[0]}, why::matrix(x.subspan(2)));
-    };
-    e.substitute = [](std::span<const Real> x) {
-        const Mat<3> strain_now = why::matrix(x.subspan(2));
-        return fmt::format("{} · {} + ½ · {} · {}²", as_factor(x[0]), as_factor(strain_now.squaredNorm()), as_factor(x[1]),
-                           as_factor(strain_now.trace(), true));
-    };
+    for (Input& input : why::all_entries(strain, "strain", 0)) e.inputs.push_back(input.in(strain + "_ij"));
+    e.inputs.push_back(part(fmt::format("tr = {0}_11 + {0}_22 + {0}_33", strain),
+                            {why::entry_now(strain, "strain", 0, 0, 0), why::entry_now(strain, "strain", 0, 1, 1),
+                             why::entry_now(strain, "strain", 0, 2, 2)}));
     return e;
 }
 
 // ------------------------------------------------------------------------------------------------- stress and probes
-
-namespace {
-
-Explanation same(std::string formula, Input input) { return {std::move(formula), {std::move(input)}}; }
-
-}  // namespace
 
 // Hooke's law on the strain of the energy: the stress itself when linear, before F or R turns it otherwise.
 Input EnergyDensityLesson::strain_stress(int row, int column) const {
@@ -165,62 +149,41 @@ Explanation EnergyDensityLesson::why_stress(int row, int column) const {
     const std::string_view left = turns ? "R" : "F", field = turns ? std::string_view("rotation") : F_field;
     std::vector<std::pair<Input, Input>> terms;
     for (int k = 0; k < 3; ++k) terms.emplace_back(why::entry_now(left, field, 0, row, k), strain_stress(k, column));
-    return weighted_sum(fmt::format("{0} = Σ {1}_{2}k S_k{3}", name, left, row + 1, column + 1), terms);
+    const std::string along_row = fmt::format("{}_{}k", left, row + 1), along_column = fmt::format("S_k{}", column + 1);
+    return weighted_sum(fmt::format("{} = Σ_k {} {}", name, along_row, along_column), along_row, along_column, terms);
 }
 
 // Of ψ a little above and a little below in this entry.
 Explanation EnergyDensityLesson::why_difference(int row, int column) const {
     const std::string name = why::entry("F", row, column);
     const auto shifted = [&](std::string_view symbol, Real sign) {
-        Explanation e{fmt::format("{0} = ψ(F), {1} {2} h", symbol, name, sign > 0 ? "+" : "−"),
+        const char* minus = sign > 0 ? "" : "−";
+        Explanation e{fmt::format("{0} = ψ(F, {1}h, μ, λ), with {2} moved by {1}h", symbol, minus, name),
                       {mu(), lambda(), Input::constant("h", difference_step(), "", "step of the difference")}};
-        for (Input& input : why::all_entries("F", F_field, 0)) e.inputs.push_back(std::move(input));
-        e.evaluate = [kind = Energy(energy), sign, row, column](std::span<const Real> x) {
-            Mat<3> F = why::matrix(x.subspan(3));
-            F(row, column) += sign * x[2];
-            return EnergyDensity<3>(kind, {.lambda = x[1], .mu = x[0]}).psi(F);
-        };
-        e.substitute = [name, sign](std::span<const Real> x) {
-            return fmt::format("ψ({}), {} {} {}", why::matrix_numbers(x.subspan(3)), name, sign > 0 ? "+" : "−", as_factor(x[2]));
-        };
-        return Input::part(std::string(symbol), "J/m³", std::move(e));
+        for (Input& input : why::whole("F", F_field, 0)) e.inputs.push_back(std::move(input));
+        return Input::part(std::string(symbol), "J/m³",
+                           std::move(e).by("ψ", "J/m³", [kind = Energy(energy), row, column](Values x) {
+                               Mat<3> F = why::matrix(x);
+                               F(row, column) += x[9];
+                               return EnergyDensity<3>(kind, {.lambda = x[11], .mu = x[10]}).psi(F);
+                           }));
     };
     return {fmt::format("{} = (ψ₊ − ψ₋) / (2 h)", why::entry("P", row, column)),
             {shifted("ψ₊", 1), shifted("ψ₋", -1), Input::constant("h", difference_step(), "", "step of the difference")}};
 }
 
 void EnergyDensityLesson::explain_probes() {
-    explain_probe("psi", [] { return same("energy per volume = ψ", Input::now("ψ", "energy_density", 0)); });
-    explain_probe("det_F", [] { return same("det F = J", Input::now("J", "volume_ratio", 0)); });
-    explain_probe("lateral_stretch", [] { return same("a = F_22", why::entry_now("F", F_field, 0, 1, 1)); });
-    for (int k = 0; k < 9; ++k)
-        explain_probe(fmt::format("P{}{}", k / 3 + 1, k % 3 + 1), [k] {
-            return same(fmt::format("force per area at rest = {}", why::entry("P", k / 3, k % 3)),
-                        why::entry_now("P", "stress", 0, k / 3, k % 3));
-        });
     explain_probe("stiffness", [this] {
-        Explanation e{"dP/ds = ∂P/∂F : dF/ds", {mu(), lambda()}};
-        for (Input& input : why::all_entries("F", F_field, 0)) e.inputs.push_back(std::move(input));
-        e.evaluate = [kind = Energy(energy), along = way()](std::span<const Real> x) {
-            return along.stiffness({kind, Lame{.lambda = x[1], .mu = x[0]}}, why::matrix(x.subspan(2)));
-        };
-        e.substitute = [](std::span<const Real> x) {
-            return fmt::format("∂P/∂F : dF/ds at F = {}", why::matrix_numbers(x.subspan(2)));
-        };
-        return e;
+        Explanation e{"dP/ds = slope(F, μ, λ), ∂P/∂F : dF/ds", {mu(), lambda()}};
+        for (Input& input : why::whole("F", F_field, 0)) e.inputs.push_back(std::move(input));
+        return std::move(e).by("slope", "Pa", [kind = Energy(energy), along = way()](Values x) {
+            return along.stiffness({kind, Lame{.lambda = x[10], .mu = x[9]}}, why::matrix(x));
+        });
     });
     explain_probe("derivative_check", [this] {
-        Explanation e{"error = max |P − P_h| / max(|P|, μ/1000)", {mu()}};
-        for (Input& input : why::all_entries("P", "stress", 0)) e.inputs.push_back(std::move(input));
-        for (Input& input : why::all_entries("H", "difference_stress", 0)) e.inputs.push_back(std::move(input));
-        const auto parts = [](std::span<const Real> x) {
-            const Mat<3> P = why::matrix(x.subspan(1)), difference = why::matrix(x.subspan(10));
-            return std::array{(P - difference).cwiseAbs().maxCoeff(), std::max(P.cwiseAbs().maxCoeff(), 1e-3 * x[0])};
-        };
-        e.evaluate = [parts](std::span<const Real> x) { return parts(x)[0] / parts(x)[1]; };
-        e.substitute = [parts](std::span<const Real> x) {
-            return fmt::format("{} / {}", as_factor(parts(x)[0]), as_factor(parts(x)[1]));
-        };
+        Explanation e{"error = max_ij |P_ij − H_ij| / max(max_ij |P_ij|, μ / 1000)", {mu()}};
+        for (Input& input : why::all_entries("P", "stress", 0)) e.inputs.push_back(input.in("P_ij"));
+        for (Input& input : why::all_entries("H", "difference_stress", 0)) e.inputs.push_back(input.in("H_ij"));
         return e;
     });
 }

@@ -14,7 +14,7 @@ namespace {
 // that follows from them.
 struct Patch {
     std::vector<Input> inputs;
-    std::function<Real(std::span<const Real>)> force;
+    std::function<Real(Values)> force;
     std::size_t tetrahedra = 0;
 };
 
@@ -33,7 +33,8 @@ Patch patch_about(const StretchedBlock& block, const std::vector<Index>& nodes, 
     patch.tetrahedra = elements.size();
     for (const Index n : around)
         for (int c = 0; c < 3; ++c)
-            patch.inputs.push_back(Input::now(fmt::format("u{}_{}", axis_name(c), n), "displacement", first_row + n, c));
+            patch.inputs.push_back(
+                Input::now(fmt::format("u{}_{}", axis_name(c), n), "displacement", first_row + n, c).in("u_n"));
     patch.force = [&block, elements, wanted, component,
                    order = std::vector<Index>(around.begin(), around.end())](std::span<const Real> x) {
         const SimplexMesh<3>& m = block.mesh();
@@ -54,9 +55,8 @@ Patch patch_about(const StretchedBlock& block, const std::vector<Index>& nodes, 
 
 std::optional<Explanation> EnergyDensityLesson::why_block(const Question& q) const {
     if (q.index < corners)
-        return q.field == "displacement"
-                   ? std::nullopt
-                   : std::optional(fixed_value("0: the cube is deformed by F, nothing is solved for it", 0));
+        return q.field == "displacement" ? std::nullopt
+                                         : std::optional(fixed_value("0: the cube is deformed by F, nothing is solved for it"));
     const Index node = q.index - corners;
     if (q.field == "newton_step") return why_direction(node, q.component);
     if (q.field == "unbalanced_force") return why_unbalanced(node, q.component);
@@ -67,7 +67,7 @@ std::optional<Explanation> EnergyDensityLesson::why_block(const Question& q) con
 }
 
 Explanation EnergyDensityLesson::why_direction(Index node, int component) const {
-    if (block_->failed()) return fixed_value("d = 0: no direction was found", 0);
+    if (block_->failed()) return fixed_value("d = 0: no direction was found");
     if (block_->supports().prescribed(node, component))
         return {"d = w − u",
                 {Input::constant("w", block_->supports().values()(component, node), "m", "where the support shall be"),
@@ -84,28 +84,19 @@ Explanation EnergyDensityLesson::why_direction(Index node, int component) const 
 }
 
 Explanation EnergyDensityLesson::why_unbalanced(Index node, int component) const {
-    if (block_->supports().prescribed(node, component)) return fixed_value("r = 0: the support takes what is left", 0);
+    if (block_->supports().prescribed(node, component)) return fixed_value("r = 0: the support takes what is left");
     Patch patch = patch_about(*block_, {node}, component, corners);
-    return {
-        .formula = "r = − Σ V P·∇N",
-        .inputs = std::move(patch.inputs),
-        .evaluate = [force = patch.force](std::span<const Real> x) { return -force(x); },
-        .substitute = [count = patch.tetrahedra](
-                          std::span<const Real>) { return fmt::format("the sum over the {} tetrahedra about the node", count); }};
+    return Explanation{fmt::format("r = − f(u_n), f = Σ V P·∇N over the {} tetrahedra about the node", patch.tetrahedra),
+                       std::move(patch.inputs)}
+        .by("f", "N", std::move(patch.force));
 }
 
 Explanation EnergyDensityLesson::why_block_stress() const {
     Patch patch = patch_about(*block_, block_->mesh().nodes("x_max"), 0, corners);
     const Real area = StretchedBlock::width_at_rest * StretchedBlock::width_at_rest;
-    Explanation e{.formula = "F/A = Σ V P_x·∇N / A",
-                  .inputs = {Input::constant("A", area, "m²", "area of the end at rest")},
-                  .evaluate = [force = patch.force](std::span<const Real> x) { return force(x.subspan(1)) / x[0]; },
-                  .substitute =
-                      [force = patch.force](std::span<const Real> x) {
-                          return fmt::format("{} / {}", as_factor(force(x.subspan(1))), as_factor(x[0]));
-                      }};
-    std::ranges::move(patch.inputs, std::back_inserter(e.inputs));
-    return e;
+    patch.inputs.push_back(Input::constant("A", area, "m²", "area of the end at rest"));
+    return Explanation{"F/A = f(u_n) / A, f = Σ V P_x·∇N over the tetrahedra at the end", std::move(patch.inputs)}.by(
+        "f", "N", std::move(patch.force));
 }
 
 Explanation EnergyDensityLesson::why_block_width() const {

@@ -41,8 +41,8 @@ void ModuliLesson::declare_probes() {
                   .exactly([this](Real) { return applied() * specimen_->exact_area(); }),
               probe_of("area", "A", "m²", "of the face that the force acts on", [this] { return specimen_->area(); })
                   .exactly([this](Real) { return specimen_->exact_area(); }),
-              probe_of("stress", "F/A", "Pa", "measured force over measured area",
-                       [this] { return specimen_->support_force(reaction_) / specimen_->area(); })
+              probe_of("stress", "F/A", "Pa", "measured force over measured area")
+                  .formula(*this, "F/A = F / A", {Input::now("F", "force", 0), Input::now("A", "area", 0)})
                   .exactly([this](Real) { return applied(); }),
               probe_of("strain", "ε", "", "tension: ΔL/L; shear: sideways shift ΔL over height L; pressure: ΔV/V",
                        [this] { return specimen_->strain(displacement_); })

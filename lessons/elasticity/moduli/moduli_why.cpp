@@ -2,8 +2,6 @@
 #include "kits/material/material_parameters.h"
 #include "moduli.h"
 
-#include <pliant/math/line_fit.h>
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,7 +15,7 @@ Input ModuliLesson::applied_stress() const {
 
 Explanation ModuliLesson::why_load(Index node, int component) const {
     const Real share = specimen_->unit_load()(component, node);
-    if (share == 0) return fixed_value("f = 0: no load pulls here", 0);
+    if (share == 0) return fixed_value("f = 0: no load pulls here");
     return {"f = t A",
             {applied_stress(), Input::constant("A", share, "m²", "the node's share of the loaded faces, and their side")}};
 }
@@ -56,7 +54,6 @@ Eigen::Map<const Points<3>> points(std::span<const Real> x) { return {x.data(), 
 void ModuliLesson::explain_probes() {
     explain_probe("force", [this] { return why_force(); });
     explain_probe("area", [this] { return why_area(); });
-    explain_probe("stress", [] { return Explanation{"F/A = F / A", {Input::now("F", "force", 0), Input::now("A", "area", 0)}}; });
     explain_probe("strain", [this] { return why_specimen_strain(); });
     explain_probe("measured_modulus", [this] { return why_modulus(); });
     explain_probe("volume_change", [this] { return why_volume_change("ΔV/V"); });
@@ -69,11 +66,7 @@ Explanation ModuliLesson::why_force() const {
     for (const Index n : specimen_->mesh().nodes(specimen_->support_face()))
         reactions.push_back(Input::now(fmt::format("r_{}", n), "reaction", n, 0));
     const bool pushed = test == Test::pressure;
-    Explanation e = sum_of(pushed ? "F = Σ r_x" : "F = − Σ r_x", std::move(reactions));
-    if (pushed) return e;
-    e.evaluate = [making = e.making](std::span<const Real> x) { return -sum_of_terms(making, x); };
-    e.substitute = [](std::span<const Real> x) { return fmt::format("−({})", sum_text(x)); };
-    return e;
+    return sum_of(pushed ? "F = Σ_n r_n" : "F = − Σ_n r_n", "r_n", std::move(reactions));
 }
 
 Explanation ModuliLesson::why_area() const {
@@ -81,7 +74,7 @@ Explanation ModuliLesson::why_area() const {
     std::vector<Input> areas;
     for (const Index f : mesh.facets(specimen_->support_face()))
         areas.push_back(Input::constant(fmt::format("A_{}", f), mesh.facet_areas().col(f).norm(), "m²", "area of a facet"));
-    return sum_of("A = Σ A_facet", std::move(areas));
+    return sum_of("A = Σ_f A_f", "A_f", std::move(areas));
 }
 
 // How far two opposite faces have moved apart, over what lies between them: a face moves by the mean of its nodes.
@@ -93,7 +86,7 @@ Explanation ModuliLesson::why_lengthening(std::string_view symbol, std::string_v
             terms.emplace_back(Input::constant(fmt::format("w_{}", node), weight, "", "share of the face's area"),
                                Input::now(fmt::format("u_{}", node), "displacement", node, component));
         return Input::part(fmt::format("ū_{}", end), "m",
-                           weighted_sum(fmt::format("ū_{} = Σ w u_{}", end, axis_name(component)), terms));
+                           weighted_sum(fmt::format("ū_{} = Σ_n w_n u_n", end), "w_n", "u_n", terms));
     };
     return {fmt::format("{} = (ū_max − ū_min) / {}", symbol, over.info.symbol), {mean("max"), mean("min"), over}};
 }
@@ -121,66 +114,44 @@ Explanation ModuliLesson::why_volume_change(std::string_view symbol) const {
                                                    "share of the surface, over the volume"),
                                    Input::now(fmt::format("u{}_{}", letter, n), "displacement", n, c));
             }
-    return weighted_sum(fmt::format("{} = Σ A·u / V", symbol), terms);
+    return weighted_sum(fmt::format("{} = Σ_n a_n u_n, a_n = A_n/V", symbol), "a_n", "u_n", terms);
 }
 
 // Least squares through the points of all loads so far.
 Explanation ModuliLesson::why_modulus() const {
     constexpr std::array<const char*, 3> symbols{"Y", "G", "B"};
-    const bool pushed = test == Test::pressure;
-    Explanation e{fmt::format("{} = {}Σ (ε_k − ε̄) (σ_k − σ̄) / Σ (ε_k − ε̄)²", symbols[static_cast<std::size_t>(test.value())],
-                              pushed ? "− " : ""),
-                  {}};
+    const char* symbol = symbols[static_cast<std::size_t>(test.value())];
+    if (level() == 0) return fixed_value(fmt::format("{} = 0: a line needs two loads", symbol));
+    std::vector<Input> strains, points_of_line;
     for (Index k = 0; k <= level(); ++k) {
-        e.inputs.push_back(Input::constant(fmt::format("ε_{}", k), strains_[k], "", "strain measured at this load"));
-        e.inputs.push_back(Input::constant(fmt::format("σ_{}", k), stresses_[k], "Pa", "stress measured at this load"));
+        strains.push_back(Input::constant(fmt::format("ε_{}", k), strains_[k], "", "strain measured at this load").in("ε_k"));
+        points_of_line.push_back(strains.back());
+        points_of_line.push_back(
+            Input::constant(fmt::format("σ_{}", k), stresses_[k], "Pa", "stress measured at this load").in("σ_k"));
     }
-    const auto columns = [](std::span<const Real> x) {
-        std::array<std::vector<Real>, 2> both;
-        for (std::size_t k = 0; k < x.size(); ++k) both[k % 2].push_back(x[k]);
-        return both;
-    };
-    e.evaluate = [pushed, columns](std::span<const Real> x) {
-        const auto [strain, stress] = columns(x);
-        const auto fit = fit_line(strain, stress);
-        return fit ? (pushed ? -fit->slope : fit->slope) : 0;
-    };
-    e.substitute = [pushed, columns](std::span<const Real> x) {
-        const auto [strain, stress] = columns(x);
-        const auto count = static_cast<Index>(strain.size());
-        const Eigen::Map<const VecX> s(strain.data(), count), t(stress.data(), count);
-        const VecX from_mean = s.array() - s.mean();
-        return fmt::format("{}{} / {}", pushed ? "− " : "", as_factor(from_mean.dot((t.array() - t.mean()).matrix())),
-                           as_factor(from_mean.squaredNorm()));
-    };
-    return e;
+    return {fmt::format("{} = {}S / Q", symbol, test == Test::pressure ? "− " : ""),
+            {part("S = Σ_k (ε_k − mean ε_k) (σ_k − mean σ_k)", std::move(points_of_line)),
+             part("Q = Σ_k (ε_k − mean ε_k)²", std::move(strains))}};
 }
 
 Explanation ModuliLesson::why_strain_energy() const {
     const SimplexMesh<3>& mesh = specimen_->mesh();
-    Explanation e{"E = ½ λ Σ V tr(ε)² + μ Σ V ε:ε", {hooke().lambda, hooke().mu}};
+    Explanation e{"E = ½ λ T(u_n) + μ D(u_n), T = Σ V tr(ε)², D = Σ V ε:ε of the displacements of all nodes",
+                  {hooke().lambda, hooke().mu}};
     for (Index n = 0; n < mesh.node_count(); ++n)
-        for (int c = 0; c < 3; ++c) e.inputs.push_back(Input::now(fmt::format("u{}_{}", axis_name(c), n), "displacement", n, c));
-    // Σ V tr(ε)² and Σ V ε:ε.
-    const auto sums = [&mesh](std::span<const Real> x) {
-        const Points<3> u = points(x.subspan(2));
-        std::array<Real, 2> sum{};
-        for (Index k = 0; k < mesh.simplex_count(); ++k) {
-            const Mat<3> strain = cauchy_strain<3>(mesh.field_gradient(k, u));
-            sum[0] += mesh.volumes()[k] * strain.trace() * strain.trace();
-            sum[1] += mesh.volumes()[k] * strain.squaredNorm();
-        }
-        return sum;
+        for (int c = 0; c < 3; ++c)
+            e.inputs.push_back(Input::now(fmt::format("u{}_{}", axis_name(c), n), "displacement", n, c).in("u_n"));
+    const auto summed = [&mesh](Real (*of_strain)(const Mat<3>&)) {
+        return [&mesh, of_strain](Values u) {
+            Real sum = 0;
+            for (Index k = 0; k < mesh.simplex_count(); ++k)
+                sum += mesh.volumes()[k] * of_strain(cauchy_strain<3>(mesh.field_gradient(k, points(u))));
+            return sum;
+        };
     };
-    e.evaluate = [sums](std::span<const Real> x) {
-        const auto [traces, squares] = sums(x);
-        return 0.5 * x[0] * traces + x[1] * squares;
-    };
-    e.substitute = [sums](std::span<const Real> x) {
-        const auto [traces, squares] = sums(x);
-        return fmt::format("½ · {} · {} + {} · {}", as_factor(x[0]), as_factor(traces), as_factor(x[1]), as_factor(squares));
-    };
-    return e;
+    return std::move(e)
+        .by("T(u)", "m³", summed([](const Mat<3>& strain) { return strain.trace() * strain.trace(); }))
+        .by("D(u)", "m³", summed([](const Mat<3>& strain) { return strain.squaredNorm(); }));
 }
 
 }  // namespace pliant::moduli

@@ -96,6 +96,7 @@ struct PoissonLesson final : Lesson {
     void stretch_cube(), solve(), move(), measure(), bend(), read_deflection();
     Index done() const { return static_cast<Index>(done_[0]); }
     Real reached() const { return axial_strain * done_[0] / static_cast<Real>(steps()); }  // dL/L so far
+    Input why_reached() const;
 
     // --- why a number is what it is ---
     std::optional<Explanation> why_number(const Question& q) const;

@@ -50,9 +50,10 @@ void PoissonLesson::declare_probes() {
                  [this] { return contractions_[done()]; })
             .exactly(law(exact_contraction)),
         probe_of("transverse_exact", "1 − (1+s)^(−ν)", "", "narrowing by the lecture's law", law(exact_contraction)),
-        probe_of("transverse_linear", "ν ΔL/L", "", "narrowing by the estimate ν ≈ ΔL′/ΔL", law(linear_contraction)),
-        probe_of("transverse_error", "|fem − exact|", "", "of the computed narrowing; halves when the number of steps is doubled",
-                 [this] { return std::abs(contractions_[done()] - exact_contraction(poisson_ratio, reached())); }),
+        probe_of("transverse_linear", "ν ΔL/L", "", "narrowing by the estimate ν ≈ ΔL′/ΔL")
+            .formula(*this, "ΔL′/L = ν s", {poisson_ratio, why_reached()}),
+        probe_of("transverse_error", "|fem − exact|", "", "of the computed narrowing; halves when the number of steps is doubled")
+            .formula(*this, "error = |c − e|", {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)}),
         probe_of("strain", "ΔL/L", "", "lengthening of the computed cube", [this] { return strains_[done()]; }).exactly([this] {
             return reached();
         }),

@@ -1,6 +1,8 @@
 // What is shown of the measures: fields, every number to read off, curves, where each measure holds and what mends a run.
 #include "strain_measures.h"
 
+#include "kits/tensors/tensor_why.h"
+
 #include <pliant/continuum/deformation.h>
 #include <pliant/text/format.h>
 
@@ -122,8 +124,8 @@ void StrainMeasuresLesson::declare_probes() {
                  [this] { return 1 + v_.dot(of(cauchy_) * v_); }),
         probe_of("stretch_mismatch", "|v′|² − vᵀC v", "", "0 whatever the deformation",
                  [this] { return deformed_v_.squaredNorm() - v_.dot(of(C_) * v_); }),
-        probe_of("volume_ratio", "det F", "", "volume now over volume at rest",
-                 [this] { return pliant::volume_ratio<3>(of(deformation_)); })
+        probe_of("volume_ratio", "det F", "", "volume now over volume at rest")
+            .formula(*this, why::determinant("deformation_gradient", 0))
             .exactly([this](Real) { return map_.volume_ratio(Vec<3>::Zero()); }),
         probe_of("strain_difference", "|ε − E|", "", "what Cauchy's strain leaves out or makes up (Frobenius norm)",
                  [this] { return (of(cauchy_) - of(green_)).norm(); }),
@@ -153,29 +155,29 @@ void StrainMeasuresLesson::declare_components() {
                                          stress_green.symbol};
 
     using Exact = std::function<std::optional<Mat<3>>()>;
-    const auto add = [this](const Names& names, const Nine& tensor, std::string_view unit, std::string_view help,
-                            std::string_view field, const Exact& exact) {
+    const auto add = [this](const Names& names, std::string_view unit, std::string_view help, std::string_view field,
+                            const Exact& exact) {
         for (std::size_t k = 0; k < 9; ++k) {
             if (names.name[k].empty()) continue;
             const auto at = static_cast<Index>(k);
-            Probe probe = probe_of(names.name[k], names.symbol[k], unit, help, [&tensor, at] { return tensor[at]; });
+            const std::string symbol(names.symbol[k]);
+            Probe probe = probe_of(names.name[k], names.symbol[k], unit, help)
+                              .formula(*this, fmt::format("{0} = {0}'", symbol),
+                                       {Input::now(symbol + "'", field, 0, static_cast<int>(at))});
             if (exact)
                 probe.exact = [exact, at](Real) -> std::optional<Real> {
                     const auto known = exact();
                     return known ? std::optional((*known)(at / 3, at % 3)) : std::nullopt;
                 };
-            probe.explain = [field, at, symbol = std::string(names.symbol[k])] {
-                return Explanation{fmt::format("{0} = {0}'", symbol), {Input::now(symbol + "'", field, 0, static_cast<int>(at))}};
-            };
             probes.push_back(std::move(probe));
         }
     };
-    add(green, green_, "", "of Green's strain E", "green_strain", [this]() -> std::optional<Mat<3>> {
+    add(green, "", "of Green's strain E", "green_strain", [this]() -> std::optional<Mat<3>> {
         const auto known = exact_C();
         return known ? std::optional<Mat<3>>(0.5 * (*known - Mat<3>::Identity())) : std::nullopt;
     });
     // Known where the whole motion is a turn about z.
-    add(cauchy, cauchy_, "", "of Cauchy's strain ε; of a rotation by θ about z: cos θ − 1", "cauchy_strain",
+    add(cauchy, "", "of Cauchy's strain ε; of a rotation by θ about z: cos θ − 1", "cauchy_strain",
         [this]() -> std::optional<Mat<3>> {
             const bool turned = map_.kind == MapKind::rotation && map_.axis == 2;
             if (!turned && map_.kind != MapKind::translation) return std::nullopt;
@@ -183,9 +185,9 @@ void StrainMeasuresLesson::declare_components() {
                        spurious = -2 * std::sin(half) * std::sin(half);
             return Mat<3>(Vec<3>(spurious, spurious, 0).asDiagonal());
         });
-    add(C, C_, "", "of the right Cauchy–Green tensor C = FᵀF", "right_cauchy_green", [this] { return exact_C(); });
-    add(stress_green, stress_green_, "Pa", "Hooke's law of Green's strain", "stress_green", {});
-    add(stress_cauchy, stress_cauchy_, "Pa", "Hooke's law of Cauchy's strain", "stress_cauchy", {});
+    add(C, "", "of the right Cauchy–Green tensor C = FᵀF", "right_cauchy_green", [this] { return exact_C(); });
+    add(stress_green, "Pa", "Hooke's law of Green's strain", "stress_green", {});
+    add(stress_cauchy, "Pa", "Hooke's law of Cauchy's strain", "stress_cauchy", {});
 }
 
 // Which parameters would mend what the lights show.

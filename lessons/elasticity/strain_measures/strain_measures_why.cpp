@@ -80,11 +80,12 @@ Explanation StrainMeasuresLesson::why_stretch(const Question& q) const {
         return {i == 0 ? "v_x = cos(η) cos(ψ)" : "v_y = cos(η) sin(ψ)", {up, azimuth}};
     }
     if (q.field == "deformed_direction") {
-        std::vector<std::pair<Input, Input>> terms;
-        for (int j = 0; j < 3; ++j)
-            terms.emplace_back(why::entry_now("F", "deformation_gradient", 0, i, j),
-                               Input::now(fmt::format("v_{}", axis_name(j)), "direction", 0, j));
-        return weighted_sum(fmt::format("v'_{0} = F_{1}1 v_x + F_{1}2 v_y + F_{1}3 v_z", axis_name(i), i + 1), terms);
+        std::vector<Input> inputs;
+        for (int j = 0; j < 3; ++j) {
+            inputs.push_back(why::entry_now("F", "deformation_gradient", 0, i, j));
+            inputs.push_back(Input::now(fmt::format("v_{}", axis_name(j)), "direction", 0, j));
+        }
+        return {fmt::format("v'_{0} = F_{1}1 v_x + F_{1}2 v_y + F_{1}3 v_z", axis_name(i), i + 1), std::move(inputs)};
     }
     std::vector<Input> inputs = sampled_inputs(q.index);
     if (q.field == "stretch") {
@@ -134,14 +135,10 @@ void StrainMeasuresLesson::explain_probes() {
     explain_probe("stretch_mismatch", [squares, of_C] {
         return Explanation{"|v′|² − vᵀC v = |v'|² − vᵀCv", {squares("v'", "deformed_direction"), of_C()}};
     });
-    explain_probe("volume_ratio", [] { return why::determinant("deformation_gradient", 0); });
     explain_probe("strain_difference", [] {
-        std::vector<Input> inputs = why::all_entries("ε", "cauchy_strain", 0);
-        for (Input& of_green : why::all_entries("E", "green_strain", 0)) inputs.push_back(std::move(of_green));
-        std::string right;
-        for (int k = 0; k < 9; ++k)
-            right += fmt::format("{}({} − {})²", k ? " + " : "", why::entry("ε", k / 3, k % 3), why::entry("E", k / 3, k % 3));
-        return Explanation{fmt::format("|ε − E| = √({})", right), std::move(inputs)};
+        std::vector<Input> inputs = family_of("ε_ij", why::all_entries("ε", "cauchy_strain", 0));
+        for (Input& of_green : why::all_entries("E", "green_strain", 0)) inputs.push_back(of_green.in("E_ij"));
+        return Explanation{"|ε − E| = √(Σ_ij (ε_ij − E_ij)²)", std::move(inputs)};
     });
 }
 

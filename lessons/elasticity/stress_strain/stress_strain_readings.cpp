@@ -61,16 +61,16 @@ void StressStrainLesson::declare_probes() {
               probe_of("area", "A", "m²", "that carries it: π r², or w²", [this] { return body_->support_area(); })
                   .exactly([this](Real) { return loaded_area(); })
                   .when(axial),
-              probe_of("stress", "σ = F/A", "Pa", "force over area: m g / (π r²) for the disc, whose stress is counted downward",
-                       [this, sign] { return sign() * body_->support_force(reaction_) / body_->support_area(); })
+              probe_of("stress", "σ = F/A", "Pa", "force over area: m g / (π r²) for the disc, whose stress is counted downward")
+                  .formula(*this, "σ = F / A", {Input::now("F", "support_force", 0), Input::now("A", "area", 0)})
                   .exactly(once_loaded([this, sign] { return sign() * axial_stress(); }))
                   .when(axial),
               probe_of("mean_stress", "σ̄", "Pa", "along the load, mean of all elements: negative where compressed",
                        [this, axis] { return body_->mean(stress_)(axis(), axis()); })
                   .exactly(once_loaded([this] { return axial_stress(); }))
                   .when(axial),
-              probe_of("strain", "ε = ΔL/L", "", "negative in compression, zero at rest, positive in extension",
-                       [this] { return body_->lengthening(displacement_) / length; })
+              probe_of("strain", "ε = ΔL/L", "", "negative in compression, zero at rest, positive in extension")
+                  .formula(*this, "ε = ΔL / L", {Input::now("ΔL", "lengthening", 0), length})
                   .exactly(once_loaded([this] { return axial_stress() / youngs_modulus; }))
                   .when(axial),
               probe_of("lengthening", "ΔL", "m", "of the height of the disc or the length of the rod",

@@ -35,8 +35,9 @@ Explanation StressStrainLesson::why_load(const Question& q) const {
             applied_stress_input(q.component, j),
             Input::constant(fmt::format("A_{}", axis_name(j)), share, "m²", "the node's share of the loaded faces, outward"));
     }
-    if (terms.empty()) return fixed_value("f = 0: no load acts here", 0);
-    return weighted_sum(fmt::format("f_{0} = Σ σ_{0}j A_j", axis_name(q.component)), terms);
+    if (terms.empty()) return fixed_value("f = 0: no load acts here");
+    return weighted_sum(fmt::format("f_{0} = Σ_j σ_{0}j A_j", axis_name(q.component)),
+                        fmt::format("σ_{}j", axis_name(q.component)), "A_j", terms);
 }
 
 // ---------------------------------------------------------------------------------------------------------------- cut
@@ -58,7 +59,7 @@ Explanation StressStrainLesson::why_traction(const Question& q) const {
     if (q.field == "shear_part")
         return {fmt::format("τ_{0} = t_{0} − N_{0}", i),
                 {now(fmt::format("t_{}", i), "traction", q.component), now(fmt::format("N_{}", i), "normal_part", q.component)}};
-    if (q.component == 2) return fixed_value("N_z = 0: the normal lies in the plane of x and y", 0);
+    if (q.component == 2) return fixed_value("N_z = 0: the normal lies in the plane of x and y");
     return {fmt::format("N_{0} = (t_x n_x + t_y n_y) n_{0}", i),
             {now("t_x", "traction", 0), now("t_y", "traction", 1), normal_input(0), normal_input(1)}};
 }
@@ -71,23 +72,15 @@ void StressStrainLesson::explain_probes() {
         for (const Index n : body_->mesh().nodes(body_->held_face()))
             reactions.push_back(Input::now(fmt::format("r_{}", n), "reaction", n, body_->axis()));
         const bool upward = loading == Load::disc;
-        Explanation e = sum_of(upward ? "F = Σ r_y" : "F = − Σ r_x", std::move(reactions));
-        if (upward) return e;
-        e.evaluate = [making = e.making](std::span<const Real> x) { return -sum_of_terms(making, x); };
-        e.substitute = [](std::span<const Real> x) { return fmt::format("−({})", sum_text(x)); };
-        return e;
+        return sum_of(upward ? "F = Σ_n r_n" : "F = − Σ_n r_n", "r_n", std::move(reactions));
     });
     explain_probe("area", [this] {
         std::vector<Input> areas;
         for (const Index f : body_->mesh().facets(body_->held_face()))
             areas.push_back(
                 Input::constant(fmt::format("A_{}", f), body_->mesh().facet_areas().col(f).norm(), "m²", "area of a facet"));
-        return sum_of("A = Σ A_facet", std::move(areas));
+        return sum_of("A = Σ_f A_f", "A_f", std::move(areas));
     });
-    explain_probe("stress", [] {
-        return Explanation{"σ = F / A", {Input::now("F", "support_force", 0), Input::now("A", "area", 0)}};
-    });
-    explain_probe("strain", [this] { return Explanation{"ε = ΔL / L", {Input::now("ΔL", "lengthening", 0), length}}; });
     explain_probe("traction", [] {
         return Explanation{"|t| = √(σ_n² + τ²)", {Input::now("σ_n", "normal_stress", 0), Input::now("τ", "shear_stress", 0)}};
     });

@@ -59,12 +59,11 @@ void AdvectionLesson::declare_probes() {
         return filled;
     };
     probes = {
-        probe_of(
-            "turns", "t/T", "", "turns done: whole rotations, or metres of the translation or of the fastest fluid in the vortex",
-            [this] { return time() / flow().turn(); },
-            [this, elapsed_input]() -> Explanation {
-                return {"t/T = t₁ / T", {elapsed_input("t₁"), Input::constant("T", flow().turn(), "s", "time of one turn")}};
-            }),
+        probe_of("turns", "t/T", "",
+                 "turns done: whole rotations, or metres of the translation or of the fastest fluid in the vortex")
+            .formula(*this, "t/T = t₁ / T",
+                     {Input::live("t₁", "s", "time since the start", [this] { return time(); }),
+                      Input::live("T", "s", "time of one turn", [this] { return flow().turn(); })}),
         probe_of(
             "peak", "max q", "", "the largest value anywhere. No scheme makes it grow", [this] { return quantity_.maxCoeff(); },
             [this]() -> Explanation {
@@ -82,7 +81,10 @@ void AdvectionLesson::declare_probes() {
             [filled_cells, cell_area]() -> Explanation {
                 std::vector<Input> terms;
                 for (const Index c : filled_cells()) terms.push_back(Input::now("q", "quantity", c));
-                return {"M = A S", {cell_area(), Input::part("S", "", sum_of("S = Σ q, over the cells", std::move(terms)))}};
+                if (terms.empty()) return fixed_value("M = 0: the quantity is 0 everywhere");
+                terms = family_of("q_c", std::move(terms));
+                terms.push_back(cell_area());
+                return {"M = A Σ_c q_c", std::move(terms)};
             }),
         probe_of(
             "variance_left", "V/V₀", "",
@@ -90,24 +92,16 @@ void AdvectionLesson::declare_probes() {
             "loses it",
             [this] { return variance(quantity_) / first_variance_; },
             [filled_cells, cell_area, this]() -> Explanation {
-                std::vector<std::pair<Input, Input>> terms;
-                for (const Index c : filled_cells())
-                    terms.emplace_back(Input::now("q", "quantity", c), Input::now("q", "quantity", c));
-                return {"V/V₀ = A S / W",
-                        {cell_area(), Input::part("S", "", weighted_sum("S = Σ q q, over the cells", terms)),
-                         Input::constant("W", first_variance_, "m²", "A Σ q² at first")}};
+                std::vector<Input> inputs{cell_area(), Input::constant("W", first_variance_, "m²", "A Σ q² at first")};
+                for (const Index c : filled_cells()) inputs.push_back(Input::now("q", "quantity", c).in("q_c"));
+                if (inputs.size() == 2) return fixed_value("V/V₀ = 0: the quantity is 0 everywhere");
+                return {"V/V₀ = A Σ_c q_c² / W", std::move(inputs)};
             })
             .exactly([](Real) { return Real{1}; })
             .when(seen),
-        probe_of(
-            "loss_per_turn", "λ", "", "part of Σ q² that is lost in one turn, 1 − (V/V₀)^(T/t)",
-            [this]() -> std::optional<Real> {
-                if (time() == 0 || !(first_variance_ > 0)) return std::nullopt;
-                return 1 - std::pow(variance(quantity_) / first_variance_, flow().turn() / time());
-            },
-            []() -> Explanation {
-                return {"λ = 1 − V^(1/N)", {Input::now("V", "variance_left", 0), Input::now("N", "turns", 0)}};
-            })
+        probe_of("loss_per_turn", "λ", "", "part of Σ q² that is lost in one turn, 1 − (V/V₀)^(T/t)")
+            .formula(*this, "λ = 1 − V^(1/N)", {Input::now("V", "variance_left", 0), Input::now("N", "turns", 0)})
+            .when([this] { return time() > 0 && first_variance_ > 0; })
             .exactly([seen](Real t) { return t > 0 && seen() ? std::optional<Real>(0) : std::nullopt; }),
         probe_of("difference", "E", "", "Σ|q − q_exact| over Σ q_exact: 0 is exact, 2 is a blob in the wrong place",
                  [this] { return error_.lpNorm<1>() / exact_.lpNorm<1>(); })

@@ -36,7 +36,7 @@ Explanation weighted_samples(const std::string& left, const PaddedField<2>& valu
         terms.emplace_back(Input::constant("w" + k, s.weight, "", "weight of this sample"),
                            grid2d::sample("q" + k, from, name, sample_beyond(values.lattice(), s.at)));
     }
-    return weighted_sum(left + " = Σ w q, over the samples around the departure place", terms);
+    return weighted_sum(left + " = Σ_k w_k q_k, over the samples around the departure place", "w_k", "q_k", terms);
 }
 
 Input AdvectionLesson::step() const {
@@ -127,7 +127,7 @@ Explanation AdvectionLesson::why_interpolated(Index cell) const {
             Input::part(symbol, "", std::move(weight)),
             grid2d::sample(fmt::format("q{}", k + 1), From::before, "quantity", sample_beyond(grid_->cells(), s.at)));
     }
-    return weighted_sum("q′ = Σ w q, over the samples around the departure place", terms);
+    return weighted_sum("q′ = Σ_k w_k q_k, over the samples around the departure place", "w_k", "q_k", terms);
 }
 
 Explanation AdvectionLesson::why_corrected(Index cell) const {
@@ -144,10 +144,9 @@ Explanation AdvectionLesson::why_exact(Index cell) const {
     const Real r = shape().distance(origin_of(cell));
     if (blob == BlobKind::slotted_disc)
         return fixed_value(exact_[cell] == 1 ? "q_exact = 1   (the fluid here was in the disc at first)"
-                                             : "q_exact = 0   (the fluid here was not in the disc at first)",
-                           exact_[cell]);
+                                             : "q_exact = 0   (the fluid here was not in the disc at first)");
     if (blob == BlobKind::hill && r >= radius)
-        return fixed_value("q_exact = 0   (the fluid here was beyond the edge of the hill at first)", 0);
+        return fixed_value("q_exact = 0   (the fluid here was beyond the edge of the hill at first)");
     return {blob == BlobKind::smooth ? "q_exact = exp(−2 r² / R²)" : "q_exact = ½ (1 + cos(π r / R))",
             {Input::constant("r", r, "m", "how far the fluid here was from the middle of the blob at first"), radius}};
 }

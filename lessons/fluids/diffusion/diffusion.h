@@ -214,7 +214,7 @@ private:
     }
     Input why_dx() const { return Input::part("Δx", "m", {"Δx = L / n", {length, resolution}}); }
     Explanation why_time_step() const {
-        if (viscosity == 0) return fixed_value("Δt = 1   (any: without viscosity nothing diffuses)", 1);
+        if (viscosity == 0) return fixed_value("Δt = 1   (any: without viscosity nothing diffuses)");
         return {"Δt = r Δx² / ν", {diffusion_number, why_dx(), viscosity}};
     }
     std::vector<Input> why_neighbours(Index cell, Input::From from, const char* mark) const;

@@ -94,7 +94,7 @@ void DiffusionLesson::declare_probes() {
             [this] {
                 std::vector<Input> terms;
                 for (Index c = 0; c < u_.size(); ++c) terms.push_back(Input::now("u_" + std::to_string(c), "u", c));
-                return sum_of("Σu = Σ u_c over the cells", std::move(terms));
+                return sum_of("Σu = Σ_c u_c, over the cells", "u_c", std::move(terms));
             }),
         probe_of(
             "u_selected", "u_i", "m/s", "in the selected cell", [this] { return u_[selected_cell()]; },

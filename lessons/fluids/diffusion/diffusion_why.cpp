@@ -68,7 +68,7 @@ Explanation DiffusionLesson::why_amplitude(std::string_view field) const {
     const VecX wave = modes_.on_cells(mode);
     const Real square = wave.squaredNorm();
     std::vector<std::pair<Input, Input>> terms;
-    if (square < 1e-20) return fixed_value("A = 0   (the mode vanishes on every cell)", 0);
+    if (square < 1e-20) return fixed_value("A = 0   (the mode vanishes on every cell)");
     for (Index c = 0; c < wave.size(); ++c)
         if (wave[c] != 0)
             terms.emplace_back(Input::constant(fmt::format("w{}", c), wave[c] / square, "", "φ/Σφ² of this cell"),
@@ -79,7 +79,7 @@ Explanation DiffusionLesson::why_amplitude(std::string_view field) const {
             Input::constant("w_s", 1, "", "of the steady part"),
             Input::constant("u_s", modes_.amplitude(base, mode), "m/s", "less the amplitude of the steady profile"));
     }
-    return weighted_sum("A = Σ w u over the cells, w = φ/Σφ²", terms);
+    return weighted_sum("A = Σ_c w_c u_c, w = φ/Σφ² of the cells", "w_c", "u_c", terms);
 }
 
 Explanation DiffusionLesson::why_theory() const {

@@ -11,7 +11,6 @@ namespace pliant::free_surface {
 namespace {
 
 using From = Input::From;
-using Values = std::span<const Real>;
 using grid2d::face_field;
 
 constexpr std::array<const char*, 4> ways{"left", "right", "below", "above"};
@@ -69,7 +68,7 @@ Explanation FreeSurface::why_continued(int axis, Index face) const {
     const StaggeredGrid<2>& grid = liquid_->grid();
     const std::vector<int>& layers = liquid_->extrapolation().layers(axis);
     if (layers[face] > 0) return mean_of_neighbours(axis == 0 ? "u" : "v", face_field(axis), grid.faces(axis), layers, face);
-    if (layers[face] < 0 && !grid.prescribed(axis, face)) return fixed_value("u = 0   (there is no liquid to continue)", 0);
+    if (layers[face] < 0 && !grid.prescribed(axis, face)) return fixed_value("u = 0   (there is no liquid to continue)");
     return {"u′ = u   (beside the liquid, or held by a wall)", {Input::before("u", face_field(axis), face)}};
 }
 
@@ -94,14 +93,14 @@ Explanation FreeSurface::why_redistanced(Index cell) const {
     if (surface.distance().minCoeff() >= 0 || surface.distance().maxCoeff() < 0)
         return {"φ′ = φ   (there is no surface)", {before}};
     if (surface.beside_surface(cell))
-        return {"φ′ = φ / (1, or √(s_x² + s_y²) where that is not within 0.7 … 1.5)   (beside the surface)",
-                {before, Input::part("s_x", "", why_slope(cell, 0, "s_x")), Input::part("s_y", "", why_slope(cell, 1, "s_y"))},
-                [](Values x) {
-                    const Real slope = std::sqrt(x[1] * x[1] + x[2] * x[2]);
-                    const bool sound = slope >= LevelSet<2>::flattest && slope <= LevelSet<2>::steepest;
-                    return sound ? x[0] : x[0] / std::max(slope, Real(1e-6));
-                },
-                [](Values x) { return fmt::format("{:.6g} / (1, or √({:.4g}² + {:.4g}²))", x[0], x[1], x[2]); }};
+        return Explanation{
+            "φ′ = φ / slope(s_x, s_y), √(s_x² + s_y²) where that is not within 0.7 … 1.5, else 1   (beside the surface)",
+            {before, Input::part("s_x", "", why_slope(cell, 0, "s_x")), Input::part("s_y", "", why_slope(cell, 1, "s_y"))}}
+            .by("slope", "", [](Values x) {
+                const Real slope = std::sqrt(x[0] * x[0] + x[1] * x[1]);
+                const bool sound = slope >= LevelSet<2>::flattest && slope <= LevelSet<2>::steepest;
+                return sound ? 1 : std::max(slope, Real(1e-6));
+            });
     // The nearer neighbour along each axis.
     const Counts<2> at = cells.coordinates(cell);
     std::array<Index, 2> nearest;
@@ -111,14 +110,13 @@ Explanation FreeSurface::why_redistanced(Index cell) const {
             std::abs(surface.distance()[low]) <= std::abs(surface.distance()[high]) ? low : high;
     }
     const Real sign = surface.distance()[cell] < 0 ? -1 : 1;
-    return {"|φ| = d with (d − |φ_x|)² + (d − |φ_y|)² = Δx², or the smaller + Δx",
-            {Input::now("φ_x", "distance", nearest[0]), Input::now("φ_y", "distance", nearest[1]), why_on_grid().dx()},
-            [sign](Values x) {
-                const Real a = std::abs(x[0]), b = std::abs(x[1]), near = std::min(a, b), far = std::max(a, b);
-                if (near + x[2] <= far) return sign * (near + x[2]);
-                return sign * (a + b + std::sqrt(std::max(Real(0), 2 * x[2] * x[2] - (a - b) * (a - b)))) / 2;
-            },
-            [](Values x) { return fmt::format("from {:.6g} and {:.6g}, with Δx = {:.6g}", x[0], x[1], x[2]); }};
+    return Explanation{"φ′ = far(φ_x, φ_y, Δx), d with (d − |φ_x|)² + (d − |φ_y|)² = Δx², or the smaller + Δx; φ keeps its sign",
+                       {Input::now("φ_x", "distance", nearest[0]), Input::now("φ_y", "distance", nearest[1]), why_on_grid().dx()}}
+        .by("far", "m", [sign](Values x) {
+            const Real a = std::abs(x[0]), b = std::abs(x[1]), near = std::min(a, b), far = std::max(a, b);
+            if (near + x[2] <= far) return sign * (near + x[2]);
+            return sign * (a + b + std::sqrt(std::max(Real(0), 2 * x[2] * x[2] - (a - b) * (a - b)))) / 2;
+        });
 }
 
 // -------------------------------------------------------------------------------------------------------------- probes
@@ -133,15 +131,16 @@ Explanation FreeSurface::at_crossing(const std::string& symbol, const std::strin
 
 Explanation FreeSurface::why_front() const {
     const Crossing at = front();
-    if (at.fluid < 0) return fixed_value("x_f = 0   (there is no liquid)", 0);
+    if (at.fluid < 0) return fixed_value("x_f = 0   (there is no liquid)");
     if (at.air < 0) return {"x_f = W   (the liquid reaches the right wall)", {tank_width}};
     return at_crossing("x_f", "centre of the last cell of liquid", at, at.fluid % resolution);
 }
 
 Explanation FreeSurface::why_height_at_wall() const {
     const Crossing at = height_in(0);
-    if (at.fluid < 0) return fixed_value("h_w = 0   (the floor is dry at the wall)", 0);
-    if (at.air < 0) return fixed_value("h_w = H   (the liquid reaches the lid)", tank_top());
+    if (at.fluid < 0) return fixed_value("h_w = 0   (the floor is dry at the wall)");
+    if (at.air < 0)
+        return {"h_w = H   (the liquid reaches the lid)", {Input::constant("H", tank_top(), "m", "height of the lid")}};
     return at_crossing("h_w", "centre of the highest cell of liquid", at, at.fluid / resolution);
 }
 

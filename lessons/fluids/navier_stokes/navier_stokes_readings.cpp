@@ -106,17 +106,13 @@ void NavierStokes::declare_probes() {
             "table_difference", "", "m/s",
             "largest difference on both centre lines from the table of the steady square cavity at Re = 100",
             [this] { return largest_from_table(); }, [this] { return why_difference(*largest_from_table(), "u_table"); }),
-        probe_of(
-            "effective_viscosity", "", "m²/s",
-            "viscosity that the decay of the Taylor–Green energy amounts to, −ln(e/e₀) L²/(16π²t); what exceeds ν is "
-            "the method's",
-            [this] { return -std::log(specific_energy() / initial_energy_) * size * size / (16 * pi * pi * time()); },
-            [this]() -> Explanation {
-                return {
-                    "ν_eff = −ln(e / e₀) L² / (16 π² t)",
-                    {Input::now("e", "kinetic_energy", 0), Input::constant("e₀", initial_energy_, "J/kg", "at the start"), size,
-                     Input::constant("π", pi, "", "3.14159…"), Input::constant("t", time(), "s", "time since the start")}};
-            })
+        probe_of("effective_viscosity", "", "m²/s",
+                 "viscosity that the decay of the Taylor–Green energy amounts to, −ln(e/e₀) L²/(16π²t); what exceeds ν is "
+                 "the method's")
+            .formula(*this, "ν_eff = −ln(e / e₀) L² / (16 π² t)",
+                     {Input::now("e", "kinetic_energy", 0), size,
+                      Input::live("e₀", "J/kg", "at the start", [this] { return initial_energy_; }),
+                      Input::live("t", "s", "time since the start", [this] { return time(); })})
             .exactly([this](Real) { return viscous_time() / time(); })
             .when([this] { return scene().readings.decay && time() > 0 && specific_energy() > 0; }),
         probe_of(

@@ -62,7 +62,7 @@ void NavierStokes::declare_stages() {
             .maps({"velocity", "smoke"}, {"smoke"})
             .when([this] { return scene().drives.smoke; })
             .because([this](const Question& q) {
-                if (std::ranges::binary_search(source_cells_, q.index)) return fixed_value("s = 1   (a cell of the source)", 1);
+                if (std::ranges::binary_search(source_cells_, q.index)) return fixed_value("s = 1   (a cell of the source)");
                 return why_advected().quantity("smoke", q.index);
             })};
     for (Stage& s : stages)

@@ -97,7 +97,7 @@ Explanation GivenField::why(const std::string& left, int axis, const Lattice<2>&
                 {speed_input_, Input::constant(along, x[axis], "m", "of the place"),
                  Input::constant(across, x[1 - axis], "m", "of the place"), Input::constant("L", 1, "m", "side of the square")}};
     }
-    if (kind_ == Given::through_flow) return fixed_value(left + " = 0   (at rest before the inflow is felt)", 0);
+    if (kind_ == Given::through_flow) return fixed_value(left + " = 0   (at rest before the inflow is felt)");
     std::vector<Input> terms;
     for (std::size_t k = 0; k < pushes_.size(); ++k) {
         const std::string symbol = fmt::format("f{}", k + 1);
@@ -105,7 +105,7 @@ Explanation GivenField::why(const std::string& left, int axis, const Lattice<2>&
     }
     std::string sum = left + " = f1";
     for (std::size_t k = 1; k < terms.size(); ++k) sum += " + " + terms[k].symbol;
-    return sum_of(sum, std::move(terms));
+    return {sum, std::move(terms)};
 }
 
 }  // namespace pliant::projection

@@ -106,7 +106,7 @@ void Projection::declare_stages() {
             .maps({"pressure"}, {"pressure"})
             .when([this] { return disturbance != 0; })
             .because([this](const Question& q) -> Explanation {
-                if (!grid_->is_fluid(q.index)) return fixed_value("p′ = 0   (a solid cell)", 0);
+                if (!grid_->is_fluid(q.index)) return fixed_value("p′ = 0   (a solid cell)");
                 return {"p′ = p + A q",
                         {Input::before("p", "pressure", q.index), disturbance,
                          Input::constant("q", parity(q.index), "", "+1 and −1 in turn, along x and along y")}};

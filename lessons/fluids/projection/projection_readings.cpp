@@ -79,12 +79,8 @@ void Projection::declare_probes() {
         probe_of(
             "kinetic_energy", "e", "J/kg", "½|u|² per mass, mean over the fluid; walls at rest can only take energy out",
             [this] { return specific_energy(); }, [this] { return why_energy(); }),
-        probe_of(
-            "energy_left", "e/ẽ", "", "share of the kinetic energy that the projection leaves",
-            [this] { return specific_energy() / tally_[energy_given]; },
-            []() -> Explanation {
-                return {"e/ẽ = e / ẽ", {Input::now("e", "kinetic_energy", 0), Input::now("ẽ", "kinetic_energy_before", 0)}};
-            })
+        probe_of("energy_left", "e/ẽ", "", "share of the kinetic energy that the projection leaves")
+            .formula(*this, "e/ẽ = e / ẽ", {Input::now("e", "kinetic_energy", 0), Input::now("ẽ", "kinetic_energy_before", 0)})
             .when([this] { return tally_[energy_given] > 0; }),
         probe_of("orthogonality", "⟨Δt∇p, u⟩/⟨ũ, ũ⟩", "",
                  "0: what was taken out is at right angles to what is left, so that the energies of the two add up",

@@ -11,7 +11,6 @@ namespace pliant::projection {
 namespace {
 
 using From = Input::From;
-using Values = std::span<const Real>;
 
 constexpr std::array<std::string_view, 2> cell_fields{"u_in_cells", "v_in_cells"};
 constexpr std::array<const char*, 4> way{"left", "right", "below", "above"};
@@ -84,7 +83,7 @@ struct CollocatedWhy {
     Explanation pressure(Index cell) const {
         std::map<Index, Real> row = wide_row(cell);
         const Real own = row.contains(cell) ? row[cell] : 0;
-        if (own == 0) return fixed_value("p = 0   (the grid sees no pressure here)", 0);
+        if (own == 0) return fixed_value("p = 0   (the grid sees no pressure here)");
         row.erase(cell);
         std::vector<Input> inputs{Input::now("d̃", "divergence_before", cell), Input::now("d", "divergence_after", cell), dx, dt};
         const std::string sum = sum_over(row, inputs);
@@ -122,7 +121,7 @@ Explanation Projection::why_given(const Question& q) const {
     if (!grid_why().closed(axis, q.index))
         return field_.why(left, axis, grid_->faces(axis), dx(), q.index, tentative_[axis][q.index]);
     const Real wall = tentative_[axis][q.index];
-    if (wall == 0) return fixed_value(left + " = 0   (the face lies on a wall or a solid at rest)", 0);
+    if (wall == 0) return fixed_value(left + " = 0   (the face lies on a wall or a solid at rest)");
     const bool right = grid_->cell_beside(axis, q.index, 1) < 0;
     if (right) return {left + " = a U   (the face lies on the wall where the fluid leaves)", {outflow, speed}};
     return {left + " = U   (the face lies on the wall where the fluid enters)", {speed}};
@@ -130,7 +129,7 @@ Explanation Projection::why_given(const Question& q) const {
 
 Explanation Projection::why_divergence(Index cell, From from) const {
     if (!staggered()) return CollocatedWhy{grid_->cells(), grid_why().dx(), dt}.divergence(cell, from);
-    if (!grid_->is_fluid(cell)) return fixed_value("∇·u = 0   (a solid cell)", 0);
+    if (!grid_->is_fluid(cell)) return fixed_value("∇·u = 0   (a solid cell)");
     return grid_why().divergence(cell, from);
 }
 
@@ -142,7 +141,7 @@ std::optional<Explanation> Projection::why_pressure_pass(const Question& q) cons
     if (!of_pressure && !of_divergence)
         return staggered() ? grid_why().projected(axis_of(q.field), q.index) : central.projected(axis_of(q.field), q.index);
     if (!staggered()) return of_pressure ? central.pressure(q.index) : central.remaining(q.index);
-    if (!grid_->is_fluid(q.index)) return fixed_value(of_pressure ? "p = 0   (a solid cell)" : "∇·u = 0   (a solid cell)", 0);
+    if (!grid_->is_fluid(q.index)) return fixed_value(of_pressure ? "p = 0   (a solid cell)" : "∇·u = 0   (a solid cell)");
     return of_pressure ? grid_why().pressure(q.index) : grid_why().remaining_divergence(q.index);
 }
 
@@ -160,7 +159,7 @@ Explanation Projection::why_part(const Question& q) const {
         Counts<2> face = grid_->cells().coordinates(q.index);
         face[axis] = (face[axis] + side) % grid_->faces(axis).count[axis];
         const Index f = grid_->faces(axis).index(face);
-        if (grid_why().closed(axis, f)) return fixed_value(left + " = 0   (a closed face)", 0);
+        if (grid_why().closed(axis, f)) return fixed_value(left + " = 0   (a closed face)");
         return {left + " = Δt (p_high − p_low) / Δx",
                 {dt, Input::now("p_high", "pressure", grid_->cell_beside(axis, f, 1)),
                  Input::now("p_low", "pressure", grid_->cell_beside(axis, f, 0)), grid_why().dx()}};
@@ -177,8 +176,8 @@ Explanation Projection::why_velocity(const Question& q) const {
 
 // Half the sum of the squares over the cells; a face belongs half to each of the two beside it.
 Explanation Projection::why_energy() const {
-    std::vector<Input> inputs;
-    std::vector<Real> shares;
+    Explanation e{"e = ½ Σ_f w_f u_f² / N, w: ½ on a wall, 1 elsewhere",
+                  {Input::constant("N", static_cast<Real>(std::max<Index>(1, grid_->fluid_cells())), "", "cells of fluid")}};
     for (int a = 0; a < 2; ++a) {
         const VecX& u = staggered() ? velocity_[a] : central_[a];
         const auto& closed = grid_->closed_faces(a);
@@ -190,19 +189,13 @@ Explanation Projection::why_energy() const {
                 ++next_closed;
             }
             if (share == 0 || u[k] == 0) continue;
-            shares.push_back(share);
             const std::string_view field = staggered() ? grid2d::face_field(a) : cell_fields[static_cast<std::size_t>(a)];
-            inputs.push_back(Input::now("u", field, k));
+            e.inputs.push_back(Input::constant(fmt::format("w_{}", k), share, "", "how much of the face is a cell's").in("w_f"));
+            e.inputs.push_back(Input::now("u", field, k).in("u_f"));
         }
     }
-    const Real cells = static_cast<Real>(std::max<Index>(1, grid_->fluid_cells()));
-    return {"e = ½ (Σ w u²) / N,   N cells; w: ½ on a wall, 1 elsewhere", std::move(inputs),
-            [shares, cells](Values x) {
-                Real sum = 0;
-                for (std::size_t k = 0; k < x.size(); ++k) sum += shares[k] * x[k] * x[k];
-                return 0.5 * sum / cells;
-            },
-            [cells](Values x) { return fmt::format("½ ({} squares) / {:g}", x.size(), cells); }};
+    if (e.inputs.size() == 1) return fixed_value("e = 0: the fluid is at rest");
+    return e;
 }
 
 }  // namespace pliant::projection

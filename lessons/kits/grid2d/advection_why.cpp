@@ -67,8 +67,8 @@ Explanation AdvectionWhy::interpolated(const Carried& what, Index index) const {
                              : kept_by_wall(what.axis, index);
     const Departure<2> d = advection_.departure(what.lattice.place(what.lattice.coordinates(index)), dt_);
     if (advection_.settings().interpolation == Interpolation::linear) return bilinear(what, d);
-    return weighted_sum(what.symbol + "′ = Σ w q, over the sixteen samples around the place that it comes from",
-                        cubic_terms(what, d.departure));
+    return weighted_sum(what.symbol + "′ = Σ_k w_k q_k, over the sixteen samples around the place that it comes from", "w_k",
+                        "q_k", cubic_terms(what, d.departure));
 }
 
 Explanation AdvectionWhy::bilinear(const Carried& what, const Departure<2>& d) const {
@@ -125,8 +125,9 @@ Input AdvectionWhy::carried_back(const Carried& what, Index index) const {
             Input::constant("w" + std::to_string(k + 1), along(0, k % 2) * along(1, k / 2), "", "bilinear weight of this sample"),
             carried_sample(what, "q" + std::to_string(k + 1), sample_beyond(what.lattice, beside(in.corner, k % 2, k / 2))));
     }
-    return Input::part(what.symbol + "̃", what.axis < 0 ? "" : "m/s",
-                       weighted_sum("q̃ = Σ w q̂, over the four samples around the place that it goes to", terms));
+    return Input::part(
+        what.symbol + "̃", what.axis < 0 ? "" : "m/s",
+        weighted_sum("q̃ = Σ_k w_k q_k, over the four samples around the place that it goes to", "w_k", "q_k", terms));
 }
 
 Explanation AdvectionWhy::corrected(const Carried& what, Index index) const {

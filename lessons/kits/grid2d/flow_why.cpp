@@ -23,7 +23,7 @@ constexpr std::array<const char*, 4> ways{"left", "right", "below", "above"};
 }  // namespace
 
 Explanation GridWhy::divergence(Index cell, Input::From from) const {
-    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (no liquid in the cell)", 0);
+    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (no liquid in the cell)");
     const Counts<2> at = grid_.cells().coordinates(cell);
     Explanation why{"∇·u = (u_right − u_left + v_above − v_below) / Δx", {}, {}};
     const std::array<const char*, 4> names{"u_left", "u_right", "v_below", "v_above"};
@@ -41,7 +41,7 @@ Explanation GridWhy::divergence(Index cell, Input::From from) const {
 
 // θ: where the surface crosses the way from a cell of fluid to one of air.
 Explanation GridWhy::part_of_way(Index fluid, Index air) const {
-    if (!surface_.exact) return fixed_value("θ = 1   (p = 0 in the middle of the cell of air)", 1);
+    if (!surface_.exact) return fixed_value("θ = 1   (p = 0 in the middle of the cell of air)");
     return {"θ = max(φ_f / (φ_f − φ_a), 0.01)", {Input::now("φ_f", "distance", fluid), Input::now("φ_a", "distance", air)}};
 }
 
@@ -72,15 +72,15 @@ std::vector<Input> GridWhy::Row::inputs(std::vector<Input> others) const {
 std::string GridWhy::Row::sum() const { return pressures.empty() ? "0" : sum_of_symbols(pressures); }
 
 Explanation GridWhy::pressure(Index cell) const {
-    if (!grid_.is_fluid(cell)) return fixed_value("p = 0   (no liquid in the cell)", 0);
+    if (!grid_.is_fluid(cell)) return fixed_value("p = 0   (no liquid in the cell)");
     const Row row = row_of(cell);
-    if (row.inputs().empty()) return fixed_value("p = 0   (the cell has no neighbour)", 0);
+    if (row.inputs().empty()) return fixed_value("p = 0   (the cell has no neighbour)");
     return {fmt::format("p = ({} − Δx² (d̃ − d) / Δt) / {}", row.sum(), row.diagonal()),
             row.inputs({dx(), Input::now("d̃", "divergence_before", cell), Input::now("d", "divergence_after", cell), dt_})};
 }
 
 Explanation GridWhy::remaining_divergence(Index cell) const {
-    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (no liquid in the cell)", 0);
+    if (!grid_.is_fluid(cell)) return fixed_value("∇·u = 0   (no liquid in the cell)");
     const Row row = row_of(cell);
     const Input before = Input::now("d̃", "divergence_before", cell);
     if (row.inputs().empty()) return {"∇·u = d̃", {before}};

@@ -56,7 +56,7 @@ Explanation interpolated(const std::string& left, const Lattice<2>& lattice, std
             terms.emplace_back(Input::constant("w" + k, w, "", "bilinear weight of this sample"),
                                sample("q" + k, from, field, sample_beyond(lattice, {in.corner[0] + i, in.corner[1] + j})));
         }
-    return weighted_sum(fmt::format("{} = Σ w q, over {}", left, where), terms);
+    return weighted_sum(fmt::format("{} = Σ_k w_k q_k, over {}", left, where), "w_k", "q_k", terms);
 }
 
 bool GridWhy::closed(int axis, Index face) const {

@@ -10,8 +10,8 @@ namespace {
 
 std::string displacement_of(Index node, Index component) { return fmt::format("u{}_{}", axis_name(component), node); }
 
-// The row of K x, with its diagonal or without, appended as pairs of an entry and an unknown: the stiffest first, since entries
-// that cancel but for rounding say little.
+// The row of K x, with its diagonal or without, appended as two families, the entries and the unknowns: the stiffest first, since
+// entries that cancel but for rounding say little.
 template <int Dim>
 void append_row(std::vector<Input>& inputs, const RowOfEquations& e, bool with_diagonal) {
     std::vector<std::pair<Real, Index>> entries;
@@ -21,16 +21,11 @@ void append_row(std::vector<Input>& inputs, const RowOfEquations& e, bool with_d
     for (const auto& [value, row] : entries) {
         const Index node = row / Dim, component = row % Dim;
         const std::string place = fmt::format("{}_{}", axis_name(component), node);
-        inputs.push_back(Input::constant(fmt::format("K{}", place), value, "N/m", "entry of the stiffness matrix"));
+        const std::string symbol = fmt::format("{}{}", e.unknown, place);
+        inputs.push_back(Input::constant(fmt::format("K{}", place), value, "N/m", "entry of the stiffness matrix").in("K_ab"));
         inputs.push_back(
-            Input::now(fmt::format("{}{}", e.unknown, place), e.field, e.first_row + node, static_cast<int>(component)));
+            Input::now(symbol, e.field, e.first_row + node, static_cast<int>(component)).in(fmt::format("{}_b", e.unknown)));
     }
-}
-
-Real products(std::span<const Real> x) {
-    Real sum = 0;
-    for (std::size_t k = 0; k + 1 < x.size(); k += 2) sum += x[k] * x[k + 1];
-    return sum;
 }
 
 Input element_force(const SimplexMesh<3>& mesh, const Hooke& hooke, Index element, int corner, int component) {
@@ -51,77 +46,59 @@ Input element_force(const SimplexMesh<3>& mesh, const Hooke& hooke, Index elemen
 
 template <int Dim>
 Explanation why_unknown(const RowOfEquations& equations, std::vector<Input> right) {
-    const std::size_t head = right.size() + 1;
     std::string sum = right[0].symbol;
     for (std::size_t k = 1; k < right.size(); ++k) sum += fmt::format(" − {}", right[k].symbol);
-    Explanation e{fmt::format("{0}_a = ({1} − Σ K_ab {0}_b) / K_aa", equations.unknown, sum), std::move(right)};
+    const std::size_t alone = right.size() + 1;
+    Explanation e{fmt::format("{0}_a = ({1} − Σ_b K_ab {0}_b) / K_aa", equations.unknown, sum), std::move(right)};
     e.inputs.insert(e.inputs.begin(),
                     Input::constant("K_aa", equations.matrix->coeff(equations.row, equations.row) + equations.added_to_diagonal,
                                     "N/m", "diagonal of the stiffness matrix"));
     append_row<Dim>(e.inputs, equations, false);
-    const auto right_side = [head](std::span<const Real> x) {
-        Real total = x[1];
-        for (std::size_t k = 2; k < head; ++k) total -= x[k];
-        return total;
-    };
-    e.evaluate = [head, right_side](std::span<const Real> x) { return (right_side(x) - products(x.subspan(head))) / x[0]; };
-    e.substitute = [head](std::span<const Real> x) {
-        std::vector<Real> terms(x.begin() + 1, x.begin() + static_cast<std::ptrdiff_t>(head));
-        for (std::size_t k = 1; k < terms.size(); ++k) terms[k] = -terms[k];
-        return fmt::format("({} − ({})) / {}", sum_text(terms), products_text(x.subspan(head)), as_factor(x[0]));
-    };
+    if (e.inputs.size() == alone) e.formula = fmt::format("{0}_a = ({1}) / K_aa", equations.unknown, sum);
     return e;
 }
 template Explanation why_unknown<2>(const RowOfEquations&, std::vector<Input>);
 template Explanation why_unknown<3>(const RowOfEquations&, std::vector<Input>);
 
 Explanation why_displacement(const StaticProblem<3>& problem, Index node, int component, bool has_residual) {
-    if (problem.constraints().prescribed(node, component)) return fixed_value("u = 0: held by the support", 0);
+    if (problem.constraints().prescribed(node, component)) return fixed_value("u = 0: held by the support");
     std::vector<Input> right{Input::now("f_a", "load", node, component)};
     if (has_residual) right.push_back(Input::now("r_a", "residual", node, component));
     return why_unknown<3>({&problem.body().stiffness(), 3 * node + component, "u", "displacement"}, std::move(right));
 }
 
 Explanation why_residual(const StaticProblem<3>& problem, Index node, int component) {
-    if (problem.constraints().prescribed(node, component)) return fixed_value("r = 0: the support takes what is left", 0);
-    Explanation e{"r_a = f_a − Σ K_ab u_b", {Input::now("f_a", "load", node, component)}};
+    if (problem.constraints().prescribed(node, component)) return fixed_value("r = 0: the support takes what is left");
+    Explanation e{"r_a = f_a − Σ_b K_ab u_b", {Input::now("f_a", "load", node, component)}};
     append_row<3>(e.inputs, {&problem.body().stiffness(), 3 * node + component, "u", "displacement"}, true);
-    e.evaluate = [](std::span<const Real> x) { return x[0] - products(x.subspan(1)); };
-    e.substitute = [](std::span<const Real> x) {
-        return fmt::format("{} − ({})", sum_text(x.first(1)), products_text(x.subspan(1)));
-    };
     return e;
 }
 
 Input mean_displacement(std::string_view face, const std::vector<Index>& nodes, int component, Index first_row) {
-    std::vector<std::pair<Input, Input>> terms;
-    for (const Index n : nodes)
-        terms.emplace_back(Input::constant("w", 1 / static_cast<Real>(nodes.size()), "", "share of the node in the face"),
-                           Input::now(fmt::format("u_{}", n), "displacement", first_row + n, component));
-    const std::string name = fmt::format("ū_{}", face);
-    return Input::part(name, "m", weighted_sum(name + " = Σ w u", terms));
+    std::vector<Input> of_nodes;
+    for (const Index n : nodes) of_nodes.push_back(Input::now(fmt::format("u_{}", n), "displacement", first_row + n, component));
+    return part(fmt::format("ū_{} = mean_n u_n", face), family_of("u_n", std::move(of_nodes)));
 }
 
 Explanation why_strain(const SimplexMesh<3>& mesh, Index element, int row, int column) {
     const auto g = mesh.gradients(element);
     const char *r = axis_name(row), *c = axis_name(column);
-    const bool normal = row == column;
-    std::vector<std::pair<Input, Input>> terms;
+    Explanation e{row == column ? fmt::format("ε_{0}{0} = Σ_a ∂N_a/∂{0} u{0}_a", r)
+                                : fmt::format("ε_{0}{1} = ½ Σ_a (∂N_a/∂{1} u{0}_a + ∂N_a/∂{0} u{1}_a)", r, c)};
     const auto add = [&](int corner, int along, int component) {
         const Index node = mesh.simplices()(corner, element);
         const char* letter = axis_name(along);
-        terms.emplace_back(
-            Input::constant(normal ? fmt::format("∂N_{}/∂{}", node, letter) : fmt::format("½ ∂N_{}/∂{}", node, letter),
-                            (normal ? 1 : 0.5) * g(along, corner), "1/m", "slope of the corner's shape function"),
-            Input::now(displacement_of(node, component), "displacement", node, component));
+        e.inputs.push_back(Input::constant(fmt::format("∂N_{}/∂{}", node, letter), g(along, corner), "1/m",
+                                           "slope of the corner's shape function")
+                               .in(fmt::format("∂N_a/∂{}", letter)));
+        e.inputs.push_back(Input::now(displacement_of(node, component), "displacement", node, component)
+                               .in(fmt::format("u{}_a", axis_name(component))));
     };
     for (int a = 0; a < 4; ++a) {
         add(a, column, row);
-        if (!normal) add(a, row, column);
+        if (row != column) add(a, row, column);
     }
-    return weighted_sum(normal ? fmt::format("ε_{0}{0} = Σ ∂N_a/∂{0} u{0}_a", r)
-                               : fmt::format("ε_{0}{1} = ½ Σ (∂N_a/∂{1} u{0}_a + ∂N_a/∂{0} u{1}_a)", r, c),
-                        terms);
+    return e;
 }
 
 Explanation Hooke::why_stress(Index element, int row, int column, bool from_displacement) const {
@@ -137,20 +114,13 @@ Explanation Hooke::why_stress(Index element, int row, int column, bool from_disp
 }
 
 Explanation why_reaction(const StaticProblem<3>& problem, const Hooke& hooke, Index node, int component) {
-    if (!problem.constraints().prescribed(node, component)) return fixed_value("r = 0: no support here", 0);
-    Explanation e{"r = Σ V σ·∇N − f", {Input::now("f", "load", node, component)}};
+    if (!problem.constraints().prescribed(node, component)) return fixed_value("r = 0: no support here");
+    Explanation e{"r = Σ_e F_e − f, F_e = V σ·∇N", {Input::now("f", "load", node, component)}};
     const auto& simplices = problem.body().mesh().simplices();
     for (Index k = 0; k < simplices.cols(); ++k)
         for (int corner = 0; corner < 4; ++corner)
             if (simplices(corner, k) == node)
-                e.inputs.push_back(element_force(problem.body().mesh(), hooke, k, corner, component));
-    const auto sum = [](std::span<const Real> x) {
-        Real total = 0;
-        for (const Real force : x.subspan(1)) total += force;
-        return total;
-    };
-    e.evaluate = [sum](std::span<const Real> x) { return sum(x) - x[0]; };
-    e.substitute = [](std::span<const Real> x) { return fmt::format("{} − {}", sum_text(x.subspan(1)), as_factor(x[0])); };
+                e.inputs.push_back(element_force(problem.body().mesh(), hooke, k, corner, component).in("F_e"));
     return e;
 }
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace pliant::stepping {
 namespace {
-
-using Values = std::span<const Real>;
 
 // "f", or "(f + fᵈ + fᵉ)".
 std::string sum_of_symbols(const std::vector<Input>& terms) {
@@ -86,32 +86,22 @@ Explanation newton_iterate(const std::string& symbol, const std::string& letter,
 
 Input newton_direction(const ImplicitSolver& solver, Index dof, Real diagonal, const std::vector<std::pair<Index, Real>>& row) {
     const bool bounded = solver.form().lower_bound.size() > 0, iterative = solver.linearised() != nullptr;
-    Explanation e{fmt::format("d = ({}− g{} − Σ H_ab d_b) / H_aa", bounded ? "R " : "", iterative ? " − r" : ""),
-                  {Input::constant("H_aa", diagonal, "N/m", "stiffness, damping and inertia of the node"),
-                   Input::constant("g", solver.gradient()[dof], "N", "what the iterate before left unbalanced")}};
+    const bool coupled = std::ranges::any_of(row, [dof](const auto& entry) { return entry.second != 0 && entry.first != dof; });
+    Explanation e{
+        fmt::format("d = ({}− g{}{}) / H_aa", bounded ? "R " : "", iterative ? " − r" : "", coupled ? " − Σ_b H_ab d_b" : ""),
+        {Input::constant("H_aa", diagonal, "N/m", "stiffness, damping and inertia of the node"),
+         Input::constant("g", solver.gradient()[dof], "N", "what the iterate before left unbalanced")}};
     if (bounded) e.inputs.push_back(Input::constant("R", solver.reaction(dof), "N", "force of the ground"));
     if (iterative)
         e.inputs.push_back(
             Input::constant("r", solver.linear_residual(dof), "N", "what conjugate gradients have left of this row"));
-    const std::size_t head = e.inputs.size();
     for (const auto& [b, value] : row) {
         if (value == 0 || b == dof) continue;
-        e.inputs.push_back(Input::constant("H_ab", value, "N/m", "coupling to a neighbour"));
+        e.inputs.push_back(Input::constant("H_ab", value, "N/m", "coupling to a neighbour").in("H_ab"));
         e.inputs.push_back(Input::constant("d_b", solver.direction()[b], "m",
-                                           fmt::format("the neighbour's direction, {} of node {}", "xyz"[b % 3], b / 3)));
+                                           fmt::format("the neighbour's direction, {} of node {}", "xyz"[b % 3], b / 3))
+                               .in("d_b"));
     }
-    const auto left = [=](Values x) {
-        std::vector<Real> terms{-x[1]};
-        if (bounded) terms.insert(terms.begin(), x[2]);
-        if (iterative) terms.push_back(-x[head - 1]);
-        return terms;
-    };
-    e.evaluate = [=](Values x) {
-        return (sum_of_terms(Making::sum, left(x)) - sum_of_terms(Making::products, x.subspan(head))) / x[0];
-    };
-    e.substitute = [=](Values x) {
-        return fmt::format("({} − ({})) / {}", sum_text(left(x)), products_text(x.subspan(head)), sum_text(x.first(1)));
-    };
     return Input::part("d", "m", std::move(e));
 }
 

@@ -9,18 +9,6 @@
 namespace pliant::springs {
 namespace {
 
-std::string product_of(Values factors) {
-    std::string text;
-    for (const Real x : factors) text += as_factor(x) + " · ";
-    return text;
-}
-
-Real product(Values factors) {
-    Real product = 1;
-    for (const Real x : factors) product *= x;
-    return product;
-}
-
 // (x_j − x_i)² + (y_j − y_i)² + …, or with velocities (vx_j − vx_i) (x_j − x_i) + …
 std::string sum_over_axes(const char* term, int dimension) {
     std::string sum;
@@ -42,7 +30,15 @@ void append_ends(std::vector<Input>& inputs, Reading at, std::string_view field,
 void append_all(std::vector<Input>& inputs, std::string_view before, std::string_view field, Index nodes, int dimension) {
     for (Index n = 0; n < nodes; ++n)
         for (int c = 0; c < dimension; ++c)
-            inputs.push_back(Input::now(fmt::format("{}{}_{}", before, axis_name(c), n), field, n, c));
+            inputs.push_back(Input::now(fmt::format("{}{}_{}", before, axis_name(c), n), field, n, c)
+                                 .in(fmt::format("{}{}{}", before, before.empty() ? "" : "_", axis_name(c))));
+}
+
+void append_points(std::vector<Input>& inputs, const std::string& symbol, std::string_view before, std::string_view field,
+                   Index nodes, int dimension) {
+    std::vector<Input> all;
+    append_all(all, before, field, nodes, dimension);
+    for (Input& one : all) inputs.push_back(one.in(symbol));
 }
 
 Input length_between(Reading at, Index j, Index i, int dimension) {
@@ -61,25 +57,26 @@ Input shared_mass(const Parameter& total, Index nodes) {
 
 // ------------------------------------------------------------------------------------------------------------- forces
 
-Explanation sum_over_springs(const Springs& springs, Index node, std::string formula, std::string_view symbol,
-                             const std::function<Explanation(Index s, Index other)>& term) {
+Explanation sum_over_springs(const Springs& springs, Index node, std::string_view left, std::string_view said,
+                             std::string_view symbol, const std::function<Explanation(Index s, Index other)>& term) {
     std::vector<Input> terms;
     for (Index s = 0; s < springs.size(); ++s) {
         if (springs.i(s) != node && springs.j(s) != node) continue;
         const Index other = other_end(springs, s, node);
         terms.push_back(Input::part(fmt::format("{}_{}", symbol, other), "N", term(s, other)));
     }
-    if (terms.empty()) formula += ": no springs";
-    return sum_of(std::move(formula), std::move(terms));
+    if (terms.empty()) return fixed_value(fmt::format("{} = 0: no springs", left));
+    const std::string family = fmt::format("{}_j", symbol);
+    return sum_of(fmt::format("{} = Σ_j {}, {}", left, family, said), family, std::move(terms));
 }
 
-Explanation spring_on_node(Input stiffness, Input rest, Index other, Index node, int component, int dimension) {
+Explanation spring_on_node(Input stiffness, Input rest, bool apart, Index other, Index node, int component, int dimension) {
     const char* c = axis_name(component);
+    if (!apart) return fixed_value(fmt::format("f_{} = 0: both ends of the spring are at one place", other));
     return {fmt::format("f_{1} = k (|x_ij| − {2}) ({0}_j − {0}_i) / |x_ij|", c, other, rest.symbol),
             {std::move(stiffness), length_between(Input::now, other, node, dimension), std::move(rest),
              Input::now(fmt::format("{}_j", c), "position", other, component),
-             Input::now(fmt::format("{}_i", c), "position", node, component)},
-            [](Values x) { return (x[1] > 0 ? x[0] * (x[1] - x[2]) / x[1] : 0) * (x[3] - x[4]); }};
+             Input::now(fmt::format("{}_i", c), "position", node, component)}};
 }
 
 Explanation damper_on_node(std::vector<Input> damping, bool projected, Index other, Index node, int component,
@@ -105,11 +102,7 @@ Explanation damper_on_node(std::vector<Input> damping, bool projected, Index oth
 
 Explanation strain_of(const Springs& springs, Index s, Real strain) {
     return {strain == 0 ? "ε = (|x_ij| − l) / l, and 0 where the difference is rounding" : "ε = (|x_ij| − l) / l",
-            {length_between(Input::now, springs.j(s), springs.i(s)), rest_length(springs, s)},
-            [](Values x) {
-                const Real by_lengths = (x[0] - x[1]) / x[1];
-                return std::abs(by_lengths) < strain_rounding ? Real{0} : by_lengths;
-            }};
+            {length_between(Input::now, springs.j(s), springs.i(s)), rest_length(springs, s)}};
 }
 
 Explanation load_on_node(const ExternalLoad<3>& load, const Input& mass, const Parameter& gravity,
@@ -126,14 +119,15 @@ Explanation load_on_node(const ExternalLoad<3>& load, const Input& mass, const P
         return {fmt::format("fᵉ = {0}kₕ ({1}_hand − {1})", falls ? "− m g + " : "", c), std::move(inputs)};
     }
     if (falls) return {"fᵉ = − m g", std::move(inputs)};
-    return fixed_value(component != 1 && heavy ? "fᵉ = 0: the weight acts along y" : "fᵉ = 0", 0);
+    return fixed_value(component != 1 && heavy ? "fᵉ = 0: the weight acts along y" : "fᵉ = 0");
 }
 
 // ----------------------------------------------------------------------------------------------------------- energies
 
 Explanation energy_in_all(const ExternalLoad<3>& load, const Parameter& pull_stiffness) {
-    Explanation e = sum_of("E = K + U + V", {Input::now("K", "kinetic_energy", 0), Input::now("U", "elastic_energy", 0),
-                                             Input::now("V", "gravitational_energy", 0)});
+    Explanation e{
+        "E = K + U + V",
+        {Input::now("K", "kinetic_energy", 0), Input::now("U", "elastic_energy", 0), Input::now("V", "gravitational_energy", 0)}};
     if (!load.pull.active()) return e;
     std::vector<Input> ends{pull_stiffness};
     for (int c = 0; c < 3; ++c) {
@@ -147,17 +141,15 @@ Explanation energy_in_all(const ExternalLoad<3>& load, const Parameter& pull_sti
 }
 
 Explanation kinetic_energy_of(Input mass, Index nodes, int dimension) {
-    std::vector<Input> velocities;
-    append_all(velocities, "v", "velocity", nodes, dimension);
-    return times_total(
-        "K = ½ m Σ (" + sum_over_axes("v_{0}²", dimension) + ")", true, {std::move(mass)}, std::move(velocities),
-        [](Values, Values v) { return Eigen::Map<const VecX>(v.data(), static_cast<Index>(v.size())).squaredNorm(); });
+    Explanation e{"K = ½ m Σ_n (" + sum_over_axes("v_{0}²", dimension) + ")", {std::move(mass)}};
+    append_all(e.inputs, "v", "velocity", nodes, dimension);
+    return e;
 }
 
 Explanation gravitational_energy_of(Input mass, const Parameter& gravity, Index nodes) {
-    std::vector<Input> heights;
-    for (Index n = 0; n < nodes; ++n) heights.push_back(Input::now(fmt::format("y_{}", n), "position", n, 1));
-    return times_sum("V = m g Σ y", {std::move(mass), gravity}, std::move(heights));
+    Explanation e{"V = m g Σ_n y_n", {std::move(mass), gravity}};
+    for (Index n = 0; n < nodes; ++n) e.inputs.push_back(Input::now(fmt::format("y_{}", n), "position", n, 1).in("y_n"));
+    return e;
 }
 
 Real elongation_squares(const Springs& springs, Index first, Index last, PointsIn<3> x) {
@@ -167,27 +159,6 @@ Real elongation_squares(const Springs& springs, Index first, Index last, PointsI
         sum += elongation * elongation;
     }
     return sum;
-}
-
-// ----------------------------------------------------------------------------------------------------------- products
-
-Explanation times_total(std::string formula, bool half, std::vector<Input> factors, std::vector<Input> many,
-                        std::function<Real(Values factors, Values many)> total) {
-    const std::size_t count = factors.size();
-    factors.insert(factors.end(), std::make_move_iterator(many.begin()), std::make_move_iterator(many.end()));
-    return {std::move(formula), std::move(factors),
-            [=](Values x) { return (half ? 0.5 : 1) * product(x.first(count)) * total(x.first(count), x.subspan(count)); },
-            [=](Values x) {
-                return (half ? "½ · " : "") + product_of(x.first(count)) + as_factor(total(x.first(count), x.subspan(count)));
-            }};
-}
-
-Explanation times_sum(std::string formula, std::vector<Input> factors, std::vector<Input> terms) {
-    const std::size_t count = factors.size();
-    Explanation e = times_total(std::move(formula), false, std::move(factors), std::move(terms),
-                                [](Values, Values many) { return sum_of_terms(Making::sum, many); });
-    e.substitute = [count](Values x) { return product_of(x.first(count)) + "(" + sum_text(x.subspan(count)) + ")"; };
-    return e;
 }
 
 }  // namespace pliant::springs

@@ -14,7 +14,6 @@
 
 namespace pliant::springs {
 
-using Values = std::span<const Real>;
 using Reading = Input (*)(std::string symbol, std::string_view field, Index index, int component);  // Input::now, ...
 
 // Strains below this are rounding.
@@ -23,8 +22,11 @@ inline constexpr Real strain_rounding = 1e-12;
 // Appends the coordinates of two nodes in turns: x_j, x_i, y_j, y_i, ... with `before` before each letter.
 void append_ends(std::vector<Input>& inputs, Reading at, std::string_view field, std::string_view before, Index j, Index i,
                  int dimension = 3);
-// Every number of a nodal vector, node by node: x_0, y_0, z_0, x_1, ...; and the points that their values make.
+// Every number of a nodal vector, node by node: x_0, y_0, z_0, x_1, ..., as families, x, y and z, or v_x, v_y and v_z.
 void append_all(std::vector<Input>& inputs, std::string_view before, std::string_view field, Index nodes, int dimension = 3);
+// The same as one family under this symbol; and the points that their values make.
+void append_points(std::vector<Input>& inputs, const std::string& symbol, std::string_view before, std::string_view field,
+                   Index nodes, int dimension = 3);
 template <int Dim = 3>
 Eigen::Map<const Points<Dim>> points(Values x) {
     return {x.data(), Dim, static_cast<Index>(x.size() / Dim)};
@@ -36,11 +38,12 @@ Input rest_length(const Springs& springs, Index s);
 // m = M / N
 Input shared_mass(const Parameter& total, Index nodes);
 
-// The sum over the springs of a node, in N: `term` explains what spring s adds, which is called "f_7" with node 7 at its far end.
-Explanation sum_over_springs(const Springs& springs, Index node, std::string formula, std::string_view symbol,
-                             const std::function<Explanation(Index s, Index other)>& term);
-// k (|x_ij| − l) (x_j − x_i) / |x_ij|, 0 where both ends are at one place. k and l by their own symbols.
-Explanation spring_on_node(Input stiffness, Input rest, Index other, Index node, int component, int dimension = 3);
+// The sum over the springs of a node, in N, "f = Σ_j f_j, f_j = …": `term` explains what spring s adds, which is called "f_7"
+// with node 7 at its far end; said: what all of them are.
+Explanation sum_over_springs(const Springs& springs, Index node, std::string_view left, std::string_view said,
+                             std::string_view symbol, const std::function<Explanation(Index s, Index other)>& term);
+// k (|x_ij| − l) (x_j − x_i) / |x_ij|, 0 where both ends are at one place and not apart. k and l by their own symbols.
+Explanation spring_on_node(Input stiffness, Input rest, bool apart, Index other, Index node, int component, int dimension = 3);
 // kᵈ (v_j − v_i), or along the spring kᵈ w (x_j − x_i). damping: factors of kᵈ. direction_at: where directions are taken from.
 Explanation damper_on_node(std::vector<Input> damping, bool projected, Index other, Index node, int component,
                            Reading direction_at, int dimension = 3);
@@ -59,12 +62,6 @@ Explanation kinetic_energy_of(Input mass, Index nodes, int dimension = 3);
 Explanation gravitational_energy_of(Input mass, const Parameter& gravity, Index nodes);
 // Σ (|x_ij| − l)² of the springs from first to before last, m²
 Real elongation_squares(const Springs& springs, Index first, Index last, PointsIn<3> x);
-
-// A product of all factors and of a number that `total` makes of the many inputs: "½ · 0.1 · 34.2". half: and of ½.
-Explanation times_total(std::string formula, bool half, std::vector<Input> factors, std::vector<Input> many,
-                        std::function<Real(Values factors, Values many)> total);
-// A product of all factors and of a sum: "0.1 · 9.81 · (1 + 2 + …)".
-Explanation times_sum(std::string formula, std::vector<Input> factors, std::vector<Input> terms);
 
 inline Index other_end(const Springs& springs, Index s, Index node) { return springs.i(s) == node ? springs.j(s) : springs.i(s); }
 

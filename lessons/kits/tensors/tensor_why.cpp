@@ -4,17 +4,6 @@
 #include <Eigen/LU>
 
 namespace pliant::why {
-namespace {
-
-std::string matrix_text(std::string_view name) {
-    std::string text = "[";
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) text += fmt::format("{}{}", entry(name, i, j), j < 2 ? " | " : i < 2 ? "; " : "]");
-    return text;
-}
-
-}  // namespace
-
 std::string entry(std::string_view name, int i, int j) { return fmt::format("{}_{}{}", name, i + 1, j + 1); }
 
 Input entry_now(std::string_view name, std::string_view field, Index row, int i, int j) {
@@ -28,17 +17,15 @@ std::vector<Input> all_entries(std::string_view name, std::string_view field, In
     return inputs;
 }
 
-std::string matrix_numbers(std::span<const Real> x) {
-    std::string text = "[";
-    for (std::size_t k = 0; k < 9; ++k) text += fmt::format("{}{}", as_factor(x[k]), k == 8 ? "]" : k % 3 == 2 ? "; " : " | ");
-    return text;
-}
-
 Mat<3> matrix(std::span<const Real> x) { return Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>(x.data()); }
 
 Explanation determinant(std::string_view field, Index row, std::string_view left) {
+    return determinant(left, all_entries("F", field, row));
+}
+
+Explanation determinant(std::string_view left, std::vector<Input> entries) {
     return {fmt::format("{} = F_11 (F_22 F_33 − F_23 F_32) − F_12 (F_21 F_33 − F_23 F_31) + F_13 (F_21 F_32 − F_22 F_31)", left),
-            all_entries("F", field, row)};
+            std::move(entries)};
 }
 
 Explanation green(std::string_view field, Index row, int i, int j) {
@@ -64,13 +51,14 @@ Explanation transposed_product(std::string_view name, std::string_view A, std::s
     return {fmt::format("{} = {}", entry(name, i, j), right), std::move(inputs)};
 }
 
-Explanation of_matrix(std::string_view left, std::string_view words, std::string_view name, std::string_view field, Index row,
-                      std::function<Real(const Mat<3>&)> value) {
-    return {.formula = fmt::format("{} = {} {}", left, words, matrix_text(name)),
-            .inputs = all_entries(name, field, row),
-            .evaluate = [value = std::move(value)](std::span<const Real> x) { return value(matrix(x)); },
-            .substitute =
-                [words = std::string(words)](std::span<const Real> x) { return fmt::format("{} {}", words, matrix_numbers(x)); }};
+std::vector<Input> whole(std::string_view name, std::string_view field, Index row) {
+    return family_of(std::string(name), all_entries(name, field, row));
+}
+
+Explanation of_matrix(std::string_view left, const std::string& function, std::string_view meaning, std::string_view name,
+                      std::string_view field, Index row, std::function<Real(const Mat<3>&)> value, const std::string& unit) {
+    return Explanation{fmt::format("{} = {}({}), {}", left, function, name, meaning), whole(name, field, row)}.by(
+        function, unit, [value = std::move(value)](Values x) { return value(matrix(x)); });
 }
 
 Input in_radians(std::string symbol, const Parameter& degrees) {

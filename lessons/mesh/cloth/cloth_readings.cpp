@@ -77,7 +77,10 @@ void ClothLesson::declare_probes() {
         joules("energy", "E", "kinetic, elastic and gravitational, and of the hand's spring",
                [this] { return total_energy(*this); }),
         joules("kinetic_energy", "K", "½ Σ m v²", [this] { return kinetic_energy<3>(sheet_->mass(), velocity_); }),
-        joules("elastic_energy", "U", "of all springs: ½ Σ k (|xᵢⱼ| − l)²", elastic),
+        probe_of("elastic_energy", "U", "J", "of all springs: ½ Σ k (|xᵢⱼ| − l)²")
+            .formula(*this, "U = Uₛ + U_d + U_b",
+                     {Input::now("Uₛ", "stretch_energy", 0), Input::now("U_d", "shear_energy", 0),
+                      Input::now("U_b", "bending_energy", 0)}),
         joules("stretch_energy", "Uₛ", "of the structural springs", [this] { return sheet_->energy(structural, position_); }),
         joules("shear_energy", "U_d", "of the shear springs", [this] { return sheet_->energy(shear, position_); }),
         joules("bending_energy", "U_b", "of the bending springs", [this] { return sheet_->energy(bending, position_); }),

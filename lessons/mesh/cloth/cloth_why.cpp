@@ -10,41 +10,40 @@
 namespace pliant::cloth {
 namespace {
 
-using Values = std::span<const Real>;
-
 // ------------------------------------------------------------------------------------------------------------ springs
 
 Explanation why_spring_force(const ClothLesson& l, Index node, int component) {
     const Springs& springs = l.sheet_->springs();
-    return springs::sum_over_springs(springs, node, "f = Σ k (|x_ij| − l) (x_j − x_i) / |x_ij|", "f", [&](Index s, Index other) {
-        return springs::spring_on_node(l.stiffness_of_spring(s), springs::rest_length(springs, s), other, node, component);
-    });
+    return springs::sum_over_springs(
+        springs, node, "f", "f_j = k (|x_ij| − l) (x_j − x_i) / |x_ij|", "f", [&](Index s, Index other) {
+            const bool apart = l.position_.col(other) != l.position_.col(node);
+            return springs::spring_on_node(l.stiffness_of_spring(s), springs::rest_length(springs, s), apart, other, node,
+                                           component);
+        });
 }
 
 Explanation why_largest_of_node(const ClothLesson& l, Index node, bool bent) {
-    Explanation e{bent ? "β = max(0" : "ε_s = the one farthest from 0 of ("};
+    Explanation e{bent ? "β = max(0, max_s(− ε_s))" : "ε_s = farthest(ε_j), the one farthest from 0"};
     for (const Index s : l.sheet_->springs_of(node)) {
         if (l.sheet_->family_of(s) != (bent ? bending : structural)) continue;
-        const std::string symbol = fmt::format("ε_{}", springs::other_end(l.sheet_->springs(), s, node));
-        e.formula += fmt::format("{}{}", bent ? ", − " : e.inputs.empty() ? "" : ", ", symbol);
-        e.inputs.push_back(Input::now(symbol, "strain", s));
+        e.inputs.push_back(Input::now(fmt::format("ε_{}", springs::other_end(l.sheet_->springs(), s, node)), "strain", s)
+                               .in(bent ? "ε_s" : "ε_j"));
     }
-    e.formula += ")";
-    e.evaluate = [bent](Values x) {
+    if (e.inputs.empty()) return fixed_value(bent ? "β = 0: no spring bends here" : "ε_s = 0: no spring is stretched here");
+    return std::move(e).by("farthest", "", [](Values x) {
         Real farthest = 0;
         for (const Real strain : x)
-            if (bent ? -strain > farthest : std::abs(strain) > std::abs(farthest)) farthest = bent ? -strain : strain;
+            if (std::abs(strain) > std::abs(farthest)) farthest = strain;
         return farthest;
-    };
-    return e;
+    });
 }
 
 // direction_at: where the directions of projected dampers are taken from.
 Explanation why_damping_force(const ClothLesson& l, Index node, int component, springs::Reading direction_at) {
     const bool projected = l.damping_mode == SpringDamping::projected;
     return springs::sum_over_springs(
-        l.sheet_->springs(), node, projected ? "fᵈ = Σ kᵈ (v_ij · x_ij / |x_ij|²) (x_j − x_i)" : "fᵈ = Σ kᵈ (v_j − v_i)", "fᵈ",
-        [&](Index s, Index other) {
+        l.sheet_->springs(), node, "fᵈ", projected ? "fᵈ_j = kᵈ (v_ij · x_ij / |x_ij|²) (x_j − x_i)" : "fᵈ_j = kᵈ (v_j − v_i)",
+        "fᵈ", [&](Index s, Index other) {
             const Input kd = l.sheet_->springs().stiffness()[s] > 0
                                  ? Input(l.damping)
                                  : Input::constant("kᵈ", 0, "N s/m", "a spring of stiffness 0 has no damper");
@@ -61,7 +60,7 @@ Explanation why_external_force(const ClothLesson& l, Index node, int component) 
 Input wind_component(const ClothLesson& l, int component) {
     const std::string symbol = fmt::format("w_{}", axis_name(component));
     if (component == (l.setting == Setting::flag ? 0 : 2)) return part(symbol + " = W", {l.wind});
-    if (component == 1) return Input::part(symbol, "m/s", fixed_value(symbol + " = 0: the wind is level", 0));
+    if (component == 1) return Input::part(symbol, "m/s", fixed_value(symbol + " = 0: the wind is level"));
     return part(symbol + " = W γ sin(2π f t)",
                 {l.wind, l.gust, Input::constant("f", 1, "1/s", "how often the gust comes"),
                  Input::constant("t", l.gust_at_, "s", "since the wind began, at the start of the step")});
@@ -73,26 +72,25 @@ Explanation why_drag(const ClothLesson& l, Index node, int row, int column) {
     for (std::size_t t = 0; t < l.sheet_->triangles().size(); ++t) {
         const NodeTriple& corners = l.sheet_->triangles()[t];
         if (std::ranges::find(corners, node) == corners.end()) continue;
-        Explanation e{fmt::format("C_{} = ρ c |u · A| A_{} A_{} / (6 |A|²), A = ½ (b − a) × (c − a), u = w − (vᵃ + vᵇ + vᶜ) / 3",
-                                  t, axis_name(row), axis_name(column)),
+        Explanation e{fmt::format("C_{0} = drag(ρ, {1}, w_x, w_y, w_z, x_n, v_n), ρ {1} |u · A| A_{2} A_{3} / (6 |A|²) with "
+                                  "A = ½ (b − a) × (c − a), u = w − (vᵃ + vᵇ + vᶜ) / 3",
+                                  t, l.air_drag.info.symbol, axis_name(row), axis_name(column)),
                       {Input::constant("ρ", Air{}.density, "kg/m³", "density of the air"), l.air_drag}};
         for (int c = 0; c < 3; ++c) e.inputs.push_back(wind_component(l, c));
         for (const char* field : {"position", "velocity"})
             for (const Index corner : corners)
                 for (int c = 0; c < 3; ++c)
                     e.inputs.push_back(
-                        Input::now(fmt::format("{}{}_{}", field[0] == 'v' ? "v" : "", axis_name(c), corner), field, corner, c));
-        e.evaluate = [row, column](Values x) {
+                        Input::now(fmt::format("{}{}_{}", field[0] == 'v' ? "v" : "", axis_name(c), corner), field, corner, c)
+                            .in(field[0] == 'v' ? "v_n" : "x_n"));
+        e = std::move(e).by("drag", "N s/m", [row, column](Values x) {
             const Air air{.velocity = {x[2], x[3], x[4]}, .density = x[0], .drag = x[1]};
             return triangle_drag(air, Eigen::Map<const Mat<3>>(x.data() + 5), Eigen::Map<const Mat<3>>(x.data() + 14))(row,
                                                                                                                        column);
-        };
-        e.substitute = [share = e.evaluate](Values x) {
-            return fmt::format("{}, for a = ({:.4g}, {:.4g}, {:.4g}) m and the other corners", share(x), x[5], x[6], x[7]);
-        };
+        });
         terms.push_back(Input::part(fmt::format("C_{}", t), "N s/m", std::move(e)));
     }
-    return sum_of("C = Σ C_t over the triangles of the node", std::move(terms));
+    return sum_of("C = Σ_t C_t, over the triangles of the node", "C_t", std::move(terms));
 }
 
 // A row of C (w − v).

@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace pliant::cloth {
 namespace {
 
 std::string of_axis(const char* symbol, int c) { return fmt::format("{}_{}", symbol, axis_name(c)); }
-
-Vec<3> vec(std::span<const Real> x, std::size_t first) { return {x[first], x[first + 1], x[first + 2]}; }
 
 // The three numbers of a node's vector.
 void append(std::vector<Input>& inputs, Input (*at)(std::string, std::string_view, Index, int), const char* symbol,
@@ -41,25 +40,60 @@ Explanation why_plane_force(const NodePlane<3>& plane, int component) {
 
 // Coulomb's friction with the force and the speed of the start.
 Explanation why_friction(const ClothLesson& l, const NodePlane<3>& plane, int component) {
-    Explanation drag{"b = μ N / max(|v_t|, v₀), |v_t|² = |v|² − (n · v)²",
-                     {l.friction, Input::before("N", "contact_force", plane.node),
-                      Input::constant("v₀", creep_speed, "m/s", "speed below which friction is drag")},
-                     [](std::span<const Real> x) {
-                         const Vec<3> n = vec(x, 3), v = vec(x, 6);
-                         return x[0] * x[1] / std::max((v - n.dot(v) * n).norm(), x[2]);
-                     }};
-    append_constants(drag.inputs, "n", plane.normal, "", frozen_normal);
-    append(drag.inputs, Input::before, "v", "velocity", plane.node);
-    drag.substitute = [](std::span<const Real> x) {
-        const Vec<3> n = vec(x, 3), v = vec(x, 6);
-        return fmt::format("{} · {} / max({:.6g}, {})", as_factor(x[0]), as_factor(x[1]), (v - n.dot(v) * n).norm(), x[2]);
-    };
+    std::vector<Input> motion;
+    append_constants(motion, "n", plane.normal, "", frozen_normal);
+    append(motion, Input::before, "v", "velocity", plane.node);
+    std::vector<Input> along = motion;
+    along.push_back(part("s = n_x v_x + n_y v_y + n_z v_z", motion));
+    const Input slip = part("|v_t| = √((v_x − s n_x)² + (v_y − s n_y)² + (v_z − s n_z)²)", std::move(along));
     const char* letter = axis_name(component);
-    Explanation e{fmt::format("fᵗ = − b (v_{0} − n_{0} (n_x v_x + n_y v_y + n_z v_z))", letter),
-                  {Input::part("b", "N s/m", std::move(drag))}};
+    Explanation e{
+        fmt::format("fᵗ = − b (v_{0} − n_{0} (n_x v_x + n_y v_y + n_z v_z))", letter),
+        {part("b = μ N / max(|v_t|, v₀)", {l.friction, Input::before("N", "contact_force", plane.node), slip,
+                                           Input::constant("v₀", creep_speed, "m/s", "speed below which friction is drag")})}};
     append_constants(e.inputs, "n", plane.normal, "", frozen_normal);
     append(e.inputs, Input::now, "v", "velocity", plane.node);
     return e;
+}
+
+// How far the node was from the middle of the sphere; the direction from there; how fast it moved towards the sphere.
+Input from_middle(const ClothLesson& l, Index node) {
+    std::vector<Input> ends;
+    append(ends, Input::before, "x", "position", node);
+    append_constants(ends, "c", l.sphere().centre, "m", "middle of the sphere");
+    return part("r = √((x_x − c_x)² + (x_y − c_y)² + (x_z − c_z)²)", std::move(ends));
+}
+std::array<Input, 3> directions(const ClothLesson& l, Index node) {
+    const Input r = from_middle(l, node);
+    const auto along = [&](int c) {
+        return part(fmt::format("n_{0} = (x_{0} − c_{0}) / r", axis_name(c)),
+                    {Input::before(of_axis("x", c), "position", node, c),
+                     Input::constant(of_axis("c", c), l.sphere().centre[c], "m", "middle of the sphere"), r});
+    };
+    return {along(0), along(1), along(2)};
+}
+Input meeting_speed(const ClothLesson& l, Index node) {
+    std::vector<Input> inputs;
+    for (Input& n : directions(l, node)) inputs.push_back(std::move(n));
+    append(inputs, Input::before, "v", "velocity", node);
+    return part("w = max(− n_x v_x − n_y v_y − n_z v_z, 0)", std::move(inputs));
+}
+
+// What is left of the velocity when its part towards the sphere is gone, along the surface, in all.
+Explanation why_rubbed(const ClothLesson& l, Index node, int component) {
+    const std::array<Input, 3> n = directions(l, node);
+    const Input w = meeting_speed(l, node);
+    std::vector<Input> slid, inputs;
+    for (int c = 0; c < 3; ++c) {
+        slid.push_back(part(fmt::format("u_{0} = v_{0} + w n_{0}", axis_name(c)),
+                            {Input::before(of_axis("v", c), "velocity", node, c), w, n[static_cast<std::size_t>(c)]}));
+        inputs.push_back(slid.back()), inputs.push_back(n[static_cast<std::size_t>(c)]);
+    }
+    const Input away = part("s = n_x u_x + n_y u_y + n_z u_z", inputs);
+    inputs.push_back(away);
+    const Input slip = part("|u_t| = √((u_x − s n_x)² + (u_y − s n_y)² + (u_z − s n_z)²)", std::move(inputs));
+    return {fmt::format("v′ = u_{0} − min(1, μ w / |u_t|) (u_{0} − s n_{0})", axis_name(component)),
+            {slid[static_cast<std::size_t>(component)], n[static_cast<std::size_t>(component)], l.friction, w, slip, away}};
 }
 
 Explanation why_pressed(const ClothLesson& l, Index node) {
@@ -75,20 +109,8 @@ Explanation why_pressed(const ClothLesson& l, Index node) {
                                                "where the integration has left the node"));
         return e;
     }
-    if (!touch.inside || l.contact_force_[node] == 0) return fixed_value("N = 0: the sphere does not press the node", 0);
-    Explanation e{"N = m w / Δt, w = − n · v, n = (x − c) / |x − c|", {l.node_mass(), l.dt}};
-    append(e.inputs, Input::before, "x", "position", node);
-    append_constants(e.inputs, "c", l.sphere().centre, "m", "middle of the sphere");
-    append(e.inputs, Input::before, "v", "velocity", node);
-    e.evaluate = [](std::span<const Real> x) {
-        const Vec<3> from = vec(x, 2) - vec(x, 5);
-        const Vec<3> n = from.norm() > 0 ? Vec<3>(from / from.norm()) : Vec<3>::UnitY();
-        return x[0] * std::max(-n.dot(vec(x, 8)), Real{0}) / x[1];
-    };
-    e.substitute = [evaluate = e.evaluate](std::span<const Real> x) {
-        return fmt::format("{} · {:.6g} / {}", as_factor(x[0]), evaluate(x) * x[1] / x[0], x[1]);
-    };
-    return e;
+    if (!touch.inside || l.contact_force_[node] == 0) return fixed_value("N = 0: the sphere does not press the node");
+    return {"N = m w / Δt", {l.node_mass(), meeting_speed(l, node), l.dt}};
 }
 
 }  // namespace
@@ -136,46 +158,19 @@ std::optional<Explanation> ClothLesson::why_contact(const Question& q) const {
     if (q.field == "contact_force") return why_pressed(*this, q.index);
     const SphereTouch touch = touches_[static_cast<std::size_t>(q.index)];
     if (!touch.any()) return std::nullopt;
-    const Vec<3> centre = sphere().centre;
-    const auto of_centre = [&](Explanation& e) {
-        append(e.inputs, Input::before, "x", "position", q.index);
-        append_constants(e.inputs, "c", centre, "m", "middle of the sphere");
-    };
-    const auto component = static_cast<Index>(q.component);
+    const auto component = static_cast<std::size_t>(q.component);
     if (q.field == "position") {
         if (!touch.inside) return std::nullopt;
         const char* letter = axis_name(q.component);
-        Explanation e{fmt::format("x′ = c_{0} + R (x_{0} − c_{0}) / |x − c|: onto the surface", letter),
-                      {sphere_radius},
-                      [component](std::span<const Real> x) {
-                          const Vec<3> from = vec(x, 1) - vec(x, 4);
-                          const Vec<3> n = from.norm() > 0 ? Vec<3>(from / from.norm()) : Vec<3>::UnitY();
-                          return x[4 + static_cast<std::size_t>(component)] + x[0] * n[component];
-                      }};
-        of_centre(e);
-        e.substitute = [component](std::span<const Real> x) {
-            const auto at = static_cast<std::size_t>(component);
-            return fmt::format("{} + {} · ({} − {}) / {}", x[4 + at], x[0], x[1 + at], x[4 + at], (vec(x, 1) - vec(x, 4)).norm());
-        };
-        return e;
+        return Explanation{
+            fmt::format("x′ = c_{0} + R n_{0}: onto the surface", letter),
+            {sphere_radius, directions(*this, q.index)[component],
+             Input::constant(of_axis("c", q.component), sphere().centre[q.component], "m", "middle of the sphere")}};
     }
-    Explanation e{touch.held ? "v′ = v + w n, w = max(− n · v, 0), n = (x − c) / |x − c|"
-                             : "v′ = u − min(1, μ w / |u|) u, u = v + w n, w = max(− n · v, 0), n = (x − c) / |x − c|",
-                  {friction}};
-    of_centre(e);
-    append(e.inputs, Input::before, "v", "velocity", q.index);
-    e.evaluate = [component, held = touch.held](std::span<const Real> x) {
-        const Vec<3> from = vec(x, 1) - vec(x, 4), v = vec(x, 7);
-        const Vec<3> n = from.norm() > 0 ? Vec<3>(from / from.norm()) : Vec<3>::UnitY();
-        const Real w = std::max(-n.dot(v), Real{0});
-        const Vec<3> u = v + w * n, along = u - n.dot(u) * n;
-        if (held || w == 0 || along.norm() == 0) return u[component];
-        return u[component] - std::min(Real{1}, x[0] * w / along.norm()) * along[component];
-    };
-    e.substitute = [evaluate = e.evaluate](std::span<const Real> x) {
-        return fmt::format("{:.8g}, with v = ({:.4g}, {:.4g}, {:.4g})", evaluate(x), x[7], x[8], x[9]);
-    };
-    return e;
+    if (!touch.held) return why_rubbed(*this, q.index, q.component);
+    return Explanation{fmt::format("v′ = v_{0} + w n_{0}", axis_name(q.component)),
+                       {Input::before(of_axis("v", q.component), "velocity", q.index, q.component), meeting_speed(*this, q.index),
+                        directions(*this, q.index)[component]}};
 }
 
 }  // namespace pliant::cloth

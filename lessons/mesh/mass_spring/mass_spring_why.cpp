@@ -10,33 +10,32 @@
 namespace pliant::mass_spring {
 namespace {
 
-using Values = std::span<const Real>;
 using springs::Reading, springs::length_between, springs::rest_length;
 
 // ------------------------------------------------------------------------------------------------------------- forces
 
 Explanation why_spring_force(const MassSpringLesson& l, Index node, int component) {
     const Springs& springs = l.block_->springs();
-    return springs::sum_over_springs(springs, node, "f = Σ k (|x_ij| − l) (x_j − x_i) / |x_ij|", "f", [&](Index s, Index other) {
-        return springs::spring_on_node(l.stiffness_of_spring(s), rest_length(springs, s), other, node, component);
-    });
+    return springs::sum_over_springs(
+        springs, node, "f", "f_j = k (|x_ij| − l) (x_j − x_i) / |x_ij|", "f", [&](Index s, Index other) {
+            const bool apart = l.position_.col(other) != l.position_.col(node);
+            return springs::spring_on_node(l.stiffness_of_spring(s), rest_length(springs, s), apart, other, node, component);
+        });
 }
 
 Explanation why_tension(const MassSpringLesson& l, Index s) {
     const Springs& springs = l.block_->springs();
     const bool rounded = l.tension_[s] == 0 && springs.rest_length()[s] > 0;
-    return {
-        rounded ? "T = k (|x_ij| − l), and 0 where the difference is rounding" : "T = k (|x_ij| − l)",
-        {l.stiffness_of_spring(s), length_between(Input::now, springs.j(s), springs.i(s)), rest_length(springs, s)},
-        [](Values x) { return x[2] > 0 && std::abs((x[1] - x[2]) / x[2]) < strain_rounding ? Real{0} : x[0] * (x[1] - x[2]); }};
+    return {rounded ? "T = k (|x_ij| − l), and 0 where the difference is rounding" : "T = k (|x_ij| − l)",
+            {l.stiffness_of_spring(s), length_between(Input::now, springs.j(s), springs.i(s)), rest_length(springs, s)}};
 }
 
 // direction_at: where the directions of projected dampers are taken from.
 Explanation why_damping_force(const MassSpringLesson& l, Index node, int component, Reading direction_at) {
     const bool projected = l.damping_mode == SpringDamping::projected;
     return springs::sum_over_springs(
-        l.block_->springs(), node, projected ? "fᵈ = Σ kᵈ (v_ij · x_ij / |x_ij|²) (x_j − x_i)" : "fᵈ = Σ kᵈ (v_j − v_i)", "fᵈ",
-        [&](Index, Index other) {
+        l.block_->springs(), node, "fᵈ", projected ? "fᵈ_j = kᵈ (v_ij · x_ij / |x_ij|²) (x_j − x_i)" : "fᵈ_j = kᵈ (v_j − v_i)",
+        "fᵈ", [&](Index, Index other) {
             return springs::damper_on_node({l.damping}, projected, other, node, component, direction_at);
         });
 }
@@ -171,12 +170,9 @@ Input impact_speed(const MassSpringLesson& l, Index node) {
 
 Explanation why_rebound(const MassSpringLesson& l, Index node) {
     if (!l.contact_.approach(node).late) return {"v_y′ = e w", {l.restitution, impact_speed(l, node)}};
-    return {"v_y′ = max(e w + ½ Δt a_0, 0), or 0 if e w ≤ Δt a_0",
-            {l.restitution, impact_speed(l, node), l.dt, acceleration_on_ground(l, node)},
-            [](Values x) {
-                const Real w = x[0] * x[1];
-                return w <= x[2] * x[3] ? 0 : std::max(w + x[2] / 2 * x[3], Real{0});
-            }};
+    return Explanation{"v_y′ = rebound(e w, Δt a_0), max(e w + ½ Δt a_0, 0), and 0 where e w ≤ Δt a_0",
+                       {l.restitution, impact_speed(l, node), l.dt, acceleration_on_ground(l, node)}}
+        .by("rebound", "m/s", [](Values x) { return x[0] <= x[1] ? 0 : std::max(x[0] + x[1] / 2, Real{0}); });
 }
 
 // Coulomb's friction: it takes a part of the speed along the ground, or all of it.
@@ -199,7 +195,7 @@ Explanation MassSpringLesson::why_force(const Question& q) const {
     if (q.field == "damping_force") return why_damping_force(*this, q.index, q.component, Input::now);
     if (q.field == "external_force") return why_external_force(*this, q.index, q.component);
     if (q.field == "spring_force") return why_spring_force(*this, q.index, q.component);
-    if (block_->springs().rest_length()[q.index] == 0) return fixed_value("ε = 0: a spring of rest length 0 has no strain", 0);
+    if (block_->springs().rest_length()[q.index] == 0) return fixed_value("ε = 0: a spring of rest length 0 has no strain");
     return springs::strain_of(block_->springs(), q.index, strain_[q.index]);
 }
 

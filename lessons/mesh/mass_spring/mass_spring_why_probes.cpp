@@ -13,27 +13,19 @@
 namespace pliant::mass_spring {
 namespace {
 
-using Values = std::span<const Real>;
-
 // ------------------------------------------------------------------------------------------------------------- motion
 
 Explanation why_elastic_energy(const MassSpringLesson& l) {
-    Explanation e{"U = ½ kₛ Σₛ (|x_ij| − l)² + ½ k_d Σ_d (|x_ij| − l)² + ½ k_b Σ_b (|x_ij| − l)²",
+    Explanation e{"U = ½ kₛ Lₛ(x_n) + ½ k_d L_d(x_n) + ½ k_b L_b(x_n), L = Σ (|x_ij| − l)² over the springs of a family",
                   {l.k_structural, l.k_shear, l.k_bending}};
-    springs::append_all(e.inputs, "", "position", l.position_.cols());
-    // Of each family, the sum of its springs' squared elongations.
-    const auto squares = [&l](Values x, SpringFamily family) {
-        return springs::elongation_squares(l.block_->springs(), l.block_->first(family), l.block_->last(family),
-                                           springs::points(x.subspan(3)));
+    springs::append_points(e.inputs, "x_n", "", "position", l.position_.cols());
+    const auto squares = [&l](SpringFamily family) {
+        return [&l, family](Values x) {
+            return springs::elongation_squares(l.block_->springs(), l.block_->first(family), l.block_->last(family),
+                                               springs::points(x));
+        };
     };
-    e.evaluate = [squares](Values x) {
-        return 0.5 * (x[0] * squares(x, structural) + x[1] * squares(x, shear) + x[2] * squares(x, bending));
-    };
-    e.substitute = [squares](Values x) {
-        return fmt::format("½ · {} · {} + ½ · {} · {} + ½ · {} · {}", as_factor(x[0]), as_factor(squares(x, structural)),
-                           as_factor(x[1]), as_factor(squares(x, shear)), as_factor(x[2]), as_factor(squares(x, bending)));
-    };
-    return e;
+    return std::move(e).by("Lₛ", "m²", squares(structural)).by("L_d", "m²", squares(shear)).by("L_b", "m²", squares(bending));
 }
 
 // The length of a vector of which every component is a part.
@@ -45,32 +37,27 @@ Explanation length_of(std::string_view symbol, std::string_view unit, const std:
 }
 
 Explanation why_momentum(const MassSpringLesson& l, int c) {
-    std::vector<Input> velocities;
+    Explanation e{fmt::format("p_{0} = m Σ_n v_n", axis_name(c)), {l.node_mass()}};
     for (Index n = 0; n < l.velocity_.cols(); ++n)
-        velocities.push_back(Input::now(fmt::format("v{}_{}", axis_name(c), n), "velocity", n, c));
-    return springs::times_sum(fmt::format("p_{0} = m Σ v_{0}", axis_name(c)), {l.node_mass()}, std::move(velocities));
+        e.inputs.push_back(Input::now(fmt::format("v{}_{}", axis_name(c), n), "velocity", n, c).in("v_n"));
+    return e;
 }
 
+// About the middle of mass, across the plane of two axes.
 Explanation why_angular_momentum(const MassSpringLesson& l, int c) {
-    const Index nodes = l.position_.cols();
-    std::vector<Input> motion;
-    springs::append_all(motion, "", "position", nodes);
-    springs::append_all(motion, "v", "velocity", nodes);
-    return springs::times_total(fmt::format("J_{0} = m Σ ((x − x_c) × (v − v_c))_{0}", axis_name(c)), false, {l.node_mass()},
-                                std::move(motion), [c, nodes](Values, Values x) {
-                                    const auto count = static_cast<std::size_t>(3 * nodes);
-                                    return angular_momentum<3>(VecX::Ones(nodes), springs::points(x.first(count)),
-                                                               springs::points(x.subspan(count)))[c];
-                                });
+    Explanation e{fmt::format("J_{2} = m Σ_n (({0} − mean {0}) (v_{1} − mean v_{1}) − ({1} − mean {1}) (v_{0} − mean v_{0}))",
+                              axis_name((c + 1) % 3), axis_name((c + 2) % 3), axis_name(c)),
+                  {l.node_mass()}};
+    springs::append_all(e.inputs, "", "position", l.position_.cols());
+    springs::append_all(e.inputs, "v", "velocity", l.position_.cols());
+    std::erase_if(e.inputs, [&](const Input& in) { return in.family.ends_with(axis_name(c)); });
+    return e;
 }
 
 Explanation why_height(const MassSpringLesson& l) {
     std::vector<Input> heights;
     for (Index n = 0; n < l.position_.cols(); ++n) heights.push_back(Input::now(fmt::format("y_{}", n), "position", n, 1));
-    Explanation e = sum_of("h = Σ y / N", std::move(heights));
-    e.evaluate = [making = e.making](Values x) { return sum_of_terms(making, x) / Real(x.size()); };
-    e.substitute = [](Values x) { return fmt::format("({}) / {}", sum_text(x), x.size()); };
-    return e;
+    return {"h = mean_n y_n", family_of("y_n", std::move(heights))};
 }
 
 // Of the spring where the strain is largest now.
@@ -81,38 +68,20 @@ Explanation why_stretch(const MassSpringLesson& l) {
     spring_strain<3>(springs, l.position_, strain);
     Index most = 0;
     strain.cwiseAbs().maxCoeff(&most);
-    if (springs.rest_length()[most] == 0) return fixed_value("ε = 0: springs of rest length 0 have no strain", 0);
+    if (springs.rest_length()[most] == 0) return fixed_value("ε = 0: springs of rest length 0 have no strain");
     const Index i = springs.i(most), j = springs.j(most);
-    Explanation e{
-        fmt::format("ε = |(|x_{0} − x_{1}| − l) / l|, the largest: of spring {2} between nodes {1} and {0}", j, i, most),
-        {springs::rest_length(springs, most)}};
-    for (const Index node : {j, i})
-        for (int c = 0; c < 3; ++c) e.inputs.push_back(Input::now(fmt::format("{}_{}", axis_name(c), node), "position", node, c));
-    const auto length = [](Values x) { return Vec<3>(x[1] - x[4], x[2] - x[5], x[3] - x[6]).norm(); };
-    e.evaluate = [length](Values x) {
-        const Real strain_now = std::abs(length(x) / x[0] - 1);
-        return strain_now < strain_rounding ? 0 : strain_now;
-    };
-    e.substitute = [length](Values x) {
-        return fmt::format("|({0} − {1}) / {1}|", format_quantity(length(x), "", 8), format_quantity(x[0], "", 8));
-    };
-    return e;
+    return {fmt::format("ε = |(|x_ij| − l) / l|, the largest: of spring {} between nodes i = {} and j = {}", most, i, j),
+            {springs::rest_length(springs, most), springs::length_between(Input::now, j, i)}};
 }
 
 Explanation why_sag(const MassSpringLesson& l) {
-    Explanation e{"s = Σ (Y − y) / n"};
+    Explanation e{"s = mean_n (Y_n − y_n)"};
     for (const Index n : l.support != Support::side ? l.block_->layer(1, false) : l.block_->layer(0, true)) {
         e.inputs.push_back(
-            Input::constant(fmt::format("Y_{}", n), l.block_->rest()(1, n) + l.drop_height, "m", "height of the node at rest"));
-        e.inputs.push_back(Input::now(fmt::format("y_{}", n), "position", n, 1));
+            Input::constant(fmt::format("Y_{}", n), l.block_->rest()(1, n) + l.drop_height, "m", "height of the node at rest")
+                .in("Y_n"));
+        e.inputs.push_back(Input::now(fmt::format("y_{}", n), "position", n, 1).in("y_n"));
     }
-    const auto fallen = [](Values x) {
-        std::vector<Real> each;
-        for (std::size_t k = 0; k + 1 < x.size(); k += 2) each.push_back(x[k] - x[k + 1]);
-        return each;
-    };
-    e.evaluate = [fallen](Values x) { return 2 * sum_of_terms(Making::sum, fallen(x)) / Real(x.size()); };
-    e.substitute = [fallen](Values x) { return fmt::format("({}) / {}", sum_text(fallen(x)), x.size() / 2); };
     return e;
 }
 
@@ -124,50 +93,48 @@ Input why_plates(const MassSpringLesson& l) {
 
 Input why_stiffness(const MassSpringLesson& l) { return Input::now("K", l.bends() ? "bending_stiffness" : "test_stiffness", 0); }
 
-// Of a family, weighted as the test weights them. strains: of all springs.
-Real weighted_squares(const MassSpringLesson& l, Values strains, SpringFamily family) {
+// "Σₛ wₛ (lₛ εₛ)²" of a family, weighted as the test weights them, whose numbers join the inputs; "" of one without springs.
+std::string weighted_squares(const MassSpringLesson& l, SpringFamily family, std::vector<Input>& inputs) {
+    constexpr std::array<const char*, 3> marks{"ₛ", "_d", "_b"};
+    const std::string mark = marks[family];
     const Springs& springs = l.block_->springs();
-    Real sum = 0;
     for (Index s = l.block_->first(family); s < l.block_->last(family); ++s) {
-        const Real weight = l.shared_edges ? l.block_->lattice().share({springs.i(s), springs.j(s)}, family) : Real{1};
-        const Real elongation = springs.rest_length()[s] * strains[static_cast<std::size_t>(s)];
-        sum += weight * elongation * elongation;
+        if (l.shared_edges)
+            inputs.push_back(Input::constant(fmt::format("w_{}", s),
+                                             l.block_->lattice().share({springs.i(s), springs.j(s)}, family), "",
+                                             "part of the spring that belongs to the test")
+                                 .in("w" + mark));
+        inputs.push_back(
+            Input::constant(fmt::format("l_{}", s), springs.rest_length()[s], "m", "rest length of the spring").in("l" + mark));
+        inputs.push_back(Input::now(fmt::format("ε_{}", s), "strain", s).in("ε" + mark));
     }
-    return sum;
-}
-
-void append_strains(const MassSpringLesson& l, std::vector<Input>& inputs) {
-    for (Index s = 0; s < l.block_->springs().size(); ++s) inputs.push_back(Input::now(fmt::format("ε_{}", s), "strain", s));
+    if (l.block_->first(family) == l.block_->last(family)) return "";
+    return fmt::format("Σ{0} {1}(l{0} ε{0})²", mark, l.shared_edges ? fmt::format("w{} ", mark) : "");
 }
 
 // From the energy of all springs, K = 2 U/δ².
 Explanation why_test_stiffness(const MassSpringLesson& l) {
-    Explanation e{"K = (kₛ Σₛ w (l ε)² + k_d Σ_d w (l ε)² + k_b Σ_b w (l ε)²) / δ²",
-                  {l.k_structural, l.k_shear, l.k_bending, why_plates(l)}};
-    append_strains(l, e.inputs);
-    const auto sum = [&l](Values x, SpringFamily family) { return weighted_squares(l, x.subspan(4), family); };
-    e.evaluate = [sum](Values x) {
-        return (x[0] * sum(x, structural) + x[1] * sum(x, shear) + x[2] * sum(x, bending)) / (x[3] * x[3]);
-    };
-    e.substitute = [sum](Values x) {
-        return fmt::format("({} · {} + {} · {} + {} · {}) / {}²", as_factor(x[0]), as_factor(sum(x, structural)), as_factor(x[1]),
-                           as_factor(sum(x, shear)), as_factor(x[2]), as_factor(sum(x, bending)), as_factor(x[3], true));
-    };
+    const std::array<const Number*, 3> stiffness{&l.k_structural, &l.k_shear, &l.k_bending};
+    Explanation e{"K = 0: no springs", {}};
+    std::string sum;
+    for (const SpringFamily family : {structural, shear, bending}) {
+        const std::string squares = weighted_squares(l, family, e.inputs);
+        if (squares.empty()) continue;
+        sum += fmt::format("{}{} {}", sum.empty() ? "" : " + ", stiffness[family]->info.symbol, squares);
+        e.inputs.push_back(*stiffness[family]);
+    }
+    if (sum.empty()) return e;
+    e.inputs.push_back(why_plates(l));
+    e.formula = fmt::format("K = ({}) / δ²", sum);
     return e;
 }
 
 Explanation why_coupling(const MassSpringLesson& l, SpringFamily family) {
     const std::array<const Number*, 3> stiffness{&l.k_structural, &l.k_shear, &l.k_bending};
-    constexpr std::array<const char*, 3> letter{"s", "d", "b"};
-    Explanation e{fmt::format("c = k Σ_{} w (l ε)² / (K δ²)", letter[family]),
-                  {Input::of(*stiffness[family], "k"), why_stiffness(l), why_plates(l)}};
-    append_strains(l, e.inputs);
-    const auto sum = [&l, family](Values x) { return weighted_squares(l, x.subspan(3), family); };
-    e.evaluate = [sum](Values x) { return x[0] * sum(x) / (x[1] * x[2] * x[2]); };
-    e.substitute = [sum](Values x) {
-        return fmt::format("{} · {} / ({} · {}²)", as_factor(x[0]), as_factor(sum(x)), as_factor(x[1]), as_factor(x[2], true));
-    };
-    return e;
+    std::vector<Input> inputs{Input::of(*stiffness[family], "k"), why_stiffness(l), why_plates(l)};
+    const std::string squares = weighted_squares(l, family, inputs);
+    if (squares.empty()) return fixed_value("c = 0: no such springs");
+    return {fmt::format("c = k {} / (K δ²)", squares), std::move(inputs)};
 }
 
 Explanation why_youngs_modulus(const MassSpringLesson& l) {

@@ -38,24 +38,23 @@ void RodLesson::declare_probes() {
                  [this] { return tip_displacement(); })
             .exactly([this](Real t) { return exact_displacement(length, t); }),
         probe_of("tip_over_continuum", "", "",
-                 "u_L over that of the continuum; exact: (N + 1)/N for derived springs, which tends to 1",
-                 [this] {
-                     return !hangs_still() || gravity == 0
-                                ? std::nullopt
-                                : std::optional<Real>(tip_displacement() / continuum().hanging_tip(gravity));
-                 })
-            .exactly([this](Real) {
-                return !hangs_still() || gravity == 0
-                           ? std::nullopt
-                           : std::optional<Real>(chain().hanging_tip(gravity) / continuum().hanging_tip(gravity));
-            }),
-        probe_of("tip_of_chain", "u_N", "m", "M g (N + 1)/(2k): what a chain of N springs k comes to, at rest",
-                 [this] { return hangs() ? std::optional<Real>(chain().hanging_tip(gravity)) : std::nullopt; }),
+                 "u_L over that of the continuum; exact: (N + 1)/N for derived springs, which tends to 1")
+            .formula(*this, "u_L / u_c",
+                     {Input::now("u_L", "tip_displacement", 0),
+                      part("u_c = M g L / (2 EA)", {total_mass, gravity, length, axial_stiffness})})
+            .exactly([this](Real) { return chain().hanging_tip(gravity) / continuum().hanging_tip(gravity); })
+            .when([this] { return hangs_still() && gravity != 0; }),
+        probe_of("tip_of_chain", "u_N", "m", "M g (N + 1)/(2k): what a chain of N springs k comes to, at rest")
+            .formula(*this, "u_N = M g (N + 1) / (2 k)", {total_mass, gravity, segments, Input::now("k", "stiffness", 0)})
+            .when([this] { return hangs(); }),
         probe_of("stiffness", "k", "N/m", "of each spring: EA/Δs, or what was picked", [this] { return stiffness(); }),
-        probe_of("chain_axial_stiffness", "k Δs", "N", "EA of the rod that the springs amount to; exact: that of the rod",
-                 [this] { return chain_axial_stiffness(); })
+        probe_of("chain_axial_stiffness", "k Δs", "N", "EA of the rod that the springs amount to; exact: that of the rod")
+            .formula(*this, "k Δs", {Input::now("k", "stiffness", 0), why_segment()})
             .exactly([this](Real) { return std::optional<Real>(axial_stiffness); }),
-        probe_of("energy", "E", "J", "kinetic, elastic and gravitational", [this] { return total_energy(); })
+        probe_of("energy", "E", "J", "kinetic, elastic and gravitational")
+            .formula(*this, "E = K + U + V",
+                     {Input::now("K", "kinetic_energy", 0), Input::now("U", "elastic_energy", 0),
+                      Input::now("V", "gravitational_energy", 0)})
             .exactly(undamped_start),
         probe_of("elastic_energy", "U", "J", "Σ ½EAε² Δs; exact, of the continuum at rest: M²g²L/(6EA)",
                  [this] { return elastic_energy(); })

@@ -8,14 +8,12 @@
 namespace pliant::rod {
 namespace {
 
-using Values = std::span<const Real>;
-
 // -------------------------------------------------------------------------------------------------------------- forces
 
 Explanation why_gradient_force(const RodLesson& l, const Question& q) {
     const char* c = axis_name(q.component);
     return springs::sum_over_springs(
-        l.springs_, q.index, "−∂U/∂x_i = Σ of the segments beside", "f", [&, c](Index s, Index other) -> Explanation {
+        l.springs_, q.index, "−∂U/∂x_i", "of the segments beside", "f", [&, c](Index s, Index other) -> Explanation {
             return {fmt::format("f_{} = {}EA ε {}_s / √(x_n² + y_n²)", other, other > q.index ? "" : "− ", c),
                     {l.why_axial_stiffness(), Input::now("ε", "strain", s),
                      Input::now(fmt::format("{}_s", c), "slope", s, q.component), Input::now("x_n", "slope", s, 0),
@@ -24,13 +22,14 @@ Explanation why_gradient_force(const RodLesson& l, const Question& q) {
 }
 
 Explanation why_spring_force(const RodLesson& l, const Question& q) {
-    return springs::sum_over_springs(l.springs_, q.index, "f = Σ of the springs beside", "f", [&](Index, Index other) {
-        return springs::spring_on_node(l.why_stiffness(), l.why_segment(), other, q.index, q.component, 2);
+    return springs::sum_over_springs(l.springs_, q.index, "f", "of the springs beside", "f", [&](Index, Index other) {
+        return springs::spring_on_node(l.why_stiffness(), l.why_segment(), l.position_.col(other) != l.position_.col(q.index),
+                                       other, q.index, q.component, 2);
     });
 }
 
 Explanation why_damping_force(const RodLesson& l, const Question& q) {
-    return springs::sum_over_springs(l.springs_, q.index, "fᵈ = Σ of the dampers beside", "fᵈ", [&](Index, Index other) {
+    return springs::sum_over_springs(l.springs_, q.index, "fᵈ", "of the dampers beside", "fᵈ", [&](Index, Index other) {
         return springs::damper_on_node({l.damping, l.why_stiffness()}, true, other, q.index, q.component, Input::now, 2);
     });
 }
@@ -44,23 +43,17 @@ Explanation why_balanced(const RodLesson& l, Index node, int component) {
     if (component == 0) return {"x′ = x: all forces act along the rod", {before}};
     if (node == 0) return {"y′ = y: the support holds the node", {before}};
     if (l.at_rest()) return {"y′ = y: the forces balance", {before}};
-    Explanation e{"y′ = y + Σ c_n (f_n + fᵉ_n) / k,  c_n = min(n, n_here)", {before, l.why_stiffness()}};
     const bool weighty = l.loaded();
+    Explanation e{
+        weighty ? "y′ = y + Σ_n c_n (f_n + fᵉ_n) / k, c_n = min(n, n_here)" : "y′ = y + Σ_n c_n f_n / k, c_n = min(n, n_here)",
+        {before, l.why_stiffness()}};
     for (Index n = 1; n <= l.segments; ++n) {
-        e.inputs.push_back(Input::now(fmt::format("f_{}", n), "spring_force", n, 1));
-        if (weighty) e.inputs.push_back(Input::now(fmt::format("fᵉ_{}", n), "external_force", n, 1));
+        e.inputs.push_back(
+            Input::constant(fmt::format("c_{}", n), static_cast<Real>(std::min(n, node)), "", "springs that both nodes hang from")
+                .in("c_n"));
+        e.inputs.push_back(Input::now(fmt::format("f_{}", n), "spring_force", n, 1).in("f_n"));
+        if (weighty) e.inputs.push_back(Input::now(fmt::format("fᵉ_{}", n), "external_force", n, 1).in("fᵉ_n"));
     }
-    const auto sum = [node, weighty](Values x) {
-        Real total = 0;
-        const std::size_t each = weighty ? 2 : 1;
-        for (std::size_t k = 2; k < x.size(); k += each) {
-            const auto n = static_cast<Index>((k - 2) / each) + 1;
-            total += static_cast<Real>(std::min(n, node)) * (x[k] + (weighty ? x[k + 1] : Real{0}));
-        }
-        return total;
-    };
-    e.evaluate = [sum](Values x) { return x[0] + sum(x) / x[1]; };
-    e.substitute = [sum](Values x) { return fmt::format("{} + {} / {}", as_factor(x[0]), as_factor(sum(x)), as_factor(x[1])); };
     return e;
 }
 
@@ -128,7 +121,7 @@ Explanation RodLesson::why_field(const Question& q) const {
     if (q.field == "spring_force") return why_spring_force(*this, q);
     if (q.field == "damping_force") return why_damping_force(*this, q);
     if (q.field == "external_force") {
-        if (q.component == 0) return fixed_value("fᵉ = 0: the weight acts along y", 0);
+        if (q.component == 0) return fixed_value("fᵉ = 0: the weight acts along y");
         return {"fᵉ = − m g", {why_node_mass(), gravity}};
     }
     if (q.field == "displacement")

@@ -9,21 +9,15 @@
 namespace pliant::rod {
 namespace {
 
-using Values = std::span<const Real>;
-
 Explanation why_elastic_energy(const RodLesson& l) {
-    std::vector<Input> positions;
-    springs::append_all(positions, "", "position", l.segments + 1, 2);
-    return springs::times_total("U = ½ EA Δs Σ (|x_j − x_i| / Δs − 1)²", true, {l.why_axial_stiffness(), l.why_segment()},
-                                std::move(positions), [](Values factors, Values x) {
-                                    const auto at = springs::points<2>(x);
-                                    Real sum = 0;
-                                    for (Index i = 0; i + 1 < at.cols(); ++i) {
-                                        const Real strain = ((at.col(i + 1) - at.col(i)) / factors[1]).norm() - 1;
-                                        sum += strain * strain;
-                                    }
-                                    return sum;
-                                });
+    Explanation e{"U = ½ EA Δs Σ_i (√((x_j − x_i)² + (y_j − y_i)²) / Δs − 1)², j = i + 1",
+                  {l.why_axial_stiffness(), l.why_segment()}};
+    for (Index i = 0; i < l.segments; ++i)
+        for (int c = 0; c < 2; ++c)
+            for (const Index n : {i, i + 1})
+                e.inputs.push_back(Input::now(fmt::format("{}_{}", axis_name(c), n), "position", n, c)
+                                       .in(fmt::format("{}_{}", axis_name(c), n == i ? "i" : "j")));
+    return e;
 }
 
 Explanation why_force_difference(const RodLesson& l) {
@@ -54,30 +48,32 @@ Explanation why_mode_amplitude(const RodLesson& l) {
     for (Index n = 1; n <= l.segments; ++n)
         terms.emplace_back(Input::constant(fmt::format("w{}", n), shape[n] / shape.squaredNorm(), "", "φ/Σφ² of this node"),
                            Input::now(fmt::format("u{}", n), "displacement", n));
-    return weighted_sum("q = Σ w u over the nodes, w = φ/Σφ²", terms);
+    return weighted_sum("q = Σ_n w_n u_n, w = φ/Σφ²", "w_n", "u_n", terms);
 }
 
 // The mean of s, weighted by the elastic energy of the l.segments and the kinetic energy of the nodes.
 Explanation why_pulse_position(const RodLesson& l) {
-    Explanation e{"s_p = Σ s E / Σ E over l.segments and nodes, from ½ EA ε² Δs and ½ m v²",
-                  {l.why_axial_stiffness(), l.why_segment(), l.why_node_mass()}};
+    Explanation e{
+        "s_p = M(EA, Δs, m, x_n, v_n) / E(EA, Δs, m, x_n, v_n), M = Σ s E, E = ½ EA ε² Δs of segments and ½ m v² of nodes",
+        {l.why_axial_stiffness(), l.why_segment(), l.why_node_mass()}};
     const Index nodes = l.segments + 1;
-    springs::append_all(e.inputs, "", "position", nodes, 2);
-    springs::append_all(e.inputs, "v", "velocity", nodes, 2);
-    const auto sums = [nodes](Values x) {
-        const auto all = springs::points<2>(x.subspan(3));
-        const auto at = all.leftCols(nodes), moving = all.rightCols(nodes);
-        Vec<2> moment_and_energy = Vec<2>::Zero();
-        for (Index i = 0; i + 1 < nodes; ++i) {
-            const Real strain = ((at.col(i + 1) - at.col(i)) / x[1]).norm() - 1, s = static_cast<Real>(i) * x[1];
-            const Real elastic = 0.5 * x[0] * x[1] * strain * strain, kinetic = 0.5 * x[2] * moving.col(i + 1).squaredNorm();
-            moment_and_energy += Vec<2>(elastic * (s + 0.5 * x[1]) + kinetic * (s + x[1]), elastic + kinetic);
-        }
-        return moment_and_energy;
+    springs::append_points(e.inputs, "x_n", "", "position", nodes, 2);
+    springs::append_points(e.inputs, "v_n", "v", "velocity", nodes, 2);
+    // Σ s^power E
+    const auto summed = [nodes](int power) {
+        return [nodes, power](Values x) {
+            const auto all = springs::points<2>(x.subspan(3));
+            const auto at = all.leftCols(nodes), moving = all.rightCols(nodes);
+            Real sum = 0;
+            for (Index i = 0; i + 1 < nodes; ++i) {
+                const Real strain = ((at.col(i + 1) - at.col(i)) / x[1]).norm() - 1, s = static_cast<Real>(i) * x[1];
+                const Real elastic = 0.5 * x[0] * x[1] * strain * strain, kinetic = 0.5 * x[2] * moving.col(i + 1).squaredNorm();
+                sum += power == 0 ? elastic + kinetic : elastic * (s + 0.5 * x[1]) + kinetic * (s + x[1]);
+            }
+            return sum;
+        };
     };
-    e.evaluate = [sums](Values x) { return sums(x)[0] / sums(x)[1]; };
-    e.substitute = [sums](Values x) { return fmt::format("{} / {}", as_factor(sums(x)[0]), as_factor(sums(x)[1])); };
-    return e;
+    return std::move(e).by("M", "J m", summed(1)).by("E", "J", summed(0));
 }
 
 }  // namespace
@@ -86,28 +82,15 @@ void RodLesson::explain_probes() {
     explain_probe("tip_displacement", [this] {
         return Explanation{"u_L = u: of the last node", {Input::now("u", "displacement", segments)}};
     });
-    explain_probe("tip_over_continuum", [this]() -> Explanation {
-        return {"u_L / u_c",
-                {Input::now("u_L", "tip_displacement", 0),
-                 part("u_c = M g L / (2 EA)", {total_mass, gravity, length, axial_stiffness})}};
-    });
-    explain_probe("tip_of_chain", [this]() -> Explanation {
-        return {"u_N = M g (N + 1) / (2 k)", {total_mass, gravity, segments, why_stiffness()}};
-    });
     explain_probe("stiffness", [this] { return why_field({"spring_stiffness", 0}); });
-    explain_probe("chain_axial_stiffness", [this]() -> Explanation { return {"k Δs", {why_stiffness(), why_segment()}}; });
-    explain_probe("energy", [] {
-        return sum_of("E = K + U + V", {Input::now("K", "kinetic_energy", 0), Input::now("U", "elastic_energy", 0),
-                                        Input::now("V", "gravitational_energy", 0)});
-    });
     explain_probe("elastic_energy", [this] { return why_elastic_energy(*this); });
     explain_probe("kinetic_energy", [this] {
-        return hangs_still() ? fixed_value("K = 0: the rod hangs still", 0)
+        return hangs_still() ? fixed_value("K = 0: the rod hangs still")
                              : springs::kinetic_energy_of(why_node_mass(), segments + 1, 2);
     });
     explain_probe("gravitational_energy", [this] {
         return loaded() ? springs::gravitational_energy_of(why_node_mass(), gravity, segments + 1)
-                        : fixed_value("V = 0: there is no weight", 0);
+                        : fixed_value("V = 0: there is no weight");
     });
     explain_probe("force_difference", [this] { return why_force_difference(*this); });
     explain_probe("imbalance", [this] { return why_imbalance(*this); });

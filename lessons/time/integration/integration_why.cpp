@@ -96,7 +96,7 @@ Explanation why_balanced_velocity(const IntegrationLesson& l, Index dof) {
 Explanation IntegrationLesson::why_force(Index dof, std::string_view x_field, std::string_view v_field, Reading at,
                                          std::string_view mark) const {
     const std::string x = fmt::format("x{}", mark), v = fmt::format("v{}", mark);
-    if (omega == 0) return fixed_value("f = 0: without ω there is no spring, and no drag", 0);
+    if (omega == 0) return fixed_value("f = 0: without ω there is no spring, and no drag");
     if (is(SwingingKind::oscillator))
         return {fmt::format("f = − m (ω² {} + 2 ζ ω {})", x, v),
                 {unit_mass(), Input::of(omega), at(x, x_field, 0, 0), Input::of(zeta), at(v, v_field, 0, 0)}};
@@ -174,38 +174,23 @@ Explanation IntegrationLesson::why_kinetic_energy() const {
     return e;
 }
 
-// With f_0, the force of the springs alone.
+// With the force of the springs alone.
 Explanation IntegrationLesson::why_shadow_energy() const {
-    Explanation e{"Ẽ = E + ½ Δt Σ v f_0", {Input::now("E", "energy", 0), Input::of(dt)}, {}};
+    Explanation e{"Ẽ = E + ½ Δt Σ_n v_n f_n, f = − K x", {Input::now("E", "energy", 0), Input::of(dt)}};
     for (Index n = 0; n < x_.size(); ++n) {
-        Explanation pull{"f_0 = − Σ K x"};
-        const Index count = x_.size();
-        pull.evaluate = [](std::span<const Real> q) {
-            Real sum = 0;
-            for (std::size_t k = 0; k + 1 < q.size(); k += 2) sum -= q[k] * q[k + 1];
-            return sum;
-        };
-        pull.substitute = [](std::span<const Real> q) { return "−(" + products_text(q) + ")"; };
-        for (Index m = 0; m < count; ++m) {
-            pull.inputs.push_back(Input::constant("K", motion_->stiffness_matrix()(n, m), "N/m", "stiffness"));
-            pull.inputs.push_back(Input::now("x", "position", m));
-        }
-        e.inputs.push_back(Input::now("v", "velocity", n));
-        e.inputs.push_back(Input::part("f_0", "N", std::move(pull)));
+        std::vector<std::pair<Input, Input>> terms;
+        for (Index m = 0; m < x_.size(); ++m)
+            terms.emplace_back(Input::constant(fmt::format("K_{}", m + 1), motion_->stiffness_matrix()(n, m), "N/m", "stiffness"),
+                               Input::now(fmt::format("x_{}", m + 1), "position", m));
+        const std::string force = fmt::format("f_{}", n + 1);
+        e.inputs.push_back(Input::now(fmt::format("v_{}", n + 1), "velocity", n).in("v_n"));
+        e.inputs.push_back(Input::part(force, "N", weighted_sum(force + " = − Σ_m K_m x_m", "K_m", "x_m", terms)).in("f_n"));
     }
-    e.evaluate = [](std::span<const Real> q) {
-        Real sum = 0;
-        for (std::size_t k = 2; k + 1 < q.size(); k += 2) sum += q[k] * q[k + 1];
-        return q[0] + q[1] / 2 * sum;
-    };
-    e.substitute = [](std::span<const Real> q) {
-        return as_factor(q[0]) + " + ½ · " + as_factor(q[1]) + " · (" + products_text(q.subspan(2)) + ")";
-    };
     return e;
 }
 
 Explanation IntegrationLesson::why_potential_energy() const {
-    if (omega == 0) return fixed_value("U = 0: without ω there is no spring", 0);
+    if (omega == 0) return fixed_value("U = 0: without ω there is no spring");
     if (is(SwingingKind::oscillator)) return {"U = ½ m ω² x²", {unit_mass(), Input::of(omega), Input::now("x", "position", 0)}};
     if (is(SwingingKind::pendulum))
         return {"U = m g l (1 − cos(x / l))",
@@ -220,15 +205,17 @@ Explanation IntegrationLesson::why_potential_energy() const {
 // Below critical damping, where it is short to write.
 Explanation IntegrationLesson::why_exact(bool of_velocity) const {
     const char* symbol = of_velocity ? "v_e" : "x_e";
-    const auto motion = motion_->exact(watched(), time());
-    const Real now = motion ? (of_velocity ? motion->v : motion->x) : 0;
     if (!is(SwingingKind::oscillator) || zeta >= 1 || omega == 0)
-        return fixed_value(fmt::format("{}: {}", symbol,
+        return Explanation{fmt::format("{} = {}(t), {}", symbol, of_velocity ? "v" : "x",
                                        is(SwingingKind::pendulum)     ? "by Jacobi's elliptic functions"
                                        : is(SwingingKind::stiff_pair) ? "the sum of two modes, each of them an oscillator"
                                        : omega == 0                   ? "a free motion, x₀ + v₀ t"
                                                     : "the sum of two decays, exp(−ω(ζ ± √(ζ² − 1)) t)"),
-                           now);
+                           {Input::constant("t", time(), "s", "the time")}}
+            .by(of_velocity ? "v" : "x", of_velocity ? "m/s" : "m", [this, of_velocity](Values t) {
+                const auto at = motion_->exact(watched(), t[0]);
+                return at ? (of_velocity ? at->v : at->x) : 0;
+            });
     const Real turning = omega * std::sqrt((1 - zeta) * (1 + zeta));
     std::vector<Input> inputs{Input::of(zeta), Input::of(omega), Input::constant("t", time(), "s", "the time"),
                               Input::of(x0),   Input::of(v0),    Input::constant("ω_d", turning, "rad/s", "ω √(1 − ζ²)")};
@@ -237,7 +224,20 @@ Explanation IntegrationLesson::why_exact(bool of_velocity) const {
 }
 
 Explanation IntegrationLesson::why_error() const {
-    if (is(SwingingKind::stiff_pair)) return fixed_value("e: the larger one of the two masses, as a part of the swing", *error());
+    if (is(SwingingKind::stiff_pair)) {
+        Explanation e{"e = max_n √((x_n − xᵉ_n)² + ((v_n − vᵉ_n) / w)²) / s, of both masses",
+                      {Input::constant("w", rate(), "rad/s", "ω"),
+                       Input::constant("s", motion_->scale(), "m", "how far the start can swing")}};
+        for (Index n = 0; n < x_.size(); ++n) {
+            const auto exact = *motion_->exact(n, time());
+            const auto number = [n](const char* symbol) { return fmt::format("{}_{}", symbol, n + 1); };
+            e.inputs.push_back(Input::now(number("x"), "position", n).in("x_n"));
+            e.inputs.push_back(Input::constant(number("xᵉ"), exact.x, "m", "by the two modes").in("xᵉ_n"));
+            e.inputs.push_back(Input::now(number("v"), "velocity", n).in("v_n"));
+            e.inputs.push_back(Input::constant(number("vᵉ"), exact.v, "m/s", "by the two modes").in("vᵉ_n"));
+        }
+        return e;
+    }
     return {
         "e = √((x − x_e)² + ((v − v_e) / w)²) / s",
         {Input::now("x", "x", 0), Input::now("x_e", "exact_x", 0), Input::now("v", "v", 0), Input::now("v_e", "exact_v", 0),
@@ -250,8 +250,9 @@ Explanation IntegrationLesson::why_growth() const {
     const Input w = Input::constant("ω", motion_->fast_rate(), "rad/s", "of the fastest mode"), step = Input::of(dt);
     if (zeta == 0 && scheme == Scheme::explicit_euler) return {"ρ = √(1 + ω² Δt²)", {w, step}};
     if (zeta == 0 && scheme == Scheme::implicit_euler) return {"ρ = 1 / √(1 + ω² Δt²)", {w, step}};
-    return fixed_value("ρ: the largest eigenvalue of the matrix that takes (x, Δt v) from one step to the next",
-                       growth_per_step());
+    return Explanation{"ρ = eigenvalue(ω, ζ, Δt), the largest of the matrix that takes (x, Δt v) from one step to the next",
+                       {w, zeta, step}}
+        .by("eigenvalue", "", [scheme_now = Scheme(scheme)](Values x) { return amplification(scheme_now, x[0], x[1], x[2]); });
 }
 
 Explanation IntegrationLesson::why_frequency() const {
