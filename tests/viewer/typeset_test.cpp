@@ -76,6 +76,28 @@ TEST_CASE("typeset: indices of a sum stand under it, a matrix in rows and column
     check_bounds(matrix);
 }
 
+TEST_CASE("typeset: indices of max, min and mean stand under them as those of a sum do") {
+    for (const char* text : {"y = max_k x", "y = min_k x", "y = mean_k x", "y = Σ_k x"}) {
+        const MathBox box = set(text);
+        CAPTURE(text);
+        const PlacedLetter &k = letter(box, 'k'), &x = letter(box, 'x');
+        CHECK(k.y > x.y + 0.5f * x.size);
+        CHECK(k.x < x.x);
+        CHECK(k.size < x.size);
+        check_bounds(box);
+    }
+}
+
+TEST_CASE("typeset: a number and its unit stand above and below a line together") {
+    const MathBox box = set_formula(notation("3 kg / (2 s)", Numbers::with_units), even, 20, 0);
+    REQUIRE(box.rules.size() == 1);
+    for (const char32_t above : U"3kg")
+        if (above != 0) CHECK(letter(box, above).y < box.rules[0].y0);
+    for (const char32_t below : U"2s")
+        if (below != 0) CHECK(letter(box, below).y > box.rules[0].y1);
+    check_bounds(box);
+}
+
 TEST_CASE("typeset: parentheses are as high as what they hold") {
     const MathBox box = set("(a / b)");
     CHECK(letter(box, '(').stretch > 1.5f);
