@@ -11,6 +11,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <filesystem>
+#include <sstream>
 
 using namespace pliant;
 using namespace pliant::test;
@@ -45,6 +46,28 @@ TEST_CASE("documentation: the page of every lesson is up to date; scripts/docs m
         CHECK(page_difference(page, lesson_markdown(entry, sources)) == "");
         CHECK(std::filesystem::exists(fmt::format("{}/docs/pictures/lessons/{}.png", sources, file_name_of(entry))));
     }
+}
+
+TEST_CASE("documentation: code in the guide stands in the files that it names, line by line") {
+    std::istringstream guide(read_file(sources + "/docs/developer-guide.md"));
+    std::string line, before, file;
+    std::size_t found = 0, at = 0;
+    bool inside = false;
+    while (std::getline(guide, line)) {
+        const auto blank = line.find_first_not_of(' ');
+        if (line.starts_with("```")) {
+            const auto link = before.rfind("](../");
+            inside = !inside && line == "```cpp" && before.ends_with("):") && link != before.npos;
+            if (inside) file = read_file(sources + "/" + before.substr(link + 5, before.size() - link - 7)), at = 0;
+        } else if (inside && blank != line.npos && line.substr(blank) != "…") {
+            INFO(before << ": " << line);
+            at = file.find(line.substr(blank), at);
+            REQUIRE(at != file.npos);
+            ++found;
+        }
+        if (!inside && blank != line.npos) before = line;
+    }
+    CHECK(found > 30);
 }
 
 TEST_CASE("documentation: a page tells why, shows formula and code of every stage, and what came out", "[every_lesson]") {

@@ -188,6 +188,12 @@ std::string_view formula_of(SpringDamping mode) {
 }
 
 template <int Dim>
+Real spring_energy_rounding(const Springs& springs, PointsIn<Dim> x, Real extent) {
+    const Real place = 1e4 * std::numeric_limits<Real>::epsilon() * (x.cwiseAbs().maxCoeff() + extent);
+    return 0.5 * springs.stiffness().sum() * place * place;
+}
+
+template <int Dim>
 void add_damping_forces(const Springs& springs, SpringDamping mode, PointsIn<Dim> x, PointsIn<Dim> v, PointsOut<Dim> f) {
     if (mode == SpringDamping::none) return;
     for (Index s = 0, count = springs.size(); s < count; ++s) {
@@ -243,6 +249,7 @@ void spring_strain(const Springs& springs, PointsIn<Dim> x, Eigen::Ref<VecX> str
                                       std::vector<Spring>&);                                                            \
     template void add_spring_forces<Dim>(const Springs&, PointsIn<Dim>, PointsOut<Dim>);                                \
     template Real spring_energy<Dim>(const Springs&, PointsIn<Dim>);                                                    \
+    template Real spring_energy_rounding<Dim>(const Springs&, PointsIn<Dim>, Real);                                     \
     template void add_damping_forces<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>, PointsOut<Dim>); \
     template Real damping_power<Dim>(const Springs&, SpringDamping, PointsIn<Dim>, PointsIn<Dim>);                      \
     template void spring_tension<Dim>(const Springs&, PointsIn<Dim>, Eigen::Ref<VecX>);                                 \

@@ -76,6 +76,11 @@ void add_spring_forces(const Springs& springs, PointsIn<Dim> x, PointsOut<Dim> f
 template <int Dim>
 Real spring_energy(const Springs& springs, PointsIn<Dim> x);
 
+// Of that energy, J, what may be rounding alone after many steps, of places that lie as far from the origin as x does and
+// `extent` [m] more.
+template <int Dim>
+Real spring_energy_rounding(const Springs& springs, PointsIn<Dim> x, Real extent);
+
 // Adds damping forces, N [Nealen2006 §3]. Each formula is -C v with a symmetric, positive semidefinite C that depends on the
 // positions alone.
 template <int Dim>

@@ -84,6 +84,12 @@ SpringRates spring_rate_estimates(const Springs& springs, const DiagonalMass& ma
     return rates;
 }
 
+SpringRates with_spring_to(const SpringRates& rates, Real stiffness, Real mass) {
+    SpringRates both = rates;
+    both.omega = std::hypot(rates.omega, std::sqrt(stiffness / mass));
+    return both;
+}
+
 Real stability_limit(Scheme scheme, const SpringRates& rates) {
     if (scheme == Scheme::explicit_euler) {
         const Real infinite = std::numeric_limits<Real>::infinity();

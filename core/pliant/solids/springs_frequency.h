@@ -20,6 +20,9 @@ template <int Dim>
 SpringRates spring_rate_estimates(const Springs& springs, const DiagonalMass& mass, SpringDamping mode, PointsIn<Dim> x,
                                   int iterations = 100);
 
+// With one more spring [N/m], from a point in space to a node of this mass [kg]: what it adds to omega^2 is at most its own.
+SpringRates with_spring_to(const SpringRates& rates, Real stiffness, Real mass);
+
 // Largest time step that a scheme can be trusted with, s, given a net's rates: semi-implicit Euler needs
 // (omega dt)^2 + 2 damping dt <= 4; explicit Euler dt <= relaxation_time and dt <= 2/damping, so none without damping.
 Real stability_limit(Scheme scheme, const SpringRates& rates);

@@ -27,7 +27,7 @@ public:
     std::optional<On> can_pull() const override { return On::particle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;
-    std::optional<Fix> fix(const Failure& failure) const override;
+    std::optional<Fix> fix(const Failure&) const override { return Fix{"bend", {{"map", "bend"}}}; }
     ColourBy first_colours() const override { return {"volume_ratio", -1}; }
     std::vector<std::string_view> first_plots() const override { return {"taylor_error_over_distance"}; }
     std::vector<std::string_view> key_numbers() const override { return {"det_F", "taylor_error", "rotation_angle"}; }

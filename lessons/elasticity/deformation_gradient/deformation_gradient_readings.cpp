@@ -197,8 +197,6 @@ std::optional<Fix> DeformationGradientLesson::not_inverted() const {
     }
 }
 
-std::optional<Fix> DeformationGradientLesson::fix(const Failure&) const { return Fix{"bend", {{"map", "bend"}}}; }
-
 std::string DeformationGradientLesson::blow_up_hint() const {
     return "The map is evaluated in closed form, so that only its parameters can make it large: take ones nearer to their "
            "defaults";

@@ -253,8 +253,6 @@ Fix EnergyDensityLesson::another_energy(Energy better) const {
     return fix;
 }
 
-std::optional<Fix> EnergyDensityLesson::fix(const Failure&) const { return towards_rest(); }
-
 std::string EnergyDensityLesson::blow_up_hint() const {
     return fmt::format(
         "det F = {}: the neo-Hookean energy grows without bound as the cube becomes flat. Take a stretch nearer to 1",

@@ -16,10 +16,6 @@ constexpr Real largest_aspect = 1000;
 
 }  // namespace
 
-ModuliLesson::ModuliLesson() {
-    declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
-}
-
 void ModuliLesson::check() const {
     material();
     const Real aspect = length / width;
@@ -66,15 +62,11 @@ void ModuliLesson::declare_stages() {
             .done_in("core/pliant/solids/linear_fem.cpp: element_strain, element_stress")
             .maps({"displacement"}, {"strain", "stress"})
             .because([this](const Question& q) { return why_strain_or_stress(q); }),
-        {.name = "fit_modulus",
-         .formula = "modulus = slope of stress over strain:  Y = (F/A)/(ΔL/L),  G = (F/A)/(ΔL/L),  B = −ΔP/(ΔV/V)",
-         .source = "lecture: Young's, shear and bulk modulus (which prints B without the sign)",
-         .code = "core/pliant/math/line_fit.cpp: fit_line",
-         .run = [this] { fit_modulus(); },
-         .reads = {"displacement", "reaction"},
-         .writes = {"measured_modulus"},
-         .again = [this] { return level() < load_levels; },
-         .loop_from = "apply_load"}};
+        stage_of("fit_modulus", "modulus = slope of stress over strain:  Y = (F/A)/(ΔL/L),  G = (F/A)/(ΔL/L),  B = −ΔP/(ΔV/V)",
+                 "lecture: Young's, shear and bulk modulus (which prints B without the sign)", [this] { fit_modulus(); })
+            .done_in("core/pliant/math/line_fit.cpp: fit_line")
+            .maps({"displacement", "reaction"}, {"measured_modulus"})
+            .loops_from("apply_load", [this] { return level() < load_levels; })};
 }
 
 // The next load; after the full one nothing is left to do.
@@ -125,9 +117,6 @@ std::optional<Real> ModuliLesson::measured_modulus() const {
     if (!fit) return std::nullopt;
     return test == Test::pressure ? -fit->slope : fit->slope;
 }
-
-// What is left of all loads and support forces together.
-Real ModuliLesson::force_imbalance() const { return (applied() * specimen_->unit_load() + reaction_).rowwise().sum().norm(); }
 
 std::string ModuliLesson::blow_up_hint() const {
     return fmt::format(

@@ -20,7 +20,7 @@ inline constexpr Real small_strain = 0.05;
 // A static lesson: one step is the whole test, from no load to the full one.
 class ModuliLesson final : public Lesson {
 public:
-    ModuliLesson();
+    ModuliLesson() { declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 3; }
     void check() const override;
@@ -65,7 +65,7 @@ private:
     Number magnification{*this, quantity("magnification", "", "", 0, {0, 100}, {0, 1e12},
                                          "of the drawn deformation, the numbers are not touched; 0 chooses one")};
 
-    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
     void apply_load(), begin_solve(), solve_pass(), end_solve(), strain_and_stress(), fit_modulus();
@@ -78,7 +78,8 @@ private:
     // Stress against strain of a material that knows finite strain, over the strains of this test and beyond them: all three
     // tests are uniform, so that one deformation gradient stands for the block.
     void finite_strain_curve(Energy energy, Curve& curve) const;
-    Real force_imbalance() const;
+    // What is left of all loads and support forces together.
+    Real force_imbalance() const { return (applied() * specimen_->unit_load() + reaction_).rowwise().sum().norm(); }
 
     // --- why a number is what it is ---
     Input applied_stress() const;
@@ -86,7 +87,6 @@ private:
     std::optional<Explanation> why_solved(const Question& q) const;
     Explanation why_strain_or_stress(const Question& q) const;
     linear_body::Hooke hooke() const;
-    void explain_probes();
     Explanation why_force() const, why_area() const, why_specimen_strain() const, why_modulus() const,
         why_volume_change(std::string_view symbol) const, why_strain_energy() const;
     Explanation why_lengthening(std::string_view symbol, std::string_view axis, int component, const Parameter& over) const;

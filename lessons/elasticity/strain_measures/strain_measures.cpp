@@ -34,8 +34,6 @@ Vec<3> StrainMeasuresLesson::sampled(Index k) const {
     return {std::cos(angle), std::sin(angle), 0};
 }
 
-std::optional<Mat<3>> StrainMeasuresLesson::exact_C() const { return map_.right_cauchy_green(Vec<3>::Zero()); }
-
 // Nothing is deformed yet.
 void StrainMeasuresLesson::reset() {
     map_ = controls.map();

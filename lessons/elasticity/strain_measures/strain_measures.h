@@ -28,7 +28,7 @@ public:
     std::optional<On> can_pull() const override { return On::particle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;
-    std::optional<Fix> fix(const Failure& failure) const override;
+    std::optional<Fix> fix(const Failure&) const override { return Fix{"shear", {{"map", "shear"}}}; }
     ColourBy first_colours() const override { return {"stretch", -1}; }
     std::vector<std::string_view> first_plots() const override { return {"strain_over_turn", "error_over_strain"}; }
     std::vector<std::string_view> key_numbers() const override { return {"green_11", "cauchy_11", "stretch_of_v"}; }
@@ -63,7 +63,7 @@ private:
     Mat<3> slope_after(Real angle) const;
     Vec<3> direction() const;       // v at rest, of length 1
     Vec<3> sampled(Index k) const;  // a direction of the plane of the picture
-    std::optional<Mat<3>> exact_C() const;
+    std::optional<Mat<3>> exact_C() const { return map_.right_cauchy_green(Vec<3>::Zero()); }
     static Mat<3> of(const Nine& tensor) { return Eigen::Map<const RowMajor>(tensor.data()); }
 
     // --- why a number is what it is ---

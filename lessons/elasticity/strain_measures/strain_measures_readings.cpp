@@ -234,8 +234,6 @@ std::optional<Fix> StrainMeasuresLesson::not_inverted() const {
     return fix;
 }
 
-std::optional<Fix> StrainMeasuresLesson::fix(const Failure&) const { return Fix{"shear", {{"map", "shear"}}}; }
-
 std::string StrainMeasuresLesson::blow_up_hint() const {
     return "Every measure is a formula in F and cannot blow up by itself: take parameters nearer to their defaults";
 }

@@ -15,10 +15,6 @@ constexpr Real largest_aspect = 1000;
 
 }  // namespace
 
-StressStrainLesson::StressStrainLesson() {
-    declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
-}
-
 void StressStrainLesson::check() const {
     material();
     const Real across = loading == Load::disc ? 2 * radius : Real{width};
@@ -67,8 +63,6 @@ Vec<3> StressStrainLesson::normal_at(Real degrees) const {
     const Real a = degrees * std::numbers::pi / 180;
     return {std::cos(a), std::sin(a), 0};
 }
-
-Vec<3> StressStrainLesson::normal() const { return normal_at(angle); }
 
 // -------------------------------------------------------------------------------------------------------------- stages
 
@@ -135,8 +129,6 @@ void StressStrainLesson::cut() {
 std::string StressStrainLesson::blow_up_hint() const {
     return "The body is linear and cannot blow up; a load of more than 10¹⁵ in a material this soft leaves the range of numbers";
 }
-
-std::optional<Fix> StressStrainLesson::fix(const Failure&) const { return Fix{"Y = 1 MPa", {{"youngs_modulus", "1e6"}}}; }
 
 std::vector<std::pair<std::string, std::string>> StressStrainLesson::finer() const {
     return {{"resolution", std::to_string(std::min<Index>(2 * resolution, static_cast<Index>(resolution.accepted().max)))}};

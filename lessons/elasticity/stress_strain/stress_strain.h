@@ -21,7 +21,9 @@ inline constexpr Real small_strain = 0.05;
 // A static lesson: one step is the whole loading. Its load, radius and angle are also handles in the picture.
 class StressStrainLesson final : public Lesson {
 public:
-    StressStrainLesson();
+    StressStrainLesson() {
+        declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
+    }
 
     int dimension() const override { return 3; }
     void check() const override;
@@ -32,7 +34,7 @@ public:
     std::optional<On> can_pull() const override { return On::handle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;
-    std::optional<Fix> fix(const Failure& failure) const override;
+    std::optional<Fix> fix(const Failure&) const override { return Fix{"Y = 1 MPa", {{"youngs_modulus", "1e6"}}}; }
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return loading == Load::cut ? "shear_stress" : "stress"; }
     ColourBy first_colours() const override { return {"displacement", -1}; }
@@ -81,7 +83,7 @@ private:
                                      "cells across, of 5 tetrahedra each; the stress is uniform and does not depend on it")
                                 .rebuilds()};
 
-    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 
     void apply_load(), solve(), cut();
 
@@ -93,7 +95,7 @@ private:
     Real axial_stress() const { return applied_force() / loaded_area(); }  // Pa, positive in tension
     Mat<3> applied_stress() const;
     Mat<3> exact_strain() const;
-    Vec<3> normal() const;  // of the cut
+    Vec<3> normal() const { return normal_at(angle); }  // of the cut
     Vec<3> normal_at(Real degrees) const;
 
     // --- why a number is what it is ---
@@ -102,7 +104,6 @@ private:
     Explanation why_load(const Question& q) const;
     Explanation why_traction(const Question& q) const;
     Input normal_input(int axis) const;
-    void explain_probes();
 
     // --- the picture ---
     Real magnification() const;

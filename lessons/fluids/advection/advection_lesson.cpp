@@ -22,14 +22,6 @@ const Registration<AdvectionLesson> registration{
 
 }  // namespace
 
-AdvectionLesson::AdvectionLesson() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    declare_lines();
-    declare_checks();
-}
-
 SteadyFlow AdvectionLesson::flow() const { return {field, direction * pi / 180}; }
 
 // The translation starts in the middle; the others above it, where the flow is fast.

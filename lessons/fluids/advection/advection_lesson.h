@@ -29,7 +29,7 @@ Explanation weighted_samples(const std::string& left, const PaddedField<2>& valu
 
 class AdvectionLesson final : public Lesson {
 public:
-    AdvectionLesson();
+    AdvectionLesson() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
     void reset() override;
@@ -104,11 +104,7 @@ private:
                           "the last it is the last")};
     Whole cell_y{*this, quantity("cell_y", "j", "", 47, {0, 159}, {0, 319}, "row of that cell, from below")};
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
     void trace_back();

@@ -20,14 +20,6 @@ const Registration<DiffusionLesson> registration{
 
 }  // namespace
 
-DiffusionLesson::DiffusionLesson() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    declare_lines();
-    declare_checks();
-}
-
 void DiffusionLesson::check() const {
     if (const Real step = time_step(); !(step > 0) || step > longest_step)
         throw Refused("viscosity", viscosity, "m²/s",

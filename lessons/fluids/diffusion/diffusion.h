@@ -27,7 +27,7 @@ enum class Form { careful, lecture };
 // exchange nothing: the five-point stencil then is the three-point one.
 class DiffusionLesson final : public Lesson {
 public:
-    DiffusionLesson();
+    DiffusionLesson() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
     void check() const override;
@@ -122,11 +122,7 @@ private:
                                   "largest error of an implicit step, relative to u (2-norm): the solver stops there"),
                      [this] { return !is_explicit(); }};
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
     void end_step() { elapsed_ += Eigen::Array2d(time_step(), viscosity * time_step()); }

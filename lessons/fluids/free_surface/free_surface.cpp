@@ -23,14 +23,6 @@ const Registration<FreeSurface> registration{
 
 }  // namespace
 
-FreeSurface::FreeSurface() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    declare_lines();
-    declare_checks();
-}
-
 void FreeSurface::check() const {
     if (rows() > most_cells / resolution)
         throw Refused(

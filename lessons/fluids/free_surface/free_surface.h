@@ -20,7 +20,7 @@ enum class Pouring { column, wave, drop, paddle };
 // A vertical plane through the tank, from the left wall (x = 0) and the floor (y = 0). Walls and the paddle let the liquid slide.
 class FreeSurface final : public Lesson {
 public:
-    FreeSurface();
+    FreeSurface() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
     void check() const override;
@@ -124,11 +124,7 @@ private:
     Number tolerance{*this, log_quantity("tolerance", "τ", "", 1e-5, {1e-8, 0.5}, {1e-12, 1, false, true},
                                          "the pressure solver stops when max|∇·u| ≤ τ max|∇·ũ|")};
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the tank (free_surface.cpp) ---
     Real dx() const { return tank_width / resolution.value(); }

@@ -17,14 +17,6 @@ const Registration<NavierStokes> registration{
 
 }  // namespace
 
-NavierStokes::NavierStokes() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    declare_lines();
-    declare_checks();
-}
-
 void NavierStokes::check() const {
     constexpr Index most_cells = 1 << 19;
     const Counts<2> cells = cells_of(scene(), settings());

@@ -25,7 +25,7 @@ enum class Order { lecture, projection_first, advection_last, forces_last };
 // units of L, the parameter `size`.
 class NavierStokes final : public Lesson {
 public:
-    NavierStokes();
+    NavierStokes() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
     void check() const override;
@@ -180,11 +180,7 @@ private:
     // are not the same.
     std::vector<std::string_view> shown(std::vector<std::string_view> names) const;
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the stages (navier_stokes_stages.cpp) ---
     void end_stage(std::string_view name);

@@ -130,11 +130,7 @@ private:
     enum Tally : Index { done, projected, passes, initial, energy_given, overlap, tally_count };
     enum Handle : Index { cell_handle, first_place, first_tip = first_place + Index(arrow_count) };
 
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
     void give();

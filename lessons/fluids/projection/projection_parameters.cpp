@@ -33,11 +33,7 @@ DrawnArrow::DrawnArrow(Lesson& owner, std::size_t which, std::function<bool()> u
 
 Projection::Projection() {
     for (std::size_t k = 0; k < arrow_count; ++k) drawn.emplace_back(*this, k, [this] { return given == Given::drawn; });
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    declare_lines();
-    declare_checks();
+    declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 }
 
 // A handle goes where the hand goes.

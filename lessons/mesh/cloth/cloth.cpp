@@ -15,14 +15,6 @@ constexpr Real start_wave = 0.01;
 
 }  // namespace
 
-ClothLesson::ClothLesson() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    explain_probes();
-    declare_checks();
-}
-
 void ClothLesson::check() const {
     const Index count = nodes * nodes;
     if (implicit() && !iterative() && count > most_direct_nodes)
@@ -77,7 +69,7 @@ void ClothLesson::reset() {
     integrator_.reset();
     system_.reset();
     limiter_.reset();
-    rates_key_.reset();
+    rates_.forget();
     sheet_ = std::make_unique<ClothSheet>(nodes, size);
     const Index count = sheet_->rest().cols();
     for (Points<3>* values : {&position_, &velocity_, &spring_force_}) values->setZero(3, count);

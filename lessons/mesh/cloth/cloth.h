@@ -5,6 +5,7 @@
 #include "kits/springs/spring_why.h"
 
 #include <pliant/lesson/registry.h>
+#include <pliant/math/remembered.h>
 #include <pliant/solids/cloth_sheet.h>
 #include <pliant/solids/sheet_wind.h>
 #include <pliant/solids/sphere_contact.h>
@@ -15,6 +16,7 @@
 
 #include <memory>
 #include <optional>
+#include <tuple>
 
 namespace pliant::cloth {
 
@@ -31,7 +33,7 @@ inline constexpr int full_iterations = 500, full_linear_iterations = 2000;
 inline constexpr Index most_direct_nodes = 40 * 40;
 
 struct ClothLesson final : Lesson {
-    ClothLesson();
+    ClothLesson() { declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_checks(); }
 
     int dimension() const override { return 3; }
     void check() const override;
@@ -125,10 +127,7 @@ struct ClothLesson final : Lesson {
     Number pull_stiffness{*this, springs::pull_stiffness_from(20, {1, 1000})};
 
     // --- declarations ---
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_checks();
 
     // --- what the parameters mean ---
     bool implicit() const { return scheme == Scheme::implicit_euler; }
@@ -172,10 +171,6 @@ struct ClothLesson final : Lesson {
     Explanation why_limited(const Question& q) const;
     std::optional<Explanation> why_contact(const Question& q) const;
     std::vector<Input> plane_forces_on(Index node, int component) const;
-    // --- (cloth_why_probes.cpp) ---
-    void explain_probes();
-
-    // --- the picture (cloth_picture.cpp) ---
 
     std::unique_ptr<ClothSheet> sheet_;
     std::unique_ptr<SpringSystem<3>> system_;
@@ -203,15 +198,8 @@ struct ClothLesson final : Lesson {
     Index touching_ = 0;
     Real limiter_excess_ = 0, stretch_before_limiting_ = 0;
 
-    // Rates of the net at rest, with the parameters that they belong to.
-    struct RatesKey {
-        ClothSheet::Stiffnesses stiffness{};
-        Real damping = 0, mass = 0;
-        SpringDamping mode = SpringDamping::none;
-        bool operator==(const RatesKey&) const = default;
-    };
-    mutable std::optional<RatesKey> rates_key_;
-    mutable SpringRates rates_;
+    // Of the net at rest, by what they depend on: stiffnesses, damping, mass.
+    mutable Remembered<std::tuple<ClothSheet::Stiffnesses, Real, Real, SpringDamping>, SpringRates> rates_;
 };
 
 }  // namespace pliant::cloth

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace pliant::cloth {
@@ -19,25 +18,15 @@ Real total_energy(const ClothLesson& l) {
            external_energy<3>({{0, -l.gravity, 0}, l.load_.pull}, l.sheet_->mass(), l.position_);
 }
 
-// Of springs between places that are known to their rounding, after many steps.
-Real rounding_energy(const ClothLesson& l) {
-    const Real place = 1e4 * std::numeric_limits<Real>::epsilon() * (l.position_.cwiseAbs().maxCoeff() + l.size);
-    return 0.5 * l.sheet_->springs().stiffness().sum() * place * place;
-}
-
 Real energy_terms(const ClothLesson& l) {
     return kinetic_energy<3>(l.sheet_->mass(), l.velocity_) + spring_energy<3>(l.sheet_->springs(), l.position_) +
            std::abs(external_energy<3>({{0, -l.gravity, 0}, l.load_.pull}, l.sheet_->mass(), l.position_));
 }
 
 const SpringRates& rates(const ClothLesson& l) {
-    const ClothLesson::RatesKey key{{l.k_structural, l.k_shear, l.k_bending}, l.damping, l.total_mass, l.damping_mode};
-    if (l.rates_key_ != key) {
-        Points<3> rest = l.sheet_->rest();
-        l.rates_ = spring_rate_estimates<3>(l.sheet_->springs(), l.sheet_->inertia(), l.damping_mode, rest);
-        l.rates_key_ = key;
-    }
-    return l.rates_;
+    return l.rates_.of({{l.k_structural, l.k_shear, l.k_bending}, l.damping, l.total_mass, l.damping_mode}, [&l] {
+        return spring_rate_estimates<3>(l.sheet_->springs(), l.sheet_->inertia(), l.damping_mode, l.sheet_->rest());
+    });
 }
 
 // By how much the energy of a sound run may exceed that of the start, of what motion and a fall by the size of the sheet come to;
@@ -48,7 +37,7 @@ Real energy_tolerance(const ClothLesson& l) {
         kinetic_energy<3>(l.sheet_->mass(), l.velocity_) + spring_energy<3>(l.sheet_->springs(), l.position_) + fall;
     const Real set_right = l.has_sphere() ? 1e-3 * fall : 0;
     const bool sound = l.implicit() || l.dt <= l.stable_time_step();
-    return rounding_energy(l) + set_right +
+    return spring_energy_rounding<3>(l.sheet_->springs(), l.position_, l.size) + set_right +
            motion * (1e-6 + (sound ? energy_excess(l.scheme, rates(l).omega * l.dt, false, l.damped() || l.in_air()) : 0));
 }
 
@@ -91,7 +80,7 @@ void ClothLesson::declare_probes() {
         probe_of("bending_share", "U_b/U", "", "of the elastic energy: how much of it is in the folds",
                  [this, elastic]() -> std::optional<Real> {
                      const Real all = elastic();
-                     if (!(all > rounding_energy(*this))) return std::nullopt;
+                     if (!(all > spring_energy_rounding<3>(sheet_->springs(), position_, size))) return std::nullopt;
                      return sheet_->energy(bending, position_) / all;
                  }),
         probe_of("largest_stretch", "ε", "", "largest strain of a structural spring",
@@ -183,10 +172,7 @@ std::optional<Real> ClothLesson::drape_coefficient() const {
 }
 
 Real ClothLesson::stable_time_step() const {
-    SpringRates rates_now = rates(*this);
-    // The hand's spring acts on one node; what it adds to ω² is at most its own.
-    if (pulled()) rates_now.omega = std::hypot(rates_now.omega, std::sqrt(pull_stiffness / sheet_->mass()[0]));
-    return stability_limit(scheme, rates_now);
+    return stability_limit(scheme, pulled() ? with_spring_to(rates(*this), pull_stiffness, sheet_->mass()[0]) : rates(*this));
 }
 
 std::string ClothLesson::blow_up_hint() const {

@@ -72,39 +72,34 @@ void ClothLesson::declare_stages() {
             .because([this](const Question& q) { return why_force(q); })
             .when([this] { return in_air(); })
             .done_in("core/pliant/solids/sheet_wind.cpp: triangle_drag, wind_drag"),
-        {.name = "integrate",
-         .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
-                    "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method",
-         .formula_in_force = [this] { return info_of(scheme).formula; },
-         .source = "lecture: time integration; [Baraff1998], [Nocedal2006 §7.1]",
-         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
-         .run = [this] { integrate(); },
-         .reads = {"position", "velocity", "spring_force", "damping_force", "external_force", "wind_drag", "wind_force",
+        stage_of("integrate",
+                 "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
+                 "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method",
+                 "lecture: time integration; [Baraff1998], [Nocedal2006 §7.1]", [this] { integrate(); })
+            .done_in("core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate")
+            .maps({"position", "velocity", "spring_force", "damping_force", "external_force", "wind_drag", "wind_force",
                    "contact_force"},
-         .writes = {"position", "velocity"},
-         .again = [this] { return integrator_->again(); },
-         .begin = [this] { begin_integration(); },
-         .end = [this] { end_integration(); },
-         .explain = [this](const Question& q) { return why_integrated(q); }},
-        {.name = "strain_limiting",
-         .formula =
-             "|xᵢⱼ| > (1 + ε_max) l:  xᵢ += p/mᵢ, xⱼ −= p/mⱼ, v += Δx/Δt,  p = (|xᵢⱼ| − (1 + ε_max) l) xᵢⱼ/|xᵢⱼ| / (1/mᵢ + 1/mⱼ)",
-         .source = "[Provot1995], [Bridson2002 §4]",
-         .code = "core/pliant/solids/strain_limiter.cpp: pass",
-         .run = [this] { limiter_excess_ = limiter_->pass(sheet_->inertia(), strain_limit, dt, position_, velocity_); },
-         .reads = {"position", "velocity"},
-         .writes = {"position", "velocity"},
-         .active = [this] { return bool(strain_limiting); },
-         .again = [this] { return limiter_excess_ > 1e-3 && limiter_->passes() < limit_passes; },
-         .begin =
-             [this] {
-                 const Index limited = sheet_->last(shear);
-                 if (!limiter_) limiter_ = std::make_unique<StrainLimiter>(sheet_->springs(), limited);
-                 limiter_->begin();
-                 stretch_before_limiting_ = largest_stretch(sheet_->springs(), limited, position_);
-             },
-         .end = [this] { note_pace(); },
-         .explain = [this](const Question& q) { return why_limited(q); }},
+                  {"position", "velocity"})
+            .repeats([this] { return integrator_->again(); }, [this] { begin_integration(); }, [this] { end_integration(); })
+            .shows([this] { return info_of(scheme).formula; })
+            .because([this](const Question& q) { return why_integrated(q); }),
+        stage_of(
+            "strain_limiting",
+            "|xᵢⱼ| > (1 + ε_max) l:  xᵢ += p/mᵢ, xⱼ −= p/mⱼ, v += Δx/Δt,  p = (|xᵢⱼ| − (1 + ε_max) l) xᵢⱼ/|xᵢⱼ| / (1/mᵢ + 1/mⱼ)",
+            "[Provot1995], [Bridson2002 §4]",
+            [this] { limiter_excess_ = limiter_->pass(sheet_->inertia(), strain_limit, dt, position_, velocity_); })
+            .done_in("core/pliant/solids/strain_limiter.cpp: pass")
+            .maps({"position", "velocity"}, {"position", "velocity"})
+            .repeats([this] { return limiter_excess_ > 1e-3 && limiter_->passes() < limit_passes; },
+                     [this] {
+                         const Index limited = sheet_->last(shear);
+                         if (!limiter_) limiter_ = std::make_unique<StrainLimiter>(sheet_->springs(), limited);
+                         limiter_->begin();
+                         stretch_before_limiting_ = largest_stretch(sheet_->springs(), limited, position_);
+                     },
+                     [this] { note_pace(); })
+            .when([this] { return bool(strain_limiting); })
+            .because([this](const Question& q) { return why_limited(q); }),
         stage_of("sphere_contact",
                  "|x − x_c| ≥ R;  v·n ≥ 0;  |Δv_t| ≤ μ |Δv_n|;  N = m |Δv_n| / Δt, or the force of the plane that held it",
                  "[Baraff1998 §5], [Bridson2002]",

@@ -103,7 +103,7 @@ Points<3> MassSpringLesson::start_velocities() const {
 void MassSpringLesson::reset() {
     integrator_.reset();
     system_.reset();
-    rates_key_.reset();
+    rates_.forget();
     clock_.setZero();
     rhythm_.reset();
     test_done_ = false;
@@ -158,9 +158,6 @@ bool MassSpringLesson::at_rest() const {
     return true;
 }
 
-// Springs without stiffness have no dampers.
-bool MassSpringLesson::has_dampers() const { return damped() && damping > 0 && block_->springs().size() > 0; }
-
 std::string MassSpringLesson::unrest() const {
     if (tested() || at_rest()) return "";
     if (setting == Setting::drop && !ground && gravity > 0) return "nothing stops its fall (ground = off)";
@@ -175,8 +172,6 @@ std::string MassSpringLesson::unrest() const {
 }
 
 // --------------------------------------------------------------- a chain that swings in one of its modes, in closed form
-
-Index MassSpringLesson::free_masses() const { return support == Support::both ? cells_y - 1 : cells_y; }
 
 // Angle from one mass of mode j to the next [BornHuang1954 §5]: pi j/(N + 1) between two supports, pi (2j - 1)/(2N + 1) below
 // one.

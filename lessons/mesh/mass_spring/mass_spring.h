@@ -6,6 +6,7 @@
 #include "kits/springs/spring_why.h"
 
 #include <pliant/lesson/registry.h>
+#include <pliant/math/remembered.h>
 #include <pliant/solids/contact.h>
 #include <pliant/solids/spring_block.h>
 #include <pliant/solids/springs_frequency.h>
@@ -16,6 +17,7 @@
 
 #include <memory>
 #include <optional>
+#include <tuple>
 
 namespace pliant::mass_spring {
 
@@ -37,7 +39,10 @@ inline constexpr Index most_implicit_nodes = 3000;
 inline constexpr Real swing_amplitude = 0.2;
 
 struct MassSpringLesson final : Lesson {
-    MassSpringLesson();
+    MassSpringLesson() {
+        declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_checks(), declare_assumptions(),
+            declare_lines();
+    }
 
     int dimension() const override { return dimension_of(lattice()) == 3 || setting == Setting::spin ? 3 : 2; }
     void check() const override;
@@ -153,13 +158,9 @@ struct MassSpringLesson final : Lesson {
     Whole newton_cap{*this, newton_iterations().when([this] { return implicit() && !tested(); })};
 
     // --- declarations ---
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_checks(), declare_assumptions(),
+        declare_lines();
     std::vector<Probe> static_probes();
-    void declare_assumptions();
-    void declare_lines();
 
     // --- what the parameters mean ---
     bool implicit() const { return is_implicit(integrator); }
@@ -187,7 +188,8 @@ struct MassSpringLesson final : Lesson {
     Points<3> start_velocities() const;
 
     // --- what comes to rest ---
-    bool has_dampers() const;
+    // Springs without stiffness have no dampers.
+    bool has_dampers() const { return damped() && damping > 0 && block_->springs().size() > 0; }
     Real rest_speed() const;
     Real rest_force(Index node) const;
 
@@ -207,7 +209,7 @@ struct MassSpringLesson final : Lesson {
     LatticeConstants endless_lattice() const { return lattice_constants(lattice(), stiffnesses(), edge()); }
 
     // --- a chain that swings in one of its modes ---
-    Index free_masses() const;
+    Index free_masses() const { return support == Support::both ? cells_y - 1 : cells_y; }
     Real mode_shape(Index node) const;
     Real mode_displacement() const;
     Real mode_frequency() const;
@@ -219,12 +221,13 @@ struct MassSpringLesson final : Lesson {
     Real total_energy() const;
     std::optional<Real> shadow_energy() const;
     Real motion_energy() const;
-    Real rounding_energy() const;
+    Real rounding_energy() const { return spring_energy_rounding<3>(block_->springs(), position_, size); }
     Real energy_terms() const;
-    Real momentum_terms() const;
+    Real momentum_terms() const { return block_->mass().dot(velocity_.colwise().norm()); }
     Real energy_tolerance() const;
     Real shadow_tolerance() const;
-    Real momentum_tolerance() const;
+    // A million roundings of positions that move by a velocity per step.
+    Real momentum_tolerance() const { return 1e-10 * total_mass * block_->lengths().norm() / dt; }
     Real stretch() const;
     std::optional<Real> sag() const;
     std::optional<Real> falling_height(Real t) const;
@@ -239,7 +242,6 @@ struct MassSpringLesson final : Lesson {
     Explanation why_integrated(const Question& q) const;
     std::optional<Explanation> why_contact(const Question& q) const;
     Explanation why_static(const Question& q) const;
-    void explain_probes();
 
     // --- the picture (mass_spring_picture.cpp) ---
     void write_static_notes(Scene& picture) const;
@@ -268,15 +270,8 @@ struct MassSpringLesson final : Lesson {
     GroundContact<3> contact_;
     Index touching_ = 0;
 
-    // Rates of the net at rest, with the parameters that they belong to.
-    struct RatesKey {
-        FamilyStiffness stiffness{};
-        Real damping = 0, mass = 0, rest_scale = 1;
-        SpringDamping mode = SpringDamping::none;
-        bool operator==(const RatesKey&) const = default;
-    };
-    mutable std::optional<RatesKey> rates_key_;
-    mutable SpringRates rates_;
+    // Of the net at rest, by what they depend on: stiffnesses, damping, mass, rest lengths.
+    mutable Remembered<std::tuple<FamilyStiffness, Real, Real, Real, SpringDamping>, SpringRates> rates_;
 };
 
 }  // namespace pliant::mass_spring

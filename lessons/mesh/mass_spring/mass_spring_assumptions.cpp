@@ -90,19 +90,14 @@ void MassSpringLesson::declare_assumptions() {
 }
 
 const SpringRates& MassSpringLesson::rates() const {
-    const RatesKey key{stiffnesses(), damping, total_mass, rest_length_scale, damping_mode};
-    if (rates_key_ != key) {
-        rates_ = spring_rate_estimates<3>(block_->springs(), block_->inertia(), damping_mode, block_->rest());
-        rates_key_ = key;
-    }
-    return rates_;
+    return rates_.of({stiffnesses(), damping, total_mass, rest_length_scale, damping_mode}, [this] {
+        return spring_rate_estimates<3>(block_->springs(), block_->inertia(), damping_mode, block_->rest());
+    });
 }
 
 Real MassSpringLesson::stable_time_step() const {
-    SpringRates rates_now = rates();
-    // The hand's spring acts on one node; what it adds to ω² is at most its own.
-    if (pulled()) rates_now.omega = std::hypot(rates_now.omega, std::sqrt(pull_stiffness / block_->mass()[load_.pull.node]));
-    return stability_limit(integrator, rates_now);
+    return stability_limit(integrator,
+                           pulled() ? with_spring_to(rates(), pull_stiffness, block_->mass()[load_.pull.node]) : rates());
 }
 
 std::string MassSpringLesson::too_large_a_step() const {

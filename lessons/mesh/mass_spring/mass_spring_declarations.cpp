@@ -7,16 +7,6 @@
 
 namespace pliant::mass_spring {
 
-MassSpringLesson::MassSpringLesson() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    explain_probes();
-    declare_checks();
-    declare_assumptions();
-    declare_lines();
-}
-
 void MassSpringLesson::declare_fields() {
     const auto nodal = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                           const Points<3>& values) {
@@ -60,20 +50,16 @@ void MassSpringLesson::declare_stages() {
                 add_external_forces<3>(load_, block_->mass(), position_, external_force_);
             },
             why, [this] { return loaded() && !tested(); }),
-        {.name = "integrate",
-         .formula = "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
-                    "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method;  others: their table or form",
-         .formula_in_force = [this] { return info_of(integrator).formula; },
-         .source = "lecture: time integration; [Baraff1998], [Nocedal2006], [Hairer2006]",
-         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
-         .run = [this] { integrate(); },
-         .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},
-         .writes = {"position", "velocity"},
-         .active = [this] { return !tested(); },
-         .again = [this] { return integrator_->again(); },
-         .begin = [this] { begin_integration(); },
-         .end = [this] { end_integration(); },
-         .explain = [this](const Question& q) { return why_integrated(q); }},
+        stage_of("integrate",
+                 "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
+                 "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method;  others: their table or form",
+                 "lecture: time integration; [Baraff1998], [Nocedal2006], [Hairer2006]", [this] { integrate(); })
+            .done_in("core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate")
+            .maps({"position", "velocity", "spring_force", "damping_force", "external_force"}, {"position", "velocity"})
+            .repeats([this] { return integrator_->again(); }, [this] { begin_integration(); }, [this] { end_integration(); })
+            .when([this] { return !tested(); })
+            .shows([this] { return info_of(integrator).formula; })
+            .because([this](const Question& q) { return why_integrated(q); }),
         stage_of("contact", "y ≥ 0;  v_y′ = e w,  w² = u² + 2 h a;  |Δv_t| ≤ μ |Δv_y|", "[Bridson2002]",
                  [this] { contact_stage(); })
             .maps({"position", "velocity"}, {"position", "velocity"})
@@ -120,62 +106,47 @@ void MassSpringLesson::declare_lines() {
             curve.value.push_back(tests_.coupling()(static_cast<int>(row), family));
     };
     lines = {
-        {.name = "rotation",
-         .unit = "kg m²/s",
-         .position_name = "t",
-         .position_unit = "s",
-         .help = "angular momentum of a rigid body that turns: what naive dampers leave, what projected ones do, and this run",
-         .sample = [this, to_now](Curve& c) { to_now(c, [this](Real t) { return rotation_after(*this, t); }); },
-         .reference = [this, to_now](Curve& c) { to_now(c, [this](Real) { return start_angular_momentum_; }); },
-         .reference_name = "projected dampers",
-         .value_name = "naive dampers",
-         .used = spins,
-         .others = {{.name = "this run",
-                     .sample = [this](Curve& c) { c.add(clock_[0], *probe("angular_momentum").value()); },
-                     .points = true}}},
-        {.name = "modulus_by_cells",
-         .unit = "",
-         .position_name = "cells along each axis",
-         .help = "Young's modulus of pieces of this lattice over that of the endless one: what more cells change",
-         .sample =
-             [this](Curve& c) {
-                 for (const Real ratio : tests_.modulus_by_cells()) c.add(Real(c.position.size() + 1), ratio);
-             },
-         .reference =
-             [](Curve& c) {
-                 c = {{1, Real(StaticTests::most_cells)}, {1, 1}};
-             },
-         .reference_name = "endless lattice",
-         .value_name = "E/E of the endless lattice",
-         .used = [this] { return tested() && lattice() != LatticeKind::chain; }},
-        {.name = "coupling",
-         .unit = "",
-         .position_name = "1 structural, 2 shear, 3 bending",
-         .help = "∂ ln K/∂ ln k: what one per cent more of a family's stiffness changes, in per cent, of each test",
-         .sample = [coupling](Curve& c) { coupling(c, BlockTest::stretch); },
-         .reference = [coupling](Curve& c) { coupling(c, BlockTest::shear); },
-         .reference_name = "shear",
-         .value_name = "stretch",
-         .reference_points = true,
-         .used = [this] { return tested() && lattice() != LatticeKind::chain; },
-         .others = {{.name = "bend", .sample = [coupling](Curve& c) { coupling(c, BlockTest::bend); }, .points = true}}},
-        {.name = "mode",
-         .unit = "m",
-         .position_name = "mass",
-         .help = "displacement of each mass of a swinging chain, from the top, and where it began",
-         .sample =
-             [this](Curve& c) {
-                 for (Index n = position_.cols() - 1; n >= 0; --n)
-                     c.add(Real(cells_y - n), position_(1, n) - block_->rest()(1, n));
-             },
-         .reference =
-             [this](Curve& c) {
-                 for (Index n = position_.cols() - 1; n >= 0; --n)
-                     c.add(Real(cells_y - n), swing_amplitude * edge() * mode_shape(n));
-             },
-         .reference_name = "start",
-         .value_name = "displacement",
-         .used = [this] { return setting == Setting::swing; }}};
+        line_of("rotation", "kg m²/s", "t", "s",
+                "angular momentum of a rigid body that turns: what naive dampers leave, what projected ones do, and this run",
+                [this, to_now](Curve& c) { to_now(c, [this](Real t) { return rotation_after(*this, t); }); })
+            .against("projected dampers",
+                     [this, to_now](Curve& c) { to_now(c, [this](Real) { return start_angular_momentum_; }); })
+            .beside({{.name = "this run",
+                      .sample = [this](Curve& c) { c.add(clock_[0], *probe("angular_momentum").value()); },
+                      .points = true}})
+            .measures("naive dampers")
+            .when(spins),
+        line_of("modulus_by_cells", "", "cells along each axis", "",
+                "Young's modulus of pieces of this lattice over that of the endless one: what more cells change",
+                [this](Curve& c) {
+                    for (const Real ratio : tests_.modulus_by_cells()) c.add(Real(c.position.size() + 1), ratio);
+                })
+            .against("endless lattice",
+                     [](Curve& c) {
+                         c = {{1, Real(StaticTests::most_cells)}, {1, 1}};
+                     })
+            .measures("E/E of the endless lattice")
+            .when([this] { return tested() && lattice() != LatticeKind::chain; }),
+        line_of("coupling", "", "1 structural, 2 shear, 3 bending", "",
+                "∂ ln K/∂ ln k: what one per cent more of a family's stiffness changes, in per cent, of each test",
+                [coupling](Curve& c) { coupling(c, BlockTest::stretch); })
+            .against(
+                "shear", [coupling](Curve& c) { coupling(c, BlockTest::shear); }, true)
+            .beside({{.name = "bend", .sample = [coupling](Curve& c) { coupling(c, BlockTest::bend); }, .points = true}})
+            .measures("stretch")
+            .when([this] { return tested() && lattice() != LatticeKind::chain; }),
+        line_of("mode", "m", "mass", "", "displacement of each mass of a swinging chain, from the top, and where it began",
+                [this](Curve& c) {
+                    for (Index n = position_.cols() - 1; n >= 0; --n)
+                        c.add(Real(cells_y - n), position_(1, n) - block_->rest()(1, n));
+                })
+            .against("start",
+                     [this](Curve& c) {
+                         for (Index n = position_.cols() - 1; n >= 0; --n)
+                             c.add(Real(cells_y - n), swing_amplitude * edge() * mode_shape(n));
+                     })
+            .measures("displacement")
+            .when([this] { return setting == Setting::swing; })};
 }
 
 }  // namespace pliant::mass_spring

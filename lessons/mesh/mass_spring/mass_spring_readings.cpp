@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pliant::mass_spring {
 
@@ -117,18 +116,10 @@ Real MassSpringLesson::motion_energy() const {
     return kinetic_energy<3>(block_->mass(), velocity_) + elastic_energy() + total_mass * weight_acceleration() * height;
 }
 
-// Of springs between places that are known to their rounding, after many steps.
-Real MassSpringLesson::rounding_energy() const {
-    const Real place = 1e4 * std::numeric_limits<Real>::epsilon() * (position_.cwiseAbs().maxCoeff() + size);
-    return 0.5 * block_->springs().stiffness().sum() * place * place;
-}
-
 Real MassSpringLesson::energy_terms() const {
     return kinetic_energy<3>(block_->mass(), velocity_) + elastic_energy() +
            std::abs(external_energy<3>({{0, -weight_acceleration(), 0}, load_.pull}, block_->mass(), position_));
 }
-
-Real MassSpringLesson::momentum_terms() const { return block_->mass().dot(velocity_.colwise().norm()); }
 
 // By how much the energy of a sound run may exceed that of the start; beyond the limit of stability nothing is allowed.
 Real MassSpringLesson::energy_tolerance() const {
@@ -142,9 +133,6 @@ Real MassSpringLesson::shadow_tolerance() const {
     const Real w = rates().omega * dt;
     return motion_energy() * (w * w / 2 + 1e-9) + rounding_energy();
 }
-
-// A million roundings of positions that move by a velocity per step.
-Real MassSpringLesson::momentum_tolerance() const { return 1e-10 * total_mass * block_->lengths().norm() / dt; }
 
 Real MassSpringLesson::stretch() const {
     Real largest = 0;

@@ -18,26 +18,11 @@ const Registration<RodLesson> registration{
 
 }  // namespace
 
-RodLesson::RodLesson() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    declare_wave_probes();
-    explain_probes();
-    declare_lines();
-    declare_wave_lines();
-    declare_checks();
-}
-
 // ------------------------------------------------------------------------------------------------- the rod and its chains
 
 Real RodLesson::stiffness_of(Rule rule, Index n) const {
     return rule == Rule::constant ? Real{picked_stiffness} : axial_stiffness * static_cast<Real>(n) / length;
 }
-
-MassChain RodLesson::chain_of(Rule rule, Index n) const { return {n, stiffness_of(rule, n), total_mass / static_cast<Real>(n)}; }
-
-RunningPulse RodLesson::pulse(Real speed) const { return {amplitude, pulse_width, 0.35 * length, length, speed, end()}; }
 
 // ------------------------------------------------------------------------------------------------------ the start
 

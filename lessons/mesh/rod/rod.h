@@ -6,15 +6,19 @@
 #include "kits/springs/spring_why.h"
 
 #include <pliant/lesson/registry.h>
+#include <pliant/math/remembered.h>
+#include <pliant/solids/point_masses.h>
 #include <pliant/solids/rod.h>
 #include <pliant/solids/rod_theory.h>
 #include <pliant/solids/springs_system.h>
+#include <pliant/time/exact_motion.h>
 #include <pliant/time/rhythm.h>
 #include <pliant/time/stability.h>
 #include <pliant/time/time_integrator.h>
 
 #include <memory>
 #include <optional>
+#include <tuple>
 
 namespace pliant::rod {
 
@@ -25,7 +29,10 @@ enum class Setting { hanging, released, wave, free_end, fixed_end };
 enum class Rule { derived, constant };
 
 struct RodLesson final : Lesson {
-    RodLesson();
+    RodLesson() {
+        declare_fields(), declare_stages(), declare_probes(), declare_wave_probes(), explain_probes(), declare_lines(),
+            declare_wave_lines(), declare_checks();
+    }
 
     int dimension() const override { return 2; }
     void check() const override;
@@ -98,13 +105,8 @@ struct RodLesson final : Lesson {
                        .when([this] { return !hangs_still(); })};
 
     // --- declarations ---
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_wave_probes();
-    void declare_lines();
-    void declare_wave_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_wave_probes(), explain_probes(), declare_lines(),
+        declare_wave_lines(), declare_checks();
 
     // --- what the parameters mean ---
     bool hangs() const { return setting == Setting::hanging || setting == Setting::released; }
@@ -127,16 +129,16 @@ struct RodLesson final : Lesson {
     Real stiffness() const { return stiffness_of(spring_rule, segments); }      // N/m
     Real chain_axial_stiffness() const { return by_hand() ? stiffness() * segment() : Real{axial_stiffness}; }  // EA, N
     UniformRod continuum() const { return {length, axial_stiffness, total_mass}; }
-    MassChain chain_of(Rule rule, Index n) const;
+    MassChain chain_of(Rule rule, Index n) const { return {n, stiffness_of(rule, n), total_mass / static_cast<Real>(n)}; }
     MassChain chain() const { return chain_of(spring_rule, segments); }
-    RunningPulse pulse(Real speed) const;
+    RunningPulse pulse(Real speed) const { return {amplitude, pulse_width, 0.35 * length, length, speed, end()}; }
     Real chain_speed() const { return UniformRod{length, chain_axial_stiffness(), total_mass}.wave_speed(); }  // m/s
     VecX start_displacements() const;  // m, of the nodes along the rod
     Index watched_mode() const { return std::min<Index>(mode, chain().modes(end())); }
     Real damping_ratio(Real omega) const { return damped() ? damping * omega / 2 : Real{0}; }
 
     // --- the stages ---
-    void slope_stage();
+    void slope_stage() { rod_slopes(segment(), position_, slope_); }
     void begin_integration();
     void integrate();
     void end_integration();
@@ -149,10 +151,10 @@ struct RodLesson final : Lesson {
     Real displacement_of(Index node) const { return along().dot(position_.col(node)) - rest_place(node); }
     Real tip_displacement() const { return displacement_of(segments); }
     Real elastic_energy() const;
-    Real kinetic_energy_now() const;
+    Real kinetic_energy_now() const { return kinetic_energy<2>(node_masses_, velocity_); }
     Real gravitational_energy_now() const;
     Real total_energy() const { return kinetic_energy_now() + elastic_energy() + gravitational_energy_now(); }
-    Real force_difference() const;
+    Real force_difference() const { return (gradient_force_ - spring_force_).cwiseAbs().maxCoeff(); }
     Real force_rounding() const;
     Real imbalance() const;
     Real strain_rounding() const;
@@ -160,7 +162,8 @@ struct RodLesson final : Lesson {
     bool swings() const { return least_swing() > 0; }
     Real motion_energy() const;
     Real imbalance_rounding() const;
-    Real swing(Real omega, Real t) const;
+    // Of a mode, over its start: let go at rest.
+    Real swing(Real omega, Real t) const { return damped_oscillator(omega, damping_ratio(omega), {1, 0}, t).x; }
     std::optional<Real> exact_displacement(Real s, Real t) const;
     std::optional<Real> exact_strain(Real s, Real t) const;
     void sample_exact(Curve& curve, std::optional<Real> (RodLesson::*exact)(Real, Real) const) const;
@@ -183,7 +186,6 @@ struct RodLesson final : Lesson {
     Input why_axial_stiffness() const;
     Explanation why_field(const Question& q) const;
     std::optional<Explanation> why_integrated(const Question& q) const;
-    void explain_probes();
 
     // --- the picture (rod_picture.cpp, rod_wave_picture.cpp) ---
     void draw_waves(Scene& picture) const;
@@ -208,15 +210,8 @@ struct RodLesson final : Lesson {
     VecX strain_, energy_density_, segment_energy_, stiffness_, tension_, displacement_;
     VecX added_tension_, move_;  // of the latest balance, N and m
 
-    // Frequencies of the chain, rad/s, with what they belong to.
-    struct ChainKey {
-        Index segments = 0;
-        Real stiffness = 0, mass = 0;
-        RodEnd end = RodEnd::free;
-        bool operator==(const ChainKey&) const = default;
-    };
-    mutable std::optional<ChainKey> frequencies_key_;
-    mutable VecX frequencies_;
+    // Frequencies of the chain, rad/s, by what they depend on: segments, stiffness, mass, its end.
+    mutable Remembered<std::tuple<Index, Real, Real, RodEnd>, VecX> frequencies_;
 };
 
 }  // namespace pliant::rod

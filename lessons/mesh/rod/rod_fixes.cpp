@@ -105,12 +105,8 @@ void RodLesson::declare_checks() {
 // ------------------------------------------------------------------------------------------------------------- stability
 
 const VecX& RodLesson::frequencies() const {
-    const ChainKey key{segments, stiffness(), node_mass(), end()};
-    if (frequencies_key_ != key) {
-        frequencies_ = chain_frequencies(springs_.stiffness(), node_masses_, end() == RodEnd::fixed);
-        frequencies_key_ = key;
-    }
-    return frequencies_;
+    return frequencies_.of({segments, stiffness(), node_mass(), end()},
+                           [this] { return chain_frequencies(springs_.stiffness(), node_masses_, end() == RodEnd::fixed); });
 }
 
 Real RodLesson::fastest() const {

@@ -81,13 +81,9 @@ Real RodLesson::elastic_energy() const {
     return rod_energy(chain_axial_stiffness(), segment(), strain);
 }
 
-Real RodLesson::kinetic_energy_now() const { return kinetic_energy<2>(node_masses_, velocity_); }
-
 Real RodLesson::gravitational_energy_now() const {
     return gravitational_energy<2>(node_masses_, weight_acceleration() * along(), position_);
 }
-
-Real RodLesson::force_difference() const { return (gradient_force_ - spring_force_).cwiseAbs().maxCoeff(); }
 
 // Lengths are known to the rounding of the positions that they are the difference of.
 Real RodLesson::force_rounding() const {

@@ -124,34 +124,24 @@ void RodLesson::declare_stages() {
             .because(why)
             .when([this] { return loaded(); })
             .done_in("core/pliant/solids/springs_system.cpp: add_external_forces"),
-        {.name = "integrate",
-         .formula = "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",
-         .formula_in_force = [this] { return info_of(scheme).formula; },
-         .source = "lecture C: d²xᵢ/dt² = −mᵢ⁻¹ ∂U/∂xᵢ; [Hairer2006]",
-         .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
-         .run = [this] { integrate(); },
-         .reads = {"position", "velocity", "spring_force", "damping_force", "external_force"},
-         .writes = {"position", "velocity"},
-         .active = moves,
-         .again = [this] { return integrator_->again(); },
-         .begin = [this] { begin_integration(); },
-         .end = [this] { end_integration(); },
-         .explain = [this](const Question& q) { return why_integrated(q); }},
-        {.name = "equilibrium",
-         .formula = "ΔTᵢ = Σ (f + fᵉ) of all nodes beyond;  every node moves by Σ ΔT/k of the springs above it, until f + fᵉ = 0",
-         .source = "each spring carries what hangs below it",
-         .code = "core/pliant/solids/rod.cpp: balance_chain",
-         .run = [this] { equilibrium_stage(); },
-         .reads = {"position", "spring_force", "external_force"},
-         .writes = {"position"},
-         .active = [this] { return hangs_still(); },
-         .again = [this] { return clock_[balanced] == 0; },
-         .loop_from = "positions",
-         .explain = why},
+        stage_of("integrate", "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",
+                 "lecture C: d²xᵢ/dt² = −mᵢ⁻¹ ∂U/∂xᵢ; [Hairer2006]", [this] { integrate(); })
+            .done_in("core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate")
+            .maps({"position", "velocity", "spring_force", "damping_force", "external_force"}, {"position", "velocity"})
+            .repeats([this] { return integrator_->again(); }, [this] { begin_integration(); }, [this] { end_integration(); })
+            .when(moves)
+            .shows([this] { return info_of(scheme).formula; })
+            .because([this](const Question& q) { return why_integrated(q); }),
+        stage_of("equilibrium",
+                 "ΔTᵢ = Σ (f + fᵉ) of all nodes beyond;  every node moves by Σ ΔT/k of the springs above it, until f + fᵉ = 0",
+                 "each spring carries what hangs below it", [this] { equilibrium_stage(); })
+            .done_in("core/pliant/solids/rod.cpp: balance_chain")
+            .maps({"position", "spring_force", "external_force"}, {"position"})
+            .loops_from("positions", [this] { return clock_[balanced] == 0; })
+            .when([this] { return hangs_still(); })
+            .because(why),
     };
 }
-
-void RodLesson::slope_stage() { rod_slopes(segment(), position_, slope_); }
 
 void RodLesson::follow_positions() {
     displacement_.resize(position_.cols());

@@ -18,9 +18,6 @@ constexpr Real most_turns = 1e6;  // beyond, the place of a pulse is rounding
 
 // ----------------------------------------------------------------------------------------------------------- closed forms
 
-// Of a mode, over its start: let go at rest.
-Real RodLesson::swing(Real omega, Real t) const { return damped_oscillator(omega, damping_ratio(omega), {1, 0}, t).x; }
-
 // Of the continuum, along the rod.
 std::optional<Real> RodLesson::exact_displacement(Real s, Real t) const {
     const UniformRod rod = continuum();
@@ -155,48 +152,33 @@ void RodLesson::declare_lines() {
                 curve.add(n, static_tip(rule, static_cast<Index>(n)));
         };
     };
-    lines = {{.name = "tip_against_segments",
-              .unit = "m",
-              .position_name = "segments N",
-              .help = "displacement of the tip at rest, solved for rods of every N: derived springs come ever closer to the rod, "
-                      "springs picked by hand go ever further",
-              .sample =
-                  [this](Curve& curve) {
-                      curve = {{static_cast<Real>(count())}, {tip_displacement()}};
-                  },
-              .reference =
-                  [this](Curve& curve) {
-                      const Real tip = continuum().hanging_tip(weight_acceleration());
-                      curve = {{1, 200}, {tip, tip}};
-                  },
-              .reference_name = "continuum: MgL/(2EA)",
-              .value_name = "tip displacement",
-              .log_log = true,
-              .used = [this] { return hangs(); },
-              .others = {{"derived", against_segments(Rule::derived)}, {"picked by hand", against_segments(Rule::constant)}}},
-             {.name = "displacement_profile",
-              .unit = "m",
-              .position_name = "s",
-              .position_unit = "m",
-              .help = "along the rod, of the nodes, with the continuum's where it is known",
-              .sample =
-                  [this](Curve& curve) {
-                      for (Index i = 0; i <= segments; ++i) curve.add(rest_place(i), displacement_of(i));
-                  },
-              .reference = [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_displacement); },
-              .reference_name = "continuum",
-              .value_name = "u"},
-             {.name = "strain_profile",
-              .position_name = "s",
-              .position_unit = "m",
-              .help = "in the middle of each segment, with the continuum's where it is known",
-              .sample =
-                  [this](Curve& curve) {
-                      for (Index i = 0; i < segments; ++i) curve.add(rest_place(i) + 0.5 * segment(), strain_[i]);
-                  },
-              .reference = [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_strain); },
-              .reference_name = "continuum",
-              .value_name = "ε"}};
+    lines = {line_of("tip_against_segments", "m", "segments N", "",
+                     "displacement of the tip at rest, solved for rods of every N: derived springs come ever closer to the rod, "
+                     "springs picked by hand go ever further",
+                     [this](Curve& curve) {
+                         curve = {{static_cast<Real>(count())}, {tip_displacement()}};
+                     })
+                 .against("continuum: MgL/(2EA)",
+                          [this](Curve& curve) {
+                              const Real tip = continuum().hanging_tip(weight_acceleration());
+                              curve = {{1, 200}, {tip, tip}};
+                          })
+                 .beside({{"derived", against_segments(Rule::derived)}, {"picked by hand", against_segments(Rule::constant)}})
+                 .measures("tip displacement")
+                 .on_log_axes()
+                 .when([this] { return hangs(); }),
+             line_of("displacement_profile", "m", "s", "m", "along the rod, of the nodes, with the continuum's where it is known",
+                     [this](Curve& curve) {
+                         for (Index i = 0; i <= segments; ++i) curve.add(rest_place(i), displacement_of(i));
+                     })
+                 .against("continuum", [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_displacement); })
+                 .measures("u"),
+             line_of("strain_profile", "", "s", "m", "in the middle of each segment, with the continuum's where it is known",
+                     [this](Curve& curve) {
+                         for (Index i = 0; i < segments; ++i) curve.add(rest_place(i) + 0.5 * segment(), strain_[i]);
+                     })
+                 .against("continuum", [this](Curve& curve) { sample_exact(curve, &RodLesson::exact_strain); })
+                 .measures("ε")};
 }
 
 void RodLesson::sample_exact(Curve& curve, std::optional<Real> (RodLesson::*exact)(Real, Real) const) const {
@@ -216,18 +198,14 @@ void RodLesson::declare_wave_lines() {
             for (Index j = 1; j <= chain().modes(end()); ++j) curve.add(static_cast<Real>(j), frequency(j));
         };
     };
-    lines.push_back({.name = "frequencies",
-                     .unit = "rad/s",
-                     .position_name = "mode j",
-                     .help =
-                         "of all modes along the chain, from its matrices, and of the rod: a chain swings too slowly, most of "
-                         "all in its short waves",
-                     .sample = of_modes([this](Index j) { return frequencies()[j - 1]; }),
-                     .reference = of_modes([this](Index j) { return continuum().frequency(j, end()); }),
-                     .reference_name = "continuum",
-                     .value_name = "ω",
-                     .used = [this] { return !hangs_still(); },
-                     .others = {{"2√(k/m) sin(θ/2)", of_modes([this](Index j) { return chain().frequency(j, end()); }), true}}});
+    lines.push_back(line_of("frequencies", "rad/s", "mode j", "",
+                            "of all modes along the chain, from its matrices, and of the rod: a chain swings too slowly, most of "
+                            "all in its short waves",
+                            of_modes([this](Index j) { return frequencies()[j - 1]; }))
+                        .against("continuum", of_modes([this](Index j) { return continuum().frequency(j, end()); }))
+                        .beside({{"2√(k/m) sin(θ/2)", of_modes([this](Index j) { return chain().frequency(j, end()); }), true}})
+                        .measures("ω")
+                        .when([this] { return !hangs_still(); }));
 }
 
 }  // namespace pliant::rod

@@ -18,14 +18,6 @@ const Registration<IntegrationLesson> registration{
 
 }  // namespace
 
-IntegrationLesson::IntegrationLesson() {
-    declare_fields();
-    declare_stages();
-    declare_probes();
-    declare_lines();
-    declare_checks();
-}
-
 void IntegrationLesson::reset() {
     integrator_.reset();
     motion_ = std::make_unique<Swinging>(SwingingOptions{system, omega, zeta, ratio, {x0, v0}});
@@ -98,18 +90,15 @@ void IntegrationLesson::declare_stages() {
                   .shows([this]() -> std::string_view {
                       return implicit() ? "a first guess, X = x + Δt v or X = x" : "X = x,  V = v";
                   }),
-              {.name = "passes",
-               .formula = "explicit: f_k at X, V, then the next X, V;  implicit, Newton: X ← X − r/H",
-               .formula_in_force = [this]() -> std::string_view {
-                   return is_implicit(scheme) ? "Newton: X ← X − r/H" : "f_k at X, V, then the next X, V";
-               },
-               .source = "lecture S: time integration; Hairer1993 §II.14; Nocedal2006",
-               .code = "core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate",
-               .run = [this] { pass(); },
-               .reads = {"position", "velocity", "force"},
-               .writes = {"trial_position", "trial_velocity", "pass_force", "residual"},
-               .again = [this] { return integrator_->again(); },
-               .explain = [this](const Question& q) { return why_pass(q); }},
+              stage_of("passes", "explicit: f_k at X, V, then the next X, V;  implicit, Newton: X ← X − r/H",
+                       "lecture S: time integration; Hairer1993 §II.14; Nocedal2006", [this] { pass(); })
+                  .done_in("core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate")
+                  .maps({"position", "velocity", "force"}, {"trial_position", "trial_velocity", "pass_force", "residual"})
+                  .repeats([this] { return integrator_->again(); })
+                  .shows([this]() -> std::string_view {
+                      return is_implicit(scheme) ? "Newton: X ← X − r/H" : "f_k at X, V, then the next X, V";
+                  })
+                  .because([this](const Question& q) { return why_pass(q); }),
               stage_of("advance", "v′ = v + Δt f/m;  explicit: x′ = x + Δt v;  semi-implicit: x + Δt v′;  implicit: f(x′, v′)",
                        "lecture S: time integration", [this] { advance(); })
                   .maps({"trial_position", "trial_velocity"}, {"position", "velocity"})

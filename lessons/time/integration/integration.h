@@ -15,7 +15,7 @@ namespace pliant::integration {
 enum class Compare { none, lecture, all };
 
 struct IntegrationLesson final : Lesson {
-    IntegrationLesson();
+    IntegrationLesson() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
     void reset() override;
@@ -69,11 +69,7 @@ struct IntegrationLesson final : Lesson {
     Whole newton_cap{*this, newton_iterations().rebuilds().when([this] { return solves(); })};
 
     // --- declarations ---
-    void declare_fields();
-    void declare_stages();
-    void declare_probes();
-    void declare_lines();
-    void declare_checks();
+    void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 
     // --- the stages ---
     void force_stage();
@@ -119,7 +115,7 @@ struct IntegrationLesson final : Lesson {
     Explanation why_force(Index dof, std::string_view x_field, std::string_view v_field, Reading at, std::string_view mark) const;
     std::optional<Explanation> why_pass(const Question& q) const;
     std::optional<Explanation> why_predicted(const Question& q) const;
-    Input unit_mass() const;
+    Input unit_mass() const { return Input::constant("m", 1, "kg", "of each mass"); }
     Explanation why_advanced(const Question& q) const;
     Explanation why_energy() const;
     Explanation why_kinetic_energy() const;

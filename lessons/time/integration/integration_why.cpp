@@ -135,8 +135,6 @@ std::optional<Explanation> IntegrationLesson::why_predicted(const Question& q) c
     return e;
 }
 
-Input IntegrationLesson::unit_mass() const { return Input::constant("m", 1, "kg", "of each mass"); }
-
 // ------------------------------------------------------------------------------------------------------------- passes
 
 std::optional<Explanation> IntegrationLesson::why_pass(const Question& q) const {
