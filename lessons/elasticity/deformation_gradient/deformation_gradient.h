@@ -15,8 +15,7 @@ namespace pliant::deformation {
 inline constexpr Real near_enough = 0.05;
 
 // A static lesson: one step goes through all stages of the lecture.
-class DeformationGradientLesson final : public Lesson {
-public:
+struct DeformationGradientLesson final : Lesson {
     DeformationGradientLesson();
 
     int dimension() const override { return 3; }
@@ -32,7 +31,6 @@ public:
     std::vector<std::string_view> first_plots() const override { return {"taylor_error_over_distance"}; }
     std::vector<std::string_view> key_numbers() const override { return {"det_F", "taylor_error", "rotation_angle"}; }
 
-private:
     // Numbers per row: of a tensor row by row.
     using Vectors = Points<3>;
     using Nine = Eigen::Matrix<Real, 9, Eigen::Dynamic>;

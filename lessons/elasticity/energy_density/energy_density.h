@@ -17,8 +17,7 @@ using Path = PathKind;
 using Ends = BlockEnds;
 
 // A static lesson: one step goes from F to the strain, the energy density and the stress, and checks one against the other.
-class EnergyDensityLesson final : public Lesson {
-public:
+struct EnergyDensityLesson final : Lesson {
     EnergyDensityLesson();
 
     int dimension() const override { return 3; }
@@ -35,7 +34,6 @@ public:
     std::vector<std::string_view> first_plots() const override { return {"stress_curve", "energy_curve"}; }
     std::vector<std::string_view> key_numbers() const override { return {"psi", "P11", "det_F"}; }
 
-private:
     Choice<Energy> energy{*this,
                           setting_of("energy", "how much energy a deformation stores", 1).rebuilds(),
                           {{"linear", "linear"},

@@ -18,8 +18,7 @@ using Test = MaterialTest;
 inline constexpr Real small_strain = 0.05;
 
 // A static lesson: one step is the whole test, from no load to the full one.
-class ModuliLesson final : public Lesson {
-public:
+struct ModuliLesson final : Lesson {
     ModuliLesson() { declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 3; }
@@ -36,7 +35,6 @@ public:
     std::vector<std::string_view> first_plots() const override { return {"measured_stress", "displacement"}; }
     std::vector<std::string_view> key_numbers() const override { return {"stress", "strain", "measured_modulus"}; }
 
-private:
     Choice<Test> test{*this,
                       setting_of("test", "what the machine does to the block").rebuilds(),
                       {{"tension", "tension: Y"}, {"shear", "shear: G"}, {"pressure", "pressure: B"}}};

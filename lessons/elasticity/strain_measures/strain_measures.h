@@ -15,8 +15,7 @@ namespace pliant::strain_measures {
 inline constexpr Real tolerated = 0.01;
 
 // A static lesson: one step measures everything. F is that of the chosen map, followed by a turn about z.
-class StrainMeasuresLesson final : public Lesson {
-public:
+struct StrainMeasuresLesson final : Lesson {
     StrainMeasuresLesson();
 
     int dimension() const override { return 2; }
@@ -33,7 +32,6 @@ public:
     std::vector<std::string_view> first_plots() const override { return {"strain_over_turn", "error_over_strain"}; }
     std::vector<std::string_view> key_numbers() const override { return {"green_11", "cauchy_11", "stretch_of_v"}; }
 
-private:
     // One tensor, row by row, and one vector.
     using Nine = Eigen::Matrix<Real, 9, 1>;
     using RowMajor = Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>;

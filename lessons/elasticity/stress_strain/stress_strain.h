@@ -19,8 +19,7 @@ using Load = LoadCase;
 inline constexpr Real small_strain = 0.05;
 
 // A static lesson: one step is the whole loading. Its load, radius and angle are also handles in the picture.
-class StressStrainLesson final : public Lesson {
-public:
+struct StressStrainLesson final : Lesson {
     StressStrainLesson() {
         declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
     }
@@ -41,7 +40,6 @@ public:
     std::vector<std::string_view> first_plots() const override;
     std::vector<std::string_view> key_numbers() const override;
 
-private:
     std::function<bool()> of(Load which) const {
         return [this, which] { return loading == which; };
     }

@@ -27,8 +27,7 @@ inline constexpr std::array<std::string_view, 3> scheme_fields{"linear", "cubic"
 Explanation weighted_samples(const std::string& left, const PaddedField<2>& values, const GridPlace<2>& place, Input::From from,
                              std::string_view name);
 
-class AdvectionLesson final : public Lesson {
-public:
+struct AdvectionLesson final : Lesson {
     AdvectionLesson() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
@@ -59,7 +58,6 @@ public:
     }
     std::vector<std::string_view> key_numbers() const override { return {"turns", "peak", "variance_left"}; }
 
-private:
     Choice<FlowKind> field{
         *this,
         setting_of(

@@ -25,8 +25,7 @@ enum class Form { careful, lecture };
 
 // u(t) on cells of edge Δx = L/n, ∂u/∂t = ν ∇²u. A row of cells is a lattice with one cell across, whose missing neighbours there
 // exchange nothing: the five-point stencil then is the three-point one.
-class DiffusionLesson final : public Lesson {
-public:
+struct DiffusionLesson final : Lesson {
     DiffusionLesson() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
@@ -53,7 +52,6 @@ public:
     std::vector<std::string_view> first_plots() const override { return {"profile", "factors", "amplitude"}; }
     std::vector<std::string_view> key_numbers() const override { return {"factor_measured", "factor_theory", "max"}; }
 
-private:
     Choice<Dimensions> dimensions{*this,
                                   setting_of("dimension", "a row of cells, or a square of them").rebuilds(),
                                   {{"1", "1D: a row"}, {"2", "2D: a square"}}};
@@ -225,7 +223,7 @@ private:
         return {fmt::format("{} u = u   (of all cells: cell {})", largest ? "max" : "min", at), {Input::now("u", "u", at)}};
     }
 
-    // --- the picture (diffusion_picture.cpp, stencil_picture.cpp) ---
+    // --- the picture (diffusion_picture.cpp) ---
     void draw_row(Scene& scene) const;
     void draw_exchanges(Scene& scene) const;
     void draw_curve(Scene& scene) const;

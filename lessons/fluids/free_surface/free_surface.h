@@ -18,8 +18,7 @@ namespace pliant::free_surface {
 enum class Pouring { column, wave, drop, paddle };
 
 // A vertical plane through the tank, from the left wall (x = 0) and the floor (y = 0). Walls and the paddle let the liquid slide.
-class FreeSurface final : public Lesson {
-public:
+struct FreeSurface final : Lesson {
     FreeSurface() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
@@ -66,7 +65,6 @@ public:
         return {"column_height_at_wall", "volume", "cfl"};
     }
 
-private:
     Choice<Pouring> scene{
         *this,
         setting_of("scene", "a column that falls, a standing wave, a drop that falls into a pool, or a paddle that makes waves")
@@ -140,7 +138,7 @@ private:
     bool starts_level() const;                                                   // does the liquid lie still at the start?
     std::vector<CellType> solids() const;
 
-    // --- the stages (free_surface_stages.cpp) ---
+    // --- the stages (free_surface.cpp) ---
     // The state may have been put back to another time: what is liquid follows from it. The paddle is where it is now.
     void follow_state() { liquid_->set_solids(solids()); }
     void begin_projection();

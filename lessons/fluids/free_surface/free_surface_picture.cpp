@@ -1,7 +1,6 @@
 // The picture: the liquid up to its surface, its velocity, the tank with what stands in it, and a gauge of the volume.
 #include "free_surface.h"
 #include "kits/grid2d/grid_picture.h"
-#include "kits/grid2d/liquid_picture.h"
 
 #include <pliant/text/format.h>
 

@@ -23,8 +23,7 @@ enum class Order { lecture, projection_first, advection_last, forces_last };
 
 // A box that is stirred, a cavity with a lid, vortices, two channels, a disc in a stream, smoke: see scenes.h. Lengths are in
 // units of L, the parameter `size`.
-class NavierStokes final : public Lesson {
-public:
+struct NavierStokes final : Lesson {
     NavierStokes() { declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks(); }
 
     int dimension() const override { return 2; }
@@ -48,7 +47,6 @@ public:
     std::vector<std::string_view> first_plots() const override { return shown(scene().plots); }
     std::vector<std::string_view> key_numbers() const override { return shown(scene().key_numbers); }
 
-private:
     Choice<std::size_t> scenario{
         *this,
         setting_of("scene", "what the fluid is in and what drives it; the presets have one or two of each with fitting numbers")

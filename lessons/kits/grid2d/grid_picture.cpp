@@ -1,7 +1,9 @@
 #include "grid_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace pliant::grid2d {
 namespace {
@@ -68,6 +70,84 @@ void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySam
         }
     }
     scene.arrows.push_back(std::move(arrows));
+}
+
+namespace {
+
+struct Corner {
+    Vec<2> at;
+    Real distance;
+};
+
+// φ at the corners of the cells: the mean of the cells around, as far as there are any.
+Real at_corner(const Lattice<2>& cells, const VecX& distance, Index i, Index j) {
+    Real sum = 0;
+    for (const Index y : {j - 1, j})
+        for (const Index x : {i - 1, i})
+            sum +=
+                distance[cells.index({std::clamp<Index>(x, 0, cells.count[0] - 1), std::clamp<Index>(y, 0, cells.count[1] - 1)})];
+    return sum / 4;
+}
+
+Vec<2> crossing(const Corner& a, const Corner& b) { return a.at + a.distance / (a.distance - b.distance) * (b.at - a.at); }
+
+// The part of a triangle with φ < 0, as a polygon of up to four corners; the side on the surface goes to `line`.
+int clipped(const std::array<Corner, 3>& triangle, std::array<Vec<2>, 4>& polygon, LineMarks& line) {
+    int count = 0, crossed = 0;
+    std::array<Vec<2>, 2> ends;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Corner &here = triangle[k], &next = triangle[(k + 1) % 3];
+        if (here.distance < 0) polygon[static_cast<std::size_t>(count++)] = here.at;
+        if ((here.distance < 0) == (next.distance < 0)) continue;
+        const Vec<2> x = crossing(here, next);
+        polygon[static_cast<std::size_t>(count++)] = x;
+        ends[static_cast<std::size_t>(crossed++)] = x;
+    }
+    if (crossed == 2)
+        for (const Vec<2>& end : ends) line.ends.push_back(position<2>(end));
+    return count;
+}
+
+void add_polygon(TriangleMarks& marks, const std::array<Vec<2>, 4>& polygon, int count) {
+    const int first = static_cast<int>(marks.corners.size());
+    for (int k = 0; k < count; ++k) marks.corners.push_back(position<2>(polygon[static_cast<std::size_t>(k)]));
+    for (int k = 2; k < count; ++k) marks.triangles.push_back({first, first + k - 1, first + k});
+}
+
+}  // namespace
+
+void draw_liquid(Scene& picture, const StaggeredGrid<2>& grid, const VecX& distance, const std::vector<float>& values) {
+    const Lattice<2>& cells = grid.cells();
+    const Real dx = grid.dx();
+    TriangleMarks water{.corners = {}, .triangles = {}, .ink = Ink::body, .pick = {.pickable = true, .on = On::cell}};
+    LineMarks surface{.ends = {}, .ink = Ink::edge, .width = 2};
+    const auto corner = [&](Index i, Index j) {
+        return Corner{{static_cast<Real>(i) * dx, static_cast<Real>(j) * dx}, at_corner(cells, distance, i, j)};
+    };
+    for (Index c = 0; c < cells.size(); ++c) {
+        const Index i = c % cells.count[0], j = c / cells.count[0];
+        const std::array<Corner, 4> corners{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)};
+        if (std::ranges::none_of(corners, [](const Corner& k) { return k.distance < 0; })) continue;
+        const auto add = [&](const std::array<Vec<2>, 4>& polygon, int count) {
+            const std::size_t before = water.triangles.size();
+            add_polygon(water, polygon, count);
+            for (std::size_t t = before; t < water.triangles.size(); ++t) {
+                water.pick.ids.push_back(c);
+                if (!values.empty()) water.values.push_back(values[static_cast<std::size_t>(c)]);
+            }
+        };
+        std::array<Vec<2>, 4> polygon;
+        if (std::ranges::all_of(corners, [](const Corner& k) { return k.distance < 0; })) {
+            for (std::size_t k = 0; k < 4; ++k) polygon[k] = corners[k].at;
+            add(polygon, 4);
+            continue;
+        }
+        for (const auto& triangle :
+             {std::array{corners[0], corners[1], corners[2]}, std::array{corners[0], corners[2], corners[3]}})
+            if (const int count = clipped(triangle, polygon, surface); count > 2) add(polygon, count);
+    }
+    picture.triangles.push_back(std::move(water));
+    picture.lines.push_back(std::move(surface));
 }
 
 }  // namespace pliant::grid2d

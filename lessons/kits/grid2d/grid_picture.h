@@ -1,7 +1,9 @@
 // Pictures of a plane flow on a staggered grid.
 #pragma once
+#include <pliant/fluids/staggered_grid.h>
 #include <pliant/fluids/velocity_sampler.h>
 #include <pliant/lesson/lesson.h>
+#include <pliant/lesson/scene.h>
 
 namespace pliant::grid2d {
 
@@ -16,5 +18,11 @@ void draw_solids(Scene& scene, const StaggeredGrid<2>& grid);
 // the arrows are apart. Places that `shown`, if given, turns down stay empty.
 void draw_velocity(Scene& scene, const StaggeredGrid<2>& grid, const VelocitySampler<2>& flow, Real speed, Index most = 18,
                    const std::function<bool(const Vec<2>&)>& shown = {});
+
+// The liquid of a level set as a picture: triangles up to the surface, and the surface as a line.
+
+// distance: signed, at the cell centres, m; between them linear, so that the surface is drawn where φ = 0. values: a number per
+// cell that gives its colour, or none for the ink of a body.
+void draw_liquid(Scene& picture, const StaggeredGrid<2>& grid, const VecX& distance, const std::vector<float>& values);
 
 }  // namespace pliant::grid2d

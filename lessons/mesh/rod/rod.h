@@ -147,7 +147,7 @@ struct RodLesson final : Lesson {
     void equilibrium_stage();
     void follow_positions();
 
-    // --- what can be read off (rod_readings.cpp, rod_waves.cpp, rod_fixes.cpp) ---
+    // --- what can be read off (rod_readings.cpp, rod_waves.cpp) ---
     Real displacement_of(Index node) const { return along().dot(position_.col(node)) - rest_place(node); }
     Real tip_displacement() const { return displacement_of(segments); }
     Real elastic_energy() const;

@@ -1,5 +1,6 @@
 // Eight time integrators on motions whose exact solution is known: a mass on a spring, a pendulum, a stiff pair.
 #pragma once
+#include "integration.h"
 #include "kits/schemes/scheme_options.h"
 
 #include <pliant/lesson/registry.h>
@@ -156,5 +157,16 @@ struct IntegrationLesson final : Lesson {
     mutable std::array<Errors, 8> errors_;
     mutable std::array<std::optional<StabilityRegion>, 8> regions_;
 };
+
+// Where the parts of the picture stand: the portrait is the square from −1 to 1.
+
+inline constexpr Real region_x = 2.35;  // the middle of the plane of λΔt
+inline constexpr Index start_handle = 0, root_handle = 1;
+
+struct InkOf {
+    Ink ink;
+    bool dashed;
+};
+InkOf ink_of(Scheme scheme);
 
 }  // namespace pliant::integration

@@ -1,6 +1,5 @@
 // The picture: what moves, above it its path in the plane of x and v/ω; beside it where the step stands in the plane of λΔt.
 #include "integration.h"
-#include "layout.h"
 
 #include <pliant/text/format.h>
 

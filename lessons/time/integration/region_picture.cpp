@@ -1,5 +1,5 @@
 // The plane of λΔt with the roots of the motion, and what moves: springs or a pendulum, with the exact motion as a ghost.
-#include "layout.h"
+#include "integration.h"
 
 #include <pliant/text/format.h>
 
