@@ -137,7 +137,7 @@ TEST_CASE("a lesson that is solved at once has no map, and the panel says so", "
     for (const char* control : {"tab atlas", "atlas across", "atlas up", "atlas cells", "atlas steps", "atlas make"})
         CHECK(state["controls"].contains(control));
     CHECK(state["focus"]["control"] == "atlas across");
-    start_atlas(lab.state());
+    start_atlas(lab.state(), lab.state().atlas);
     CHECK_THAT(state_after(1)["message"].get<std::string>(), ContainsSubstring("solved at once"));
     CHECK(state_after(1)["atlas"]["busy"] == false);
 }

@@ -165,13 +165,7 @@ TEST_CASE("the excess over a bound of zero is told as a difference", "[autopsy]"
 }
 
 TEST_CASE("the summary tells what fails, what is picked and the last message", "[session][summary]") {
-    LabState lab{.session = growing({{"factor", "10"}}),
-                 .fonts = {},
-                 .search = {},
-                 .plots = {},
-                 .hovered = {},
-                 .pulling = {},
-                 .controls = {}};
+    LabState lab{{.session = growing({{"factor", "10"}})}};
     CHECK_THAT(summary_of(lab), ContainsSubstring("Lesson Grower.") && ContainsSubstring("No stage has run yet") &&
                                     ContainsSubstring("The assumption small x holds"));
     play(lab.session);

@@ -235,8 +235,8 @@ TEST_CASE("the summary tells the claim, and what was measured", "[session]") {
     CHECK_THAT(summary_of(lab.state()), ContainsSubstring("Claim E3: Young's modulus") && ContainsSubstring("2: the same.") &&
                                             ContainsSubstring("It is not measured yet."));
     const Claim& c = find_claim("E3");
-    lab.state().claims.predict(c, 1);
-    lab.state().claims.measure_now(c);
+    lab.state().claims.book.predict(c, 1);
+    lab.state().claims.book.measure_now(c);
     CHECK_THAT(summary_of(lab.state()), ContainsSubstring("You chose 2.") && ContainsSubstring("It is reproduced: largest") &&
                                             ContainsSubstring("criterion ≤ 10⁻⁹") && ContainsSubstring("The right answer is 2."));
 }

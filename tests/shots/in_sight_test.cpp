@@ -22,7 +22,7 @@ class Onlooker {
 public:
     explicit Onlooker(Size size = {480, 270}, Layout layout = Layout::slide) : context_(open_headless(size)), lab(*context_) {
         lab.state().layout = layout;
-        lab.state().hints_shown = false;
+        lab.state().scene.hints_shown = false;
     }
     void draw(Real seconds = 0) { lab.frame(seconds), context_->present(); }
 

@@ -20,7 +20,7 @@ class Bench {
 public:
     Bench() {
         fs::current_path(scratch.folder());
-        lab.state().hints_shown = false;
+        lab.state().scene.hints_shown = false;
         frames(3);
     }
     ~Bench() { fs::current_path(before_); }

@@ -40,7 +40,7 @@ TEST_CASE("a long run takes no more memory and no more points in a frame than a 
     lab.state().plots.chosen = {s.inspector.pins[0].title, std::string(s.lesson().error_probe())};
     for (const bool costs : {false, true}) {
         CAPTURE(costs);
-        lab.state().cost_shown = costs;
+        lab.state().plots.cost_shown = costs;
         s.reset();
         s.run(Until::after_steps(20'000));
         const int after_a_while = corners_of_a_frame(lab, *context);

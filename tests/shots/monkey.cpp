@@ -250,7 +250,7 @@ void Monkey::ask_why() {
     note(fmt::format("why {} {}", f.name, index));
     s.inspector.thing = Thing{f.on, index};
     s.ask({.field = std::string(f.name), .index = index, .component = upto(f.components + 1) - 1});
-    lab_->state().choose_inspector = true;
+    lab_->state().side_wanted = SideTab::inspect;
 }
 
 void Monkey::set_stops() {

@@ -13,15 +13,7 @@ using namespace pliant::test;
 
 namespace {
 
-LabState fresh_lab() {
-    return {.session = Session("mesh/mass_spring"),
-            .fonts = {},
-            .search = {},
-            .plots = {},
-            .hovered = {},
-            .pulling = {},
-            .controls = {}};
-}
+LabState fresh_lab() { return {{.session = Session("mesh/mass_spring")}}; }
 
 }  // namespace
 
@@ -83,7 +75,7 @@ TEST_CASE("settings: changes are kept, flags are not", "[settings]") {
         lab.session.speed = 0.5;
         file.keep(lab, 10);
         CHECK(fs::exists(path));
-        lab.hints_shown = false;
+        lab.scene.hints_shown = false;
         file.keep(lab, 0.1);
         CHECK_FALSE(SettingsFile(path).stored().hints_shown);  // not in every frame
         file.finish(lab);

@@ -164,7 +164,7 @@ TEST_CASE("the other numbers that can be typed are not clamped either", "[lab]")
         CHECK_THAT(typist.told(), ContainsSubstring("give a whole number from 0 to 50"));
     }
     typist.session().inspector.thing = Thing{On::node, 3};
-    typist.state().choose_inspector = true;
+    typist.state().side_wanted = SideTab::inspect;
     typist.frames(3);
     typist.type("thing index", "7");
     CHECK(typist.session().inspector.thing->index == 7);

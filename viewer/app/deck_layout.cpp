@@ -2,6 +2,8 @@
 
 #include "app/lab.h"
 #include "panels/colour_bar.h"
+#include "panels/deck_panel.h"
+#include "panels/headline.h"
 #include "render/framing.h"
 
 #include <algorithm>
@@ -91,7 +93,7 @@ void Lab::deck_layout(float width, float height) {
             s.session.autopsy() || ImGui::IsAnyItemActive() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
         if (!busy) ImGui::SetNextWindowFocus();
         const FixedPanel panel("Slide parameters", places.parameters, ImGuiWindowFlags_NoBackground);
-        draw_slide_parameters(s);
+        draw_slide_parameters(s, s.parameters);
     }
     if (places.notes.height > 0) {
         const FixedPanel panel("Slide notes", places.notes);
@@ -105,11 +107,11 @@ void Lab::deck_layout(float width, float height) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
         const FixedPanel panel("Scene", places.picture, flags | ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
-        draw_scene(s, renderer_);
+        draw_scene(s, s.scene, renderer_);
     }
     {
         const FixedPanel panel("Plots", places.plots, flags);
-        places.plots_in_row ? draw_plots_in_row(s) : draw_plots(s);
+        places.plots_in_row ? draw_plots_in_row(s, s.plots) : draw_plots(s, s.plots);
     }
     {
         const FixedPanel panel("Numbers", places.numbers, flags);

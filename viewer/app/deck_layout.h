@@ -1,6 +1,6 @@
 // Where the parts of a slide stand in the deck.
 #pragma once
-#include "panels/lab_state.h"
+#include "app/lab_state.h"
 
 namespace pliant::viewer {
 

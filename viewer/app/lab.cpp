@@ -4,7 +4,11 @@
 #include <imgui_internal.h>
 
 #include "app/summary.h"
+#include "panels/animation_panel.h"
 #include "panels/file_dialog.h"
+#include "panels/focus.h"
+#include "panels/held_numbers.h"
+#include "panels/help_panel.h"
 #include "platform/gl.h"
 
 #include <algorithm>
@@ -13,10 +17,7 @@
 
 namespace pliant::viewer {
 
-Lab::Lab(Context& context, std::string_view lesson)
-    : context_(context),
-      gui_(context),
-      state_{.session = Session(lesson), .fonts = {}, .search = {}, .plots = {}, .hovered = {}, .pulling = {}, .controls = {}} {
+Lab::Lab(Context& context, std::string_view lesson) : context_(context), gui_(context), state_{{.session = Session(lesson)}} {
     state_.plots.hooks.save_png = [this](const PlotShot& shot) { plot_to_save_ = shot; };
     state_.plots.hooks.save_svg = [this](const std::string& title, const std::string& svg) { save_svg(title, svg); };
 }
@@ -134,21 +135,22 @@ bool Lab::perform_on_view(Action action) {
     Session& s = state_.session;
     switch (action) {
         case Action::find:
-            return set_layout(Layout::lab), state_.focus_search = true;
+            return set_layout(Layout::lab), state_.lesson_list.focus = true;
         case Action::hide_panels:
             return set_layout(state_.layout == Layout::lab ? Layout::slide : Layout::lab), true;
         case Action::menu:
             return set_layout(Layout::lab), state_.focus_menu = true;
         case Action::stops:
-            return set_layout(Layout::lab), state_.open_breaks = true;
+            return set_layout(Layout::lab), state_.timeline.open_breaks = true;
         case Action::compare:
             return s.compare(static_cast<Compare>((static_cast<int>(s.inspector.compare) + 1) % 5)), true;
         case Action::inspect:
-            return set_layout(Layout::lab), state_.choose_inspector = state_.focus_thing = true;
+            return set_layout(Layout::lab), state_.side_wanted = SideTab::inspect, state_.inspector.focus = true;
         case Action::claims:
-            return set_layout(Layout::lab), state_.choose_claims = state_.reveal_claim = state_.focus_claim = true;
+            return set_layout(Layout::lab), state_.side_wanted = SideTab::claims,
+                                            state_.claims.reveal = state_.claims.focus = true;
         case Action::atlas:
-            return set_layout(Layout::lab), state_.choose_atlas = state_.focus_atlas = true;
+            return set_layout(Layout::lab), state_.side_wanted = SideTab::atlas, state_.atlas.focus = true;
         case Action::help:
             state_.help_shown = !state_.help_shown;
             return true;
@@ -165,7 +167,7 @@ bool Lab::perform_on_view(Action action) {
         case Action::smaller:
             return set_scale(state_.scale - 0.25f), true;
         case Action::cost:
-            state_.cost_shown = !state_.cost_shown;
+            state_.plots.cost_shown = !state_.plots.cost_shown;
             return true;
         case Action::frame:
             return s.frame_afresh(), true;
@@ -178,11 +180,11 @@ bool Lab::perform_on_view(Action action) {
 bool Lab::perform_for_ear_and_hand(Action action) {
     switch (action) {
         case Action::dismiss:
-            state_.summary.empty() ? state_.session.dismiss() : state_.summary.clear();
+            state_.summary.text.empty() ? state_.session.dismiss() : state_.summary.text.clear();
             return true;
         case Action::summary:
-            state_.summary = state_.summary.empty() ? summary_of(state_) : "";
-            if (!state_.summary.empty() && state_.speak) state_.speak(state_.summary);
+            state_.summary.text = state_.summary.text.empty() ? summary_of(state_) : "";
+            if (!state_.summary.text.empty() && state_.speak) state_.speak(state_.summary.text);
             return true;
         case Action::patterns:
             state_.session.patterns = !state_.session.patterns;
@@ -261,14 +263,14 @@ void Lab::build_frame(Real dt) {
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
     release_keys(in_deck());
-    state_.claims.update();
-    state_.atlas.follow(state_.session);
+    state_.claims.book.update();
+    state_.atlas.atlas.follow(state_.session);
     const Session& s = state_.session;
     if (!state_.files.asking() && !state_.animation.asking)
         handle_keys({.walkthrough = state_.session.walkthrough.has_value(),
                      .deck = in_deck(),
                      .slide = state_.layout == Layout::slide,
-                     .message = s.message() || s.autopsy() || !state_.summary.empty()},
+                     .message = s.message() || s.autopsy() || !state_.summary.text.empty()},
                     [this](Action a) { perform(a); });
     forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);
@@ -276,9 +278,9 @@ void Lab::build_frame(Real dt) {
     if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
     draw_layout(display.x, display.y);
     state_.plots.memory.save_all_svg = false;
-    if (state_.help_shown) draw_help(state_);
-    draw_summary(state_);
-    draw_file_dialog(state_);
+    if (state_.help_shown) draw_help(state_.help_shown);
+    draw_summary(state_, state_.summary);
+    draw_file_dialog(state_, state_.file_dialog);
     draw_animation_panel(state_);
     draw_focus(state_);
     do_what_is_wanted();
@@ -292,12 +294,12 @@ Real Lab::next_change() const {
     if (busy()) return card_shows() ? progress_seconds / 2 : 0;
     const LabState& l = state_;
     const bool moves = l.session.under_way() || (!l.session.camera && l.session.viewpoint.moving()) ||
-                       (l.cost_shown && l.live_error.catching_up(l.session.runner()));
+                       (l.plots.cost_shown && l.live_error.catching_up(l.session.runner()));
     const bool ordered =
         unsettled_ > 0 || restyle_ || capture_ || plot_to_save_ || animation_ || !l.wanted.empty() || !l.wanted_files.empty();
     if (moves || ordered) return 0;
     return std::min(gui_.next_blink(),
-                    l.claims.busy() || l.atlas.busy() ? progress_seconds : std::numeric_limits<Real>::infinity());
+                    l.claims.book.busy() || l.atlas.atlas.busy() ? progress_seconds : std::numeric_limits<Real>::infinity());
 }
 
 void Lab::do_what_is_wanted() {

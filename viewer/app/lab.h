@@ -1,7 +1,7 @@
 // The lab: one frame of its window, whoever makes the GL context.
 #pragma once
+#include "app/lab_state.h"
 #include "panels/keys.h"
-#include "panels/lab_state.h"
 #include "platform/context.h"
 #include "platform/gui.h"
 #include "session/animation.h"

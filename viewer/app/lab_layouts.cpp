@@ -1,5 +1,8 @@
 // Where the panels of the lab stand, in each of its layouts.
 #include "app/lab.h"
+#include "panels/headline.h"
+#include "panels/status_line.h"
+#include "panels/walkthrough_panel.h"
 
 #include <algorithm>
 
@@ -25,29 +28,29 @@ void Lab::lab_layout(float width, float height) {
                 body = height - status - top;
     const float list =
         std::min(body * 0.42f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
-    const auto rows = static_cast<float>(1 + s.transport_rows);
-    const float bars = rows * ImGui::GetFrameHeight() + s.px(stage_height + (s.stages_scroll ? stage_scrollbar : 0)) +
+    const auto rows = static_cast<float>(1 + s.stages.transport_rows);
+    const float bars = rows * ImGui::GetFrameHeight() + s.px(stage_height + (s.stages.scrolls ? stage_scrollbar : 0)) +
                        2 * ImGui::GetStyle().WindowPadding.y + rows * ImGui::GetStyle().ItemSpacing.y;
     {
         const FixedPanel panel("Lessons", {0, top, left, list});
-        draw_lesson_list(s);
+        draw_lesson_list(s, s.lesson_list);
     }
     {
         const FixedPanel panel("Parameters", {0, top + list, left, body - list});
-        draw_parameters(s);
+        draw_parameters(s, s.parameters);
     }
     {
         const FixedPanel panel("Stages", {left, top, middle, bars}, ImGuiWindowFlags_NoScrollbar);
-        draw_transport(s);
-        draw_stage_bar(s);
-        draw_timeline(s);
+        draw_transport(s, s.stages);
+        draw_stage_bar(s, s.stages);
+        draw_timeline(s, s.timeline);
     }
     {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
         const FixedPanel panel("Scene", {left, top + bars, middle, body - bars},
                                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
-        draw_scene(s, renderer_);
+        draw_scene(s, s.scene, renderer_);
     }
     if (s.session.walkthrough) {
         const float split = body * 0.58f;
@@ -80,11 +83,11 @@ void Lab::slide_layout(float width, float height) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
         const FixedPanel panel("Scene", {0, head, width - right, height - head}, flags | ImGuiWindowFlags_NoScrollWithMouse);
         ImGui::PopStyleVar();
-        draw_scene(s, renderer_);
+        draw_scene(s, s.scene, renderer_);
     }
     {
         const FixedPanel panel("Plots", {width - right, head, right, height - head - numbers}, flags);
-        draw_plots(s);
+        draw_plots(s, s.plots);
     }
     {
         const FixedPanel panel("Numbers", {width - right, height - numbers, right, numbers}, flags);

@@ -68,7 +68,7 @@ std::string settings_text(const Settings& s) {
 }
 
 Settings settings_of(const LabState& lab) {
-    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.hints_shown, lab.session.patterns, lab.recent};
+    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.scene.hints_shown, lab.session.patterns, lab.recent};
 }
 
 fs::path settings_path() {

@@ -1,7 +1,7 @@
 // What the lab remembers from one start to the next, in $XDG_CONFIG_HOME/pliant/settings.json or ~/.config/pliant/settings.json.
 // Only the window reads and writes it: pictures and tests without a window do not depend on it.
 #pragma once
-#include "panels/lab_state.h"
+#include "app/lab_state.h"
 
 #include <filesystem>
 #include <optional>

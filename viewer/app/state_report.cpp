@@ -15,9 +15,12 @@ namespace {
 nlohmann::ordered_json inspector_json(const LabState& lab) {
     const Inspector& in = lab.session.inspector;
     const Stage* stage = in.shown_stage(lab.session.runner());
-    nlohmann::ordered_json j{{"shown", lab.show_inspector},       {"compare", name_of(in.compare)},
-                             {"stage", stage ? stage->name : ""}, {"stopped", in.stopped},
-                             {"stops", in.breaks.stages},         {"pins", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json j{{"shown", lab.side == SideTab::inspect},
+                             {"compare", name_of(in.compare)},
+                             {"stage", stage ? stage->name : ""},
+                             {"stopped", in.stopped},
+                             {"stops", in.breaks.stages},
+                             {"pins", nlohmann::ordered_json::array()}};
     for (const Condition& c : in.breaks.conditions) j["conditions"].push_back(c.text());
     for (const Pin& p : in.pins) j["pins"].push_back(p.title);
     if (in.thing) j["thing"] = {{"on", name_of(in.thing->on)}, {"index", in.thing->index}};
@@ -31,23 +34,23 @@ nlohmann::ordered_json inspector_json(const LabState& lab) {
 
 nlohmann::ordered_json claims_json(const LabState& lab) {
     const std::string_view lesson = lab.session.entry().info.id;
-    const Claim* open = lab.claims.unfolded(lesson);
-    nlohmann::ordered_json j{{"shown", lab.show_claims},
-                             {"all", lab.claims.all},
+    const Claim* open = lab.claims.book.unfolded(lesson);
+    nlohmann::ordered_json j{{"shown", lab.side == SideTab::claims},
+                             {"all", lab.claims.book.all},
                              {"unfolded", open ? open->id : ""},
                              {"cards", nlohmann::ordered_json::object()}};
-    for (const Claim* c : lab.claims.listed(lesson)) {
-        auto& card = j["cards"][std::string(c->id)] = {{"stage", name_of(lab.claims.phase(*c))}};
-        if (const auto answer = lab.claims.prediction(*c)) card["prediction"] = *answer;
-        if (const auto right = lab.claims.was_right(*c)) card["right"] = *right;
-        if (const ClaimResult* r = lab.claims.result(*c)) card["verdict"] = outcome_of(*r), card["figure"] = figure_text(*r);
+    for (const Claim* c : lab.claims.book.listed(lesson)) {
+        auto& card = j["cards"][std::string(c->id)] = {{"stage", name_of(lab.claims.book.phase(*c))}};
+        if (const auto answer = lab.claims.book.prediction(*c)) card["prediction"] = *answer;
+        if (const auto right = lab.claims.book.was_right(*c)) card["right"] = *right;
+        if (const ClaimResult* r = lab.claims.book.result(*c)) card["verdict"] = outcome_of(*r), card["figure"] = figure_text(*r);
     }
     return j;
 }
 
 nlohmann::ordered_json atlas_json(const LabState& lab) {
-    const Atlas& a = lab.atlas;
-    nlohmann::ordered_json j{{"shown", lab.show_atlas},
+    const Atlas& a = lab.atlas.atlas;
+    nlohmann::ordered_json j{{"shown", lab.side == SideTab::atlas},
                              {"across", a.across},
                              {"up", a.up},
                              {"cells", a.cells},
@@ -56,7 +59,7 @@ nlohmann::ordered_json atlas_json(const LabState& lab) {
                              {"progress", a.progress().share().value_or(0)},
                              {"trouble", a.trouble()},
                              {"mapped", a.map() != nullptr}};
-    if (lab.atlas_cell) j["cell"] = {lab.atlas_cell->first, lab.atlas_cell->second};
+    if (lab.atlas.cell) j["cell"] = {lab.atlas.cell->first, lab.atlas.cell->second};
     if (!a.map()) return j;
     j["columns"] = a.map()->columns(), j["rows"] = a.map()->rows();
     for (int k = 0; k < stability_kinds; ++k)
@@ -110,11 +113,11 @@ std::string state_json(const LabState& lab) {
         const auto value = p.value();
         j["probes"][std::string(p.name)] = value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nullptr;
     }
-    j["pulling"] = lab.pulling ? lab.pulling->index : -1;
-    j["hovered"] = lab.hovered ? lab.hovered->index : -1;
+    j["pulling"] = lab.scene.pulling ? lab.scene.pulling->index : -1;
+    j["hovered"] = lab.scene.hovered ? lab.scene.hovered->index : -1;
     j["message"] = lab.session.message() ? lab.session.message()->text : "";
     j["autopsy"] = lab.session.autopsy() ? lab.session.autopsy()->text() : "";
-    j["summary"] = lab.summary;
+    j["summary"] = lab.summary.text;
     j["patterns"] = lab.session.patterns;
     j["typing"] = ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput;
     if (lab.focus) j["focus"] = focus_json(lab);
@@ -135,7 +138,7 @@ std::string state_json(const LabState& lab) {
     j["recording"] = lab.animation.progress.has_value();
     j["companion"] = companion_json(lab.session);
     j["pinned"] = lab.session.pinned().has_value();
-    j["cost_shown"] = lab.cost_shown;
+    j["cost_shown"] = lab.plots.cost_shown;
     j["scale"] = lab.scale;
     j["help"] = lab.help_shown;
     j["frame"] = ImGui::GetFrameCount();

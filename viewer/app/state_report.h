@@ -1,7 +1,7 @@
 // The state of the lab as a file, rewritten in every frame and when the lab comes to rest: tests that drive the window by mouse
 // and keys read it back, and so can a screen reader.
 #pragma once
-#include "panels/lab_state.h"
+#include "app/lab_state.h"
 #include "session/worker.h"
 
 #include <optional>

@@ -40,13 +40,13 @@ std::string thing_sentences(const Session& s) {
 
 // The unfolded card, while the claims are in front.
 std::string claim_sentences(const LabState& lab) {
-    const Claim* c = lab.show_claims ? lab.claims.unfolded(lab.session.entry().info.id) : nullptr;
+    const Claim* c = lab.side == SideTab::claims ? lab.claims.book.unfolded(lab.session.entry().info.id) : nullptr;
     if (!c) return "";
     std::string text = fmt::format("Claim {}: {}\nThe question: {}", c->id, c->statement, c->question);
     for (std::size_t k = 0; k < c->answers.size(); ++k) text += fmt::format(" {}: {}.", k + 1, c->answers[k]);
-    if (const auto chosen = lab.claims.prediction(*c)) text += fmt::format(" You chose {}.", *chosen + 1);
+    if (const auto chosen = lab.claims.book.prediction(*c)) text += fmt::format(" You chose {}.", *chosen + 1);
     text += "\n";
-    const ClaimResult* r = lab.claims.result(*c);
+    const ClaimResult* r = lab.claims.book.result(*c);
     if (!r) return text + "It is not measured yet.\n";
     if (!r->finding) return text + r->failure + "\n";
     text += fmt::format("It is {}: {} is {}, criterion {}. {}\n", outcome_of(*r), c->figure, figure_text(*r), c->criterion,
@@ -57,7 +57,7 @@ std::string claim_sentences(const LabState& lab) {
 
 // The map, while the atlas is in front.
 std::string atlas_sentences(const LabState& lab) {
-    const StabilityMap* map = lab.show_atlas ? lab.atlas.map() : nullptr;
+    const StabilityMap* map = lab.side == SideTab::atlas ? lab.atlas.atlas.map() : nullptr;
     if (!map) return "";
     std::string text = fmt::format("The atlas of {} and {}:", words(map->order.across.key), words(map->order.up.key));
     const char* comma = "";

@@ -1,6 +1,6 @@
 // How the lab stands, in plain sentences: for those who listen rather than look.
 #pragma once
-#include "panels/lab_state.h"
+#include "app/lab_state.h"
 
 #include <string>
 

@@ -88,17 +88,17 @@ void check_claim(const PictureOptions& o, Layout layout) {
 
 void show_claim(LabState& lab, const std::string& id) {
     const Claim& c = find_claim(id);
-    lab.claims.all = c.lesson != lab.session.entry().info.id;
-    lab.claims.unfold(c);
-    lab.claims.measure_now(c);
-    lab.choose_claims = lab.reveal_claim = true;
+    lab.claims.book.all = c.lesson != lab.session.entry().info.id;
+    lab.claims.book.unfold(c);
+    lab.claims.book.measure_now(c);
+    lab.side_wanted = SideTab::claims, lab.claims.reveal = true;
 }
 
 // The map of the lesson's first knobs.
 void show_atlas(LabState& lab) {
-    lab.atlas.follow(lab.session);
-    lab.atlas.make_now(lab.session);
-    lab.choose_atlas = true;
+    lab.atlas.atlas.follow(lab.session);
+    lab.atlas.atlas.make_now(lab.session);
+    lab.side_wanted = SideTab::atlas;
 }
 
 void check_writable_picture(const PictureOptions& o) {
@@ -197,7 +197,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     lab.set_theme(theme);
     lab.set_scale(scale);
     lab.state().layout = layout;
-    lab.state().hints_shown = false;
+    lab.state().scene.hints_shown = false;
     Session& s = lab.session();
     s.open_scene(scene);
     if (!picture.beside.empty()) s.open_companion(assignments_from(picture.beside, "--beside"));
@@ -245,7 +245,7 @@ int tour(const std::string& folder_name, const std::vector<std::string>& names, 
     const auto slide_context = open_headless({1280, 720});
     {
         Lab lab(*slide_context);
-        lab.state().hints_shown = false;
+        lab.state().scene.hints_shown = false;
         for (const LessonEntry* entry : entries)
             for (const TourStop& stop : stops_of(*entry)) {
                 tell(stop.name);

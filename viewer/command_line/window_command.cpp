@@ -43,7 +43,7 @@ void restore(Lab& lab, const SettingsFile& file, const WindowOptions& o, float s
     lab.set_scale(o.ui_scale != 0 ? o.ui_scale : s.scale.value_or(scale_of_screen));
     lab.session().speed = s.speed.value_or(lab.session().speed);
     lab.state().layout = s.layout.value_or(Layout::lab);
-    lab.state().hints_shown = s.hints_shown.value_or(true);
+    lab.state().scene.hints_shown = s.hints_shown.value_or(true);
     lab.session().patterns = s.patterns.value_or(false);
     lab.state().recent = s.recent;
 }

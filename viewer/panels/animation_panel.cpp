@@ -1,5 +1,6 @@
 // What an animation shall be, before its file is chosen.
-#include "panels/lab_state.h"
+
+#include "panels/animation_panel.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@ namespace {
 constexpr const char* popup = "An animation";
 constexpr int longest = 30;  // s
 
-void choices(LabState& lab) {
+void choices(PanelContext& lab) {
     AnimationOrder& order = lab.animation;
     ImGui::SetNextItemWidth(lab.px(160));
     const auto text = slider_or_text(lab.typed, "seconds", fmt::format("{}", order.seconds), [&] {
@@ -27,7 +28,7 @@ void choices(LabState& lab) {
     ImGui::NewLine();
 }
 
-void choose_file(LabState& lab) {
+void choose_file(PanelContext& lab) {
     lab.animation.asking = false;
     const std::string_view id = lab.session.entry().info.id;
     lab.files.ask(FileChoice::Purpose::save, "Save the animation as GIF", ".gif",
@@ -37,7 +38,7 @@ void choose_file(LabState& lab) {
 
 }  // namespace
 
-void draw_animation_panel(LabState& lab) {
+void draw_animation_panel(PanelContext& lab) {
     if (!lab.animation.asking) return;
     if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
     const ImVec2 display = ImGui::GetIO().DisplaySize;

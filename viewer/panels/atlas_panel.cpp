@@ -1,9 +1,11 @@
 // The atlas: where the open lesson is stable, over two of its parameters.
+#include "panels/atlas_panel.h"
+
 #include <pliant/study/stability_report.h>
 
 #include "panels/companion_panel.h"
 #include "panels/flowing_text.h"
-#include "panels/lab_state.h"
+#include "panels/plot_panel.h"
 #include "plot/imgui_canvas.h"
 #include "session/worker.h"
 
@@ -21,7 +23,7 @@ void flowing_words(const std::string& text, bool quiet = false) {
     if (quiet) ImGui::PopStyleColor();
 }
 
-void choose_knob(LabState& lab, const char* label, std::string& key, const std::string& other, const char* help) {
+void choose_knob(PanelContext& lab, const char* label, std::string& key, const std::string& other, const char* help) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("across").x - lab.px(10));
     const bool open = ImGui::BeginCombo(label, words(key).c_str());
     lab.note_control(fmt::format("atlas {}", label));
@@ -36,7 +38,7 @@ void choose_knob(LabState& lab, const char* label, std::string& key, const std::
     ImGui::EndCombo();
 }
 
-void whole_slider(LabState& lab, const char* label, float width, Index& value, int least, int most, const char* help) {
+void whole_slider(PanelContext& lab, const char* label, float width, Index& value, int least, int most, const char* help) {
     int shown = static_cast<int>(value);
     ImGui::SetNextItemWidth(width - ImGui::CalcTextSize(label).x - lab.px(10));
     const auto text = slider_or_text(lab.typed, label, fmt::format("{}", shown), [&] {
@@ -49,12 +51,12 @@ void whole_slider(LabState& lab, const char* label, float width, Index& value, i
 }
 
 // A refusal is told in the panel, where it was asked for.
-void make_or_cancel(LabState& lab) {
-    Atlas& atlas = lab.atlas;
+void make_or_cancel(PanelContext& lab, AtlasPanelState& panel) {
+    Atlas& atlas = panel.atlas;
     if (!atlas.busy()) {
         if (flowing_button(lab, atlas.map() ? "Map again" : "Map it", "atlas make",
                            "Runs the lesson in every cell, beside the lab, and classes each run by its energy", true))
-            start_atlas(lab);
+            start_atlas(lab, panel);
         return;
     }
     if (flowing_button(lab, "Cancel", "atlas cancel", "Stops making the map", true)) atlas.cancel();
@@ -84,15 +86,15 @@ std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, In
     return text + "\n" + c.verdict.reason;
 }
 
-void hover(LabState& lab, const StabilityMap& map, Index i, Index j) {
-    lab.atlas_cell = {i, j};
+void hover(PanelContext& lab, AtlasPanelState& panel, const StabilityMap& map, Index i, Index j) {
+    panel.cell = {i, j};
     tooltip(cell_text(lab.session.lesson(), map, i, j) + "\nClick to open this scene", lab.scale);
 }
 
-void draw_picture(LabState& lab) {
-    const StabilityMap& map = *lab.atlas.map();
-    MapPicture picture = lab.atlas.picture();
-    picture.present = lab.atlas.present(lab.session);
+void draw_picture(PanelContext& lab, AtlasPanelState& panel) {
+    const StabilityMap& map = *panel.atlas.map();
+    MapPicture picture = panel.atlas.picture();
+    picture.present = panel.atlas.present(lab.session);
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float height = std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(240), 1.5f * room.x);
     const bool pressed = ImGui::InvisibleButton("map", {room.x, height});
@@ -101,19 +103,19 @@ void draw_picture(LabState& lab) {
     ImguiCanvas canvas(*ImGui::GetWindowDrawList(), style.mathematics);
     const MapPlaces places = draw_map(canvas, {{at.x, at.y}, {at.x + room.x, at.y + height}}, picture, style, false);
     lab.controls["atlas area"] = {places.area.min.x, places.area.min.y, places.area.width(), places.area.height()};
-    lab.atlas_cell.reset();
+    panel.cell.reset();
     const ImVec2 mouse = ImGui::GetMousePos();
     const auto cell = ImGui::IsItemHovered() ? places.cell(map, {mouse.x, mouse.y}) : std::nullopt;
     if (!cell) return;
-    hover(lab, map, cell->first, cell->second);
+    hover(lab, panel, map, cell->first, cell->second);
     if (pressed) open_cell(lab.session, map, cell->first, cell->second);
 }
 
 // For those who cannot point: what holds where the sliders stand.
-void tell_present(LabState& lab) {
-    const StabilityMap& map = *lab.atlas.map();
-    if (lab.atlas.outdated(lab.session)) return flowing_words("Other parameters than the knobs have changed since: map again.");
-    const auto place = lab.atlas.present(lab.session);
+void tell_present(PanelContext& lab, AtlasPanelState& panel) {
+    const StabilityMap& map = *panel.atlas.map();
+    if (panel.atlas.outdated(lab.session)) return flowing_words("Other parameters than the knobs have changed since: map again.");
+    const auto place = panel.atlas.present(lab.session);
     if (!place) return flowing_words("The present scene lies outside of the map.", true);
     const auto nearest = [](Real x, Index count) { return std::clamp<Index>(std::lround(x), 0, count - 1); };
     const MapCell& c = map.at(nearest(place->across, map.columns()), nearest(place->up, map.rows()));
@@ -122,25 +124,25 @@ void tell_present(LabState& lab) {
 
 }  // namespace
 
-void start_atlas(LabState& lab) {
+void start_atlas(PanelContext& lab, AtlasPanelState& panel) {
     try {
-        lab.atlas.start(lab.session);
+        panel.atlas.start(lab.session);
     } catch (const Refused& e) {
         lab.session.say(Session::Message::Kind::refused, e.what());
     }
 }
 
-void draw_atlas(LabState& lab) {
-    Atlas& atlas = lab.atlas;
+void draw_atlas(PanelContext& lab, AtlasPanelState& panel) {
+    Atlas& atlas = panel.atlas;
     choose_knob(lab, "across", atlas.across, atlas.up, "The knob along the map");
-    if (std::exchange(lab.focus_atlas, false)) focus_last_item();
+    if (std::exchange(panel.focus, false)) focus_last_item();
     choose_knob(lab, "up", atlas.up, atlas.across, "The knob up the map");
     const float half = 0.5f * ImGui::GetContentRegionAvail().x;
     whole_slider(lab, "cells", half, atlas.cells, 8, 48, "Values of each knob");
     ImGui::SameLine();
     whole_slider(lab, "steps", half, atlas.steps, 50, 1000,
                  "Steps of each cell; one that is in doubt makes up to 16 times as many");
-    make_or_cancel(lab);
+    make_or_cancel(lab, panel);
     if (!atlas.trouble().empty()) flowing_words(atlas.trouble());
     if (!atlas.map()) {
         if (!atlas.busy() && atlas.trouble().empty())
@@ -151,11 +153,11 @@ void draw_atlas(LabState& lab) {
         return;
     }
     ImGui::BeginChild("atlas", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
-    draw_picture(lab);
+    draw_picture(lab, panel);
     ImGui::PushFont(lab.fonts.small);
     flowing_words(agreement_text(*atlas.map()), true);
     ImGui::PopFont();
-    tell_present(lab);
+    tell_present(lab, panel);
     ImGui::EndChild();
 }
 

@@ -1,5 +1,6 @@
 // The card of a run that broke down: where, by how much, and the buttons that go on from there.
-#include "panels/lab_state.h"
+
+#include "panels/scene_panel.h"
 
 #include <fmt/format.h>
 
@@ -12,17 +13,17 @@ namespace {
 constexpr Rgba8 card_colour{142, 32, 26};  // white words and the ring of the focus stand out from it
 
 // Once for each card the keys go to its first button, the last item, unless a hand is on something else.
-void take_focus(LabState& lab) {
+void take_focus(PanelContext& lab, ScenePanelState& panel) {
     const int card = lab.session.run_count() * 1000003 + static_cast<int>(lab.session.runner().place().step % 1000003);
-    if (lab.focused_card == card || ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput) return;
-    lab.focused_card = card;
+    if (panel.focused_card == card || ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput) return;
+    panel.focused_card = card;
     focus_last_item();
 }
 
 std::string fix_label(const Autopsy& a) { return fmt::format("Set {} and {}", a.fix->label, a.restarts ? "restart" : "go on"); }
 
 // Each returns whether the card is gone.
-bool fix_button(LabState& lab, const Autopsy& a) {
+bool fix_button(PanelContext& lab, ScenePanelState& panel, const Autopsy& a) {
     if (!a.fix) return false;
     const Parameter* locked = lab.session.locked_of_fix();
     std::string help;
@@ -32,16 +33,16 @@ bool fix_button(LabState& lab, const Autopsy& a) {
                          : "goes on from the last good state";
     ImGui::BeginDisabled(locked != nullptr);
     const bool pressed = flowing_button(lab, fix_label(a), "fix", help, true);
-    if (!locked) take_focus(lab);
+    if (!locked) take_focus(lab, panel);
     ImGui::EndDisabled();
     if (pressed) lab.session.mend();
     return pressed;
 }
 
-bool other_buttons(LabState& lab, const Autopsy& a) {
+bool other_buttons(PanelContext& lab, ScenePanelState& panel, const Autopsy& a) {
     Session& s = lab.session;
     const bool back = flowing_button(lab, "Step back", "autopsy back", "The step before the last good state (,)", !a.fix);
-    if (!a.fix || s.locked_of_fix()) take_focus(lab);
+    if (!a.fix || s.locked_of_fix()) take_focus(lab, panel);
     if (back) return s.step_back(), true;
     if (a.thing && flowing_button(lab, "Show it", "show it",
                                   fmt::format("Inspect {} {}: its numbers, and why", name_of(a.thing->on), a.thing->index))) {
@@ -74,7 +75,7 @@ struct Line {
     ImFont* font;
 };
 
-std::array<Line, 3> lines_of(LabState& lab, const Autopsy& a, const std::string& facts) {
+std::array<Line, 3> lines_of(PanelContext& lab, const Autopsy& a, const std::string& facts) {
     return {{{a.headline, lab.fonts.medium}, {facts, lab.fonts.normal}, {a.limit, lab.fonts.small}}};
 }
 
@@ -102,8 +103,8 @@ void draw_words(const std::array<Line, 3>& lines) {
 
 }  // namespace
 
-void draw_autopsy(LabState& lab, const Rectangle& picture) {
-    if (!lab.session.autopsy()) return lab.focused_card.reset();
+void draw_autopsy(PanelContext& lab, ScenePanelState& panel, const Rectangle& picture) {
+    if (!lab.session.autopsy()) return panel.focused_card.reset();
     const Autopsy a = *lab.session.autopsy();
     const std::string facts = a.where.empty() ? a.against : fmt::format("{}: {}", words(a.where), a.against);
     const float gap = lab.px(10), pad = lab.px(9), width = std::max(picture.width - 2 * gap, lab.px(60)), inner = width - 2 * pad;
@@ -123,7 +124,7 @@ void draw_autopsy(LabState& lab, const Rectangle& picture) {
     ImGui::BeginChild("autopsy words", {0, height - buttons - 2 * pad}, ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);
     draw_words(lines);
     ImGui::EndChild();
-    if (!fix_button(lab, a)) other_buttons(lab, a);
+    if (!fix_button(lab, panel, a)) other_buttons(lab, panel, a);
     ImGui::EndChild();
     lab.note_control("autopsy");
     ImGui::PopStyleVar();

@@ -1,8 +1,9 @@
 // The claims of the lectures as cards: predict, measure, compare, and open as a scene.
+#include "panels/claims_panel.h"
+
 #include <pliant/lesson/registry.h>
 
 #include "panels/flowing_text.h"
-#include "panels/lab_state.h"
 #include "session/worker.h"
 
 #include <fmt/format.h>
@@ -52,7 +53,7 @@ void words_here(const std::string& text) {
     ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
 }
 
-void quiet_words(LabState& lab, const std::string& text) {
+void quiet_words(PanelContext& lab, const std::string& text) {
     ImGui::PushFont(lab.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
     words_here(text);
@@ -60,7 +61,7 @@ void quiet_words(LabState& lab, const std::string& text) {
     ImGui::PopFont();
 }
 
-void heading(LabState& lab, const char* text, Ink role) {
+void heading(PanelContext& lab, const char* text, Ink role) {
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(role));
     ImGui::TextUnformatted(text);
@@ -87,32 +88,32 @@ bool wide_button(const std::string& label, const char* id) {
 
 // --- the top: whose claims ---
 
-void choice(LabState& lab, const std::string& label, bool all, const char* name, const char* help) {
-    if (ImGui::RadioButton(label.c_str(), lab.claims.all == all)) lab.claims.all = all;
+void choice(PanelContext& lab, ClaimsPanelState& panel, const std::string& label, bool all, const char* name, const char* help) {
+    if (ImGui::RadioButton(label.c_str(), panel.book.all == all)) panel.book.all = all;
     lab.note_control(name);
     tooltip(help, lab.scale);
 }
 
-void choose_claims(LabState& lab) {
+void choose_claims(PanelContext& lab, ClaimsPanelState& panel) {
     const std::string here = fmt::format("this lesson ({})", claims_of(lab.session.entry().info.id).size()),
                       everywhere = fmt::format("all ({})", claims().size());
-    choice(lab, here, false, "claims of lesson", "What the lectures say of this lesson's methods");
+    choice(lab, panel, here, false, "claims of lesson", "What the lectures say of this lesson's methods");
     ImGui::SameLine();
     const float room = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(everywhere.c_str()).x;
     if (ImGui::GetContentRegionAvail().x < room) ImGui::NewLine();
-    choice(lab, everywhere, true, "claims of all", "The claims of every lesson");
+    choice(lab, panel, everywhere, true, "claims of all", "The claims of every lesson");
 }
 
 // --- a card ---
 
 // Its first line and the statement: one control, which unfolds the card.
-void head(LabState& lab, const Claim& c, bool open) {
-    const Mark mark = mark_of(lab.claims, c);
+void head(PanelContext& lab, ClaimsPanelState& panel, const Claim& c, bool open) {
+    const Mark mark = mark_of(panel.book, c);
     const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeightWithSpacing();
     const std::string statement = flowing_text(std::string(c.statement), ImGui::GetFont(), width);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = line + ImGui::CalcTextSize(statement.c_str()).y;
-    if (ImGui::Selectable("##head", open, 0, {width, height})) lab.claims.unfold(c);
+    if (ImGui::Selectable("##head", open, 0, {width, height})) panel.book.unfold(c);
     lab.note_control(fmt::format("claim {}", c.id));
     tooltip(fmt::format("{} of {}, {}. Click to unfold", c.id, c.lesson, mark.word), lab.scale);
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -125,8 +126,8 @@ void head(LabState& lab, const Claim& c, bool open) {
     draw->AddText({at.x, at.y + line}, text, statement.c_str());
 }
 
-void question(LabState& lab, const Claim& c) {
-    ClaimBook& book = lab.claims;
+void question(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+    ClaimBook& book = panel.book;
     const bool over = book.result(c) != nullptr;
     const auto predicted = book.prediction(c);
     heading(lab, "Predict", Ink::accent);
@@ -144,8 +145,8 @@ void question(LabState& lab, const Claim& c) {
     ImGui::PopStyleVar();
 }
 
-void tell_progress_of(LabState& lab, const Claim& c) {
-    ClaimBook& book = lab.claims;
+void tell_progress_of(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+    ClaimBook& book = panel.book;
     if (book.phase(c) == Phase::waiting) {
         quiet_words(lab, "It waits for the experiment that is under way.");
     } else if (book.watch().cancelling()) {
@@ -158,14 +159,14 @@ void tell_progress_of(LabState& lab, const Claim& c) {
     if (flowing_button(lab, "Cancel", "claim cancel", "Leaves the experiment, and asks as before", true)) book.cancel(c);
 }
 
-void buttons(LabState& lab, const Claim& c) {
-    ClaimBook& book = lab.claims;
+void buttons(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+    ClaimBook& book = panel.book;
     ImGui::Spacing();
     const Phase phase = book.phase(c);
     const bool over = phase == Phase::measured || phase == Phase::failed,
                busy = phase == Phase::measuring || phase == Phase::waiting;
     if (busy) {
-        tell_progress_of(lab, c);
+        tell_progress_of(lab, panel, c);
     } else if (over) {
         if (flowing_button(lab, "Ask again", "claim again", "Forgets the answer and the figure", true)) book.forget(c);
     } else if (flowing_button(lab, "Measure", "claim run", fmt::format("Makes the experiment now. {}", c.experiment), true)) {
@@ -176,10 +177,10 @@ void buttons(LabState& lab, const Claim& c) {
         open_as_scene(lab.session, c);
 }
 
-void outcome(LabState& lab, const Claim& c) {
-    const ClaimResult& r = *lab.claims.result(c);
+void outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+    const ClaimResult& r = *panel.book.result(c);
     heading(lab, "Measured", Ink::velocity);
-    if (const auto right = lab.claims.was_right(c))
+    if (const auto right = panel.book.was_right(c))
         marked_word({*right ? "✓" : "✗", *right ? "Your prediction was right." : "Your prediction was wrong.",
                      *right ? good_colour : bad_colour});
     if (!r.finding) return words_here(r.failure);
@@ -188,7 +189,7 @@ void outcome(LabState& lab, const Claim& c) {
     ImGui::PopFont();
     quiet_words(lab, fmt::format("{}; criterion {}", c.figure, c.criterion));
     ImGui::PushFont(lab.fonts.medium);
-    marked_word(mark_of(lab.claims, c));
+    marked_word(mark_of(panel.book, c));
     ImGui::PopFont();
     words_here(r.finding->text);
     if (!r.finding->condition.empty()) {
@@ -197,25 +198,25 @@ void outcome(LabState& lab, const Claim& c) {
     }
 }
 
-void body(LabState& lab, const Claim& c) {
-    quiet_words(lab, lab.claims.all ? fmt::format("{} · {}", c.source, c.lesson) : std::string(c.source));
-    question(lab, c);
-    buttons(lab, c);
-    if (lab.claims.result(c)) outcome(lab, c);
+void body(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+    quiet_words(lab, panel.book.all ? fmt::format("{} · {}", c.source, c.lesson) : std::string(c.source));
+    question(lab, panel, c);
+    buttons(lab, panel, c);
+    if (panel.book.result(c)) outcome(lab, panel, c);
     heading(lab, "Experiment", Ink::velocity);
     words_here(std::string(c.experiment));
 }
 
-void card(LabState& lab, const Claim& c, bool open) {
+void card(PanelContext& lab, ClaimsPanelState& panel, const Claim& c, bool open) {
     ImGui::PushID(c.id.data(), c.id.data() + c.id.size());
-    if (open && std::exchange(lab.reveal_claim, false)) {
+    if (open && std::exchange(panel.reveal, false)) {
         ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() - lab.px(4), 0);
-        head(lab, c, open);
-        if (std::exchange(lab.focus_claim, false)) focus_last_item();
+        head(lab, panel, c, open);
+        if (std::exchange(panel.focus, false)) focus_last_item();
     } else {
-        head(lab, c, open);
+        head(lab, panel, c, open);
     }
-    if (open) body(lab, c);
+    if (open) body(lab, panel, c);
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::PopID();
@@ -223,23 +224,23 @@ void card(LabState& lab, const Claim& c, bool open) {
 
 }  // namespace
 
-void draw_claims(LabState& lab) {
-    choose_claims(lab);
+void draw_claims(PanelContext& lab, ClaimsPanelState& panel) {
+    choose_claims(lab, panel);
     const std::string_view lesson = lab.session.entry().info.id;
-    const auto list = lab.claims.listed(lesson);
+    const auto list = panel.book.listed(lesson);
     if (list.empty()) {
-        lab.reveal_claim = lab.focus_claim = false;
+        panel.reveal = panel.focus = false;
         return words_here("No claim stands beside this lesson; those of the others are under “all”.");
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {lab.px(4), lab.px(4)});
     ImGui::BeginChild("cards", {0, 0}, ImGuiChildFlags_AlwaysUseWindowPadding, ImGuiWindowFlags_NavFlattened);
     ImGui::PopStyleVar();
-    const Claim* open = lab.claims.unfolded(lesson);
+    const Claim* open = panel.book.unfolded(lesson);
     std::string_view chapter;
     for (const Claim* c : list) {
-        if (lab.claims.all && std::exchange(chapter, chapter_of(*c)) != chapter_of(*c))
+        if (panel.book.all && std::exchange(chapter, chapter_of(*c)) != chapter_of(*c))
             heading(lab, std::string(chapter).c_str(), Ink::accent);
-        card(lab, *c, c == open);
+        card(lab, panel, *c, c == open);
     }
     ImGui::EndChild();
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int bands = 64;
 
-const Field* shown_field(const LabState& lab) {
+const Field* shown_field(const PanelContext& lab) {
     const Field* field = lab.session.lesson().find_field(lab.session.colours.field);
     return field && field->in_use() ? field : nullptr;
 }
@@ -60,7 +60,7 @@ float tick_begin(const std::vector<std::string>& ticks, std::size_t i, float wid
 }
 
 // Five ticks, or three or two where the words of more would touch.
-std::vector<std::string> bar_ticks_that_fit(const LabState& lab, const Field& field, float width) {
+std::vector<std::string> bar_ticks_that_fit(const PanelContext& lab, const Field& field, float width) {
     for (const int intervals : {4, 2}) {
         const auto ticks = tick_texts(lab.session.colour_scale(), intervals, field.unit);
         bool apart = true;
@@ -74,7 +74,7 @@ std::vector<std::string> bar_ticks_that_fit(const LabState& lab, const Field& fi
 
 // Hatches the part of the bar that stands for negative numbers, as the picture does. `from` and `to` are where the least and the
 // greatest number are.
-void hatch(LabState& lab, ImVec2 from, ImVec2 to, bool upright) {
+void hatch(PanelContext& lab, ImVec2 from, ImVec2 to, bool upright) {
     const ColourScale& scale = lab.session.colour_scale();
     if (!lab.session.patterns || scale.min >= 0 || scale.max <= scale.min) return;
     const float part = static_cast<float>(std::min(Real{1}, -scale.min / (scale.max - scale.min)));
@@ -88,7 +88,7 @@ void hatch(LabState& lab, ImVec2 from, ImVec2 to, bool upright) {
     draw->PopClipRect();
 }
 
-void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
+void upright_bar(PanelContext& lab, const Rectangle& picture, const Field& field) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ColourScale& scale = lab.session.colour_scale();
     const float height = std::min(picture.height * 0.45f, lab.px(240)), width = lab.px(14);
@@ -114,7 +114,7 @@ void upright_bar(LabState& lab, const Rectangle& picture, const Field& field) {
     ImGui::PopFont();
 }
 
-void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
+void lying_bar(PanelContext& lab, const Rectangle& picture, const Field& field) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ColourScale& scale = lab.session.colour_scale();
     ImGui::PushFont(lab.fonts.normal);
@@ -139,7 +139,7 @@ void lying_bar(LabState& lab, const Rectangle& picture, const Field& field) {
 
 }  // namespace
 
-ColourBarPlace colour_bar_place(const LabState& lab, float width) {
+ColourBarPlace colour_bar_place(const PanelContext& lab, float width) {
     if (!shown_field(lab)) return {};
     // Labels beside a body need some room.
     const float right = lab.session.lesson().dimension() == 3 ? lab.px(60) : 0;
@@ -147,7 +147,7 @@ ColourBarPlace colour_bar_place(const LabState& lab, float width) {
     return {.right = std::min(lab.px(96), width / 3)};
 }
 
-void draw_colour_bar(LabState& lab, const Rectangle& picture) {
+void draw_colour_bar(PanelContext& lab, const Rectangle& picture) {
     const Field* field = shown_field(lab);
     if (!field) return;
     lab.layout == Layout::deck ? lying_bar(lab, picture, *field) : upright_bar(lab, picture, *field);

@@ -1,6 +1,6 @@
 // The colours of the picture and what they stand for.
 #pragma once
-#include "panels/lab_state.h"
+#include "panels/panel_context.h"
 
 namespace pliant::viewer {
 
@@ -8,9 +8,9 @@ namespace pliant::viewer {
 struct ColourBarPlace {
     float right = 0, below = 0;
 };
-ColourBarPlace colour_bar_place(const LabState& lab, float width);
+ColourBarPlace colour_bar_place(const PanelContext& lab, float width);
 
 // Draws the bar of the field that colours the picture, if one does, at the lower right or, in the deck, along the lower edge.
-void draw_colour_bar(LabState& lab, const Rectangle& picture);
+void draw_colour_bar(PanelContext& lab, const Rectangle& picture);
 
 }  // namespace pliant::viewer

@@ -1,4 +1,4 @@
-#include "panels/lab_state.h"
+#include "panels/panel_context.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +15,7 @@ FixedPanel::FixedPanel(const char* name, const Rectangle& r, int extra_flags) {
 
 FixedPanel::~FixedPanel() { ImGui::End(); }
 
-void LabState::take_typed(const std::function<void()>& action) {
+void PanelContext::take_typed(const std::function<void()>& action) {
     try {
         action();
     } catch (const Refused& e) {
@@ -23,7 +23,7 @@ void LabState::take_typed(const std::function<void()>& action) {
     }
 }
 
-void LabState::note_control(const std::string& name) {
+void PanelContext::note_control(const std::string& name) {
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     controls[name] = {a.x, a.y, b.x - a.x, b.y - a.y};
 }
@@ -45,7 +45,7 @@ void fitted_text(const std::string& text, float width) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) ImGui::SetTooltip("%s", text.c_str());
 }
 
-void haloed_text(LabState& lab, ImVec2 at, unsigned colour, const std::string& text) {
+void haloed_text(PanelContext& lab, ImVec2 at, unsigned colour, const std::string& text) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const Rgba8 b = palette(lab.theme).background;
     const unsigned halo = packed(b, 0.75f);
@@ -64,7 +64,7 @@ void tooltip(const std::string& text, float scale) {
     ImGui::EndTooltip();
 }
 
-bool flowing_button(LabState& lab, const std::string& label, const std::string& name, const std::string& help, bool first) {
+bool flowing_button(PanelContext& lab, const std::string& label, const std::string& name, const std::string& help, bool first) {
     const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (!first) {
         ImGui::SameLine();

@@ -66,7 +66,7 @@ std::vector<Row> rows_of(const Session& s) {
 }
 
 // A button that stays lit while what it stands for is on.
-bool toggle_button(LabState& lab, const char* name, const char* control, bool on, const char* help) {
+bool toggle_button(PanelContext& lab, const char* name, const char* control, bool on, const char* help) {
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     const bool used = ImGui::Button(name);
     if (on) ImGui::PopStyleColor();
@@ -120,14 +120,14 @@ std::string pinned_text(const Session& s) {
     return fmt::format("pinned {}{}{}", when, texts.empty() ? "" : ": ", joined(texts, 3));
 }
 
-void draw_pin_button(LabState& lab) {
+void draw_pin_button(PanelContext& lab) {
     Session& s = lab.session;
     if (toggle_button(lab, s.pinned() ? "Unpin" : "Pin", "pin", s.pinned().has_value(),
                       "Keep this run behind the present one: its picture as outlines, its numbers dashed in the plots (G)"))
         s.toggle_pin();
 }
 
-void draw_run_switch(LabState& lab) {
+void draw_run_switch(PanelContext& lab) {
     Session& s = lab.session;
     if (toggle_button(
             lab, "A|B", "beside", s.companion() != nullptr,
@@ -150,13 +150,13 @@ void draw_run_switch(LabState& lab) {
     ImGui::NewLine();
 }
 
-float companion_table_height(const LabState& lab) {
+float companion_table_height(const PanelContext& lab) {
     if (!lab.session.companion() || lab.layout != Layout::lab) return 0;
     const float row = lab.fonts.small->FontSize + 2 * ImGui::GetStyle().CellPadding.y;
     return static_cast<float>(rows_of(lab.session).size() + 1) * row + lab.px(6);
 }
 
-void draw_companion_table(LabState& lab) {
+void draw_companion_table(PanelContext& lab) {
     if (!lab.session.companion()) return;
     ImGui::PushFont(lab.layout == Layout::lab ? lab.fonts.small : lab.fonts.normal);
     if (ImGui::BeginTable("two runs", 4,

@@ -15,7 +15,7 @@ constexpr Real reference_budget_ms = 4;  // per frame, for the finer run
 
 Axis place_axis(const Session& s) { return s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"}; }
 
-void plot_stages(LabState& lab, Plot& plot, Point size) {
+void plot_stages(PanelContext& lab, Plot& plot, Point size) {
     const Session& s = lab.session;
     const auto& stages = s.lesson().stages;
     if (!plot.begin("Cost per stage##cost", size, {.x = place_axis(s), .y = {"time per step", "ms"}})) return;
@@ -28,7 +28,7 @@ void plot_stages(LabState& lab, Plot& plot, Point size) {
     plot.end();
 }
 
-void plot_error(LabState& lab, Plot& plot, Point size) {
+void plot_error(PanelContext& lab, Plot& plot, Point size) {
     Session& s = lab.session;
     const LiveError& e = lab.live_error;
     const std::string title = fmt::format("Error of {}##error", e.probe() ? words(e.probe()->name) : "");
@@ -54,7 +54,7 @@ std::string point_name(const Lesson& lesson, const LiveError& e, const LiveError
     return name;
 }
 
-void plot_error_against_cost(LabState& lab, Plot& plot, Point size) {
+void plot_error_against_cost(PanelContext& lab, Plot& plot, Point size) {
     const Session& s = lab.session;
     const LiveError& e = lab.live_error;
     const Axis cost = s.runner().is_static() ? Axis{.label = "cost per step", .unit = "ms", .scale = AxisScale::log}
@@ -83,7 +83,7 @@ void plot_error_against_cost(LabState& lab, Plot& plot, Point size) {
 }
 
 // What the error is measured against, where that is not plain.
-std::string remark(const LabState& lab) {
+std::string remark(const PanelContext& lab) {
     const LiveError& e = lab.live_error;
     if (!e.probe()) return "This lesson names no number to measure errors of.";
     if (e.mixed()) return e.no_reference();
@@ -93,11 +93,11 @@ std::string remark(const LabState& lab) {
 
 }  // namespace
 
-void follow_live_error(LabState& lab) {
+void follow_live_error(PanelContext& lab) {
     lab.live_error.look_at(lab.session.entry(), lab.session.runner(), lab.session.run_count());
 }
 
-void draw_cost_and_error(LabState& lab, Plot& plot) {
+void draw_cost_and_error(PanelContext& lab, Plot& plot) {
     const Session& s = lab.session;
     LiveError& e = lab.live_error;
     if (e.catching_up(s.runner()))

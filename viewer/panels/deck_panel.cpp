@@ -1,6 +1,7 @@
 // What the deck shows beside picture, plots and numbers: a slide of the walkthrough in large type.
+#include "panels/deck_panel.h"
+
 #include "panels/flowing_text.h"
-#include "panels/lab_state.h"
 #include "platform/index_letters.h"
 
 #include <fmt/format.h>
@@ -23,10 +24,10 @@ struct Paragraph {
     }
 };
 
-float gap(const LabState& lab) { return lab.px(9); }
+float gap(const PanelContext& lab) { return lab.px(9); }
 
 // In the largest type in which it needs no more lines than it has equations.
-Paragraph formula(const LabState& lab, const std::string& line, float width) {
+Paragraph formula(const PanelContext& lab, const std::string& line, float width) {
     const Notation text = notation(line);
     const float largest = lab.fonts.huge->FontSize, smallest = lab.fonts.large->FontSize;
     const float room = 1.2f * set_formula(text, lab.fonts.mathematics, largest).height();
@@ -41,7 +42,7 @@ struct Shown {
     bool introduction, answer;
 };
 
-std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, Shown shown, float width) {
+std::vector<Paragraph> words_of(const PanelContext& lab, ImFont* font, Shown shown, float width) {
     const unsigned ink = ImGui::GetColorU32(ImGuiCol_Text), quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     std::vector<Paragraph> result;
     const auto headed = [&](const char* heading, Ink role, const Block& block, unsigned colour) {
@@ -59,7 +60,7 @@ std::vector<Paragraph> words_of(const LabState& lab, ImFont* font, Shown shown, 
     return result;
 }
 
-float height_of(const LabState& lab, const std::vector<Paragraph>& words, float width) {
+float height_of(const PanelContext& lab, const std::vector<Paragraph>& words, float width) {
     float height = 0;
     for (const Paragraph& p : words) height += p.height(width) + gap(lab);
     return height;
@@ -71,7 +72,7 @@ struct Setting {
     bool introduction;  // beside the answer
 };
 
-std::vector<Setting> settings(const LabState& lab) {
+std::vector<Setting> settings(const PanelContext& lab) {
     std::vector<Setting> all;
     for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
         for (const bool introduction : {true, false}) all.push_back({font, introduction});
@@ -80,7 +81,7 @@ std::vector<Setting> settings(const LabState& lab) {
 
 // The one with the largest type in which the slide fits both with and without its answer, so that the question stays as it is
 // when the answer comes; their count when none does.
-std::size_t fitting_setting(const LabState& lab, ImVec2 room) {
+std::size_t fitting_setting(const PanelContext& lab, ImVec2 room) {
     const auto fits_in = [&](ImFont* font, Shown shown) {
         return height_of(lab, words_of(lab, font, shown, room.x), room.x) <= room.y;
     };
@@ -90,7 +91,7 @@ std::size_t fitting_setting(const LabState& lab, ImVec2 room) {
     return n;
 }
 
-std::vector<Paragraph> fitting_words(const LabState& lab, ImVec2 room) {
+std::vector<Paragraph> fitting_words(const PanelContext& lab, ImVec2 room) {
     const bool revealed = lab.session.walkthrough->revealed();
     const std::vector<Setting> all = settings(lab);
     const std::size_t n = fitting_setting(lab, room);
@@ -98,7 +99,7 @@ std::vector<Paragraph> fitting_words(const LabState& lab, ImVec2 room) {
     return words_of(lab, all[n].font, {all[n].introduction || !revealed, revealed}, room.x);
 }
 
-std::vector<const Parameter*> shown_parameters(const LabState& lab) {
+std::vector<const Parameter*> shown_parameters(const PanelContext& lab) {
     const Session& s = lab.session;
     const bool chosen = s.walkthrough->slide().has(BlockKind::controls) && !s.unlocked;
     std::vector<const Parameter*> shown;
@@ -111,7 +112,7 @@ int columns(std::size_t count) { return count > 2 ? 2 : 1; }
 
 }  // namespace
 
-void draw_slide_title(LabState& lab) {
+void draw_slide_title(PanelContext& lab) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
     const std::size_t number = player.slide_number() + 1, count = player.walkthrough().slides.size();
     const std::string progress = fmt::format("{}{} / {}", lab.session.unlocked ? "unlocked   " : "", number, count);
@@ -134,7 +135,7 @@ void draw_slide_title(LabState& lab) {
     ImGui::GetWindowDrawList()->AddLine({x, y}, {x + done * length, y}, lab.ink(Ink::accent), line);
 }
 
-void draw_slide_words(LabState& lab) {
+void draw_slide_words(PanelContext& lab) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const auto words = fitting_words(lab, room);
     ImGui::BeginChild("words", {0, 0}, 0, ImGuiWindowFlags_NoBackground);
@@ -156,9 +157,9 @@ void draw_slide_words(LabState& lab) {
     ImGui::EndChild();
 }
 
-std::size_t slide_words_type(const LabState& lab, ImVec2 room) { return fitting_setting(lab, room); }
+std::size_t slide_words_type(const PanelContext& lab, ImVec2 room) { return fitting_setting(lab, room); }
 
-float slide_parameters_height(const LabState& lab) {
+float slide_parameters_height(const PanelContext& lab) {
     const auto count = shown_parameters(lab).size();
     if (count == 0) return 0;
     const auto rows =
@@ -167,29 +168,29 @@ float slide_parameters_height(const LabState& lab) {
     return rows * (2 * lab.fonts.large->FontSize + 2 * style.ItemSpacing.y + 2 * style.FramePadding.y + lab.px(2)) + lab.px(18);
 }
 
-void draw_slide_parameters(LabState& lab) {
+void draw_slide_parameters(PanelContext& lab, ParameterPanelState& panel) {
     const auto shown = shown_parameters(lab);
     if (!ImGui::BeginTable("parameters", columns(shown.size()))) return;
     for (const Parameter* p : shown) {
         ImGui::TableNextColumn();
-        draw_parameter(lab, *p, true);
+        draw_parameter(lab, panel, *p, true);
     }
     ImGui::EndTable();
 }
 
 namespace {
-std::string notes_of(const LabState& lab) {
+std::string notes_of(const PanelContext& lab) {
     const std::string notes = lab.session.walkthrough->slide().notes();
     return notes.empty() ? "This slide has no notes." : without_marks(notes);
 }
 }  // namespace
 
-float slide_notes_height(const LabState& lab, float width) {
+float slide_notes_height(const PanelContext& lab, float width) {
     const ImFont* font = lab.fonts.normal;
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, width - lab.px(40), notes_of(lab).c_str()).y + lab.px(22);
 }
 
-void draw_slide_notes(LabState& lab) {
+void draw_slide_notes(PanelContext& lab) {
     ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x);
     ImGui::TextUnformatted(notes_of(lab).c_str());
     ImGui::PopTextWrapPos();

@@ -1,13 +1,16 @@
-// The dialog in which a file is chosen: a list of a folder, a name to type, and all of it by keys too: arrows choose, Enter
-// takes, Escape leaves.
+// The dialog for files.
 #pragma once
-#include "panels/file_choice.h"
+#include "panels/panel_context.h"
 
 namespace pliant::viewer {
 
-struct LabState;
+struct FileDialogState {
+    int question = 0;     // that it shows
+    bool scroll = false;  // the list shows the name
+    bool focus = false;   // the name gets the keys
+};
 
 // Shown while lab.files is asking.
-void draw_file_dialog(LabState& lab);
+void draw_file_dialog(PanelContext& lab, FileDialogState& panel);
 
 }  // namespace pliant::viewer

@@ -1,7 +1,7 @@
 // Where the keys act: the panel that they go to, and a ring that shows the control.
-#include <imgui_internal.h>
+#include "panels/focus.h"
 
-#include "panels/lab_state.h"
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <vector>
@@ -44,7 +44,7 @@ void focus_last_item() {
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
-void draw_focus(LabState& lab) {
+void draw_focus(PanelContext& lab) {
     ImGuiContext& g = *ImGui::GetCurrentContext();
     lab.focus.reset();
     if (!g.NavWindow || g.NavId == 0 || g.NavDisableHighlight || g.NavWindow->Hidden) return;

@@ -1,4 +1,6 @@
 // What the slide layout shows besides picture and plots: the title, and the numbers that matter in large type.
+#include "panels/headline.h"
+
 #include <pliant/document/summary.h>
 #include <pliant/text/format.h>
 
@@ -16,7 +18,7 @@ std::string now_text(const Runner& r) {
 }
 
 // The name of a number and, where the number leaves it no room beside it, its exact value. Tells whether that is still to come.
-bool draw_label(LabState& lab, const Probe& probe, const std::string& number, const std::string& exact) {
+bool draw_label(PanelContext& lab, const Probe& probe, const std::string& number, const std::string& exact) {
     ImGui::PushFont(lab.fonts.large);
     const float number_width = ImGui::CalcTextSize(number.c_str()).x;
     ImGui::PopFont();
@@ -39,7 +41,7 @@ bool draw_label(LabState& lab, const Probe& probe, const std::string& number, co
 
 }  // namespace
 
-void draw_headline(LabState& lab) {
+void draw_headline(PanelContext& lab) {
     const LessonInfo& info = lab.session.entry().info;
     ImGui::PushFont(lab.fonts.huge);
     ImGui::TextUnformatted(info.title.data(), info.title.data() + info.title.size());
@@ -57,7 +59,7 @@ void draw_headline(LabState& lab) {
     fitted_text(std::string(info.summary), ImGui::GetContentRegionAvail().x);
 }
 
-void draw_key_numbers(LabState& lab) {
+void draw_key_numbers(PanelContext& lab) {
     if (lab.session.companion()) return draw_companion_table(lab);
     const Runner& r = lab.session.runner();
     const auto probes = key_probes(r.lesson());

@@ -1,9 +1,9 @@
 // Key numbers and lights, measured when the run has moved: by the worker, since a stability limit may take long to find.
+#include "panels/held_numbers.h"
+
 #include <pliant/document/summary.h>
 #include <pliant/math/watch.h>
 #include <pliant/text/format.h>
-
-#include "panels/lab_state.h"
 
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ std::optional<Real> measured(const std::function<std::optional<Real>()>& value) 
 
 }  // namespace
 
-void measure_held_numbers(LabState& lab) {
+void measure_held_numbers(PanelContext& lab) {
     const Session& s = lab.session;
     const Runner& r = s.runner();
     HeldNumbers& held = lab.held;

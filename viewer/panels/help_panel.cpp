@@ -1,15 +1,18 @@
+#include "panels/help_panel.h"
+
+#include <imgui.h>
+
 #include "panels/keys.h"
-#include "panels/lab_state.h"
 
 #include <string_view>
 #include <vector>
 
 namespace pliant::viewer {
 
-void draw_help(LabState& lab) {
+void draw_help(bool& shown) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::Begin("Keys and mouse", &lab.help_shown,
+    ImGui::Begin("Keys and mouse", &shown,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse);
     const std::vector<KeyRow> rows = key_rows();

@@ -1,9 +1,10 @@
 // A picked thing with all its quantities, and how a number came about.
+#include "panels/inspector_panel.h"
+
 #include <pliant/text/file.h>
 #include <pliant/text/format.h>
 
 #include "panels/flowing_text.h"
-#include "panels/lab_state.h"
 #include "panels/why_panel.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace {
 constexpr int digits = 5;
 
 // Square brackets around a block that starts at `at`.
-void brackets(LabState& lab, ImVec2 at, ImVec2 size) {
+void brackets(PanelContext& lab, ImVec2 at, ImVec2 size) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const unsigned ink = ImGui::GetColorU32(ImGuiCol_Text);
     const float tick = lab.px(4), line = std::max(1.f, lab.px(1.5f));
@@ -31,7 +32,7 @@ void brackets(LabState& lab, ImVec2 at, ImVec2 size) {
 }
 
 // A number that answers when it is clicked.
-void number(LabState& lab, const Field& f, Index index, int component, float width, std::string_view unit) {
+void number(PanelContext& lab, const Field& f, Index index, int component, float width, std::string_view unit) {
     const std::string text = format_quantity(row_value(f, index, component), unit, digits);
     const float room = std::max(width - ImGui::CalcTextSize(text.c_str()).x, 0.f);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
@@ -45,7 +46,7 @@ void number(LabState& lab, const Field& f, Index index, int component, float wid
     ImGui::PopID();
 }
 
-void pin_button(LabState& lab, const Field& f, Index index) {
+void pin_button(PanelContext& lab, const Field& f, Index index) {
     Inspector& in = lab.session.inspector;
     const bool pinned = in.pinned(f.name, index, -1);
     const float width = ImGui::CalcTextSize("unpin").x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -61,7 +62,7 @@ void pin_button(LabState& lab, const Field& f, Index index) {
 }
 
 // A vector as a column, a tensor as a square of numbers in brackets; the unit once.
-void block_of_numbers(LabState& lab, const Field& f, Index index) {
+void block_of_numbers(PanelContext& lab, const Field& f, Index index) {
     const int columns = f.rank == Rank::vector ? 1 : (f.components == 4 ? 2 : 3), rows = f.components / columns;
     float widest = 0;
     for (int c = 0; c < f.components; ++c)
@@ -84,7 +85,7 @@ void block_of_numbers(LabState& lab, const Field& f, Index index) {
 }
 
 // The name and, on the same line where there is room, the number: of a vector its length.
-void quantity(LabState& lab, const Field& f, Index index) {
+void quantity(PanelContext& lab, const Field& f, Index index) {
     ImGui::PushID(f.name.data(), f.name.data() + f.name.size());
     const std::string symbol(f.symbol.empty() ? "" : f.symbol);
     const bool scalar = f.rank == Rank::scalar;
@@ -108,9 +109,9 @@ void quantity(LabState& lab, const Field& f, Index index) {
 }
 
 // A field for the number, and a button down and up; with Ctrl they go by hundreds.
-void choose_index(LabState& lab, Index& index, Index last) {
+void choose_index(PanelContext& lab, InspectorPanelState& panel, Index& index, Index last) {
     const float button = ImGui::GetFrameHeight(), gap = lab.px(2);
-    if (std::exchange(lab.focus_thing, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(panel.focus, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(lab.px(120) - 2 * (button + gap));
     const auto text = number_field(lab.typed, "##index", fmt::format("{}", index));
     if (text) lab.take_typed([&] { index = whole_typed("its number", *text, 0, last); });
@@ -125,7 +126,7 @@ void choose_index(LabState& lab, Index& index, Index last) {
     ImGui::PopButtonRepeat();
 }
 
-void choose_thing(LabState& lab) {
+void choose_thing(PanelContext& lab, InspectorPanelState& panel) {
     Inspector& in = lab.session.inspector;
     std::set<On> kinds;
     Index count = 0;
@@ -146,10 +147,10 @@ void choose_thing(LabState& lab) {
     ImGui::SameLine();
     const Index last = std::max<Index>(count - 1, 0);
     in.thing->index = std::clamp<Index>(in.thing->index, 0, last);
-    choose_index(lab, in.thing->index, last);
+    choose_index(lab, panel, in.thing->index, last);
 }
 
-void save(LabState& lab, const std::string& name, const std::string& text) {
+void save(PanelContext& lab, const std::string& name, const std::string& text) {
     try {
         write_file(name, text);
         lab.session.say(Session::Message::Kind::info, "Saved as " + name + " in the folder where Pliant was started.");
@@ -158,7 +159,7 @@ void save(LabState& lab, const std::string& name, const std::string& text) {
     }
 }
 
-void exports(LabState& lab) {
+void exports(PanelContext& lab) {
     const Inspector& in = lab.session.inspector;
     const std::string_view id = lab.session.entry().info.id;
     const std::string lesson(id.substr(id.find('/') + 1));
@@ -177,8 +178,8 @@ void exports(LabState& lab) {
 
 }  // namespace
 
-void draw_inspector(LabState& lab) {
-    choose_thing(lab);
+void draw_inspector(PanelContext& lab, InspectorPanelState& panel) {
+    choose_thing(lab, panel);
     const Inspector& in = lab.session.inspector;
     if (!in.thing) return ImGui::TextDisabled("This lesson has no fields to look into.");
     exports(lab);

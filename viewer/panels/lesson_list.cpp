@@ -1,5 +1,6 @@
+#include "panels/lesson_list.h"
+
 #include "panels/flowing_text.h"
-#include "panels/lab_state.h"
 
 #include <algorithm>
 #include <cctype>
@@ -21,25 +22,25 @@ bool matches(const LessonEntry& e, const std::string& search) {
     return false;
 }
 
-void search_box(LabState& lab) {
+void search_box(PanelContext& lab, LessonListState& panel) {
     char buffer[64] = {};
-    lab.search.copy(buffer, sizeof buffer - 1);
-    if (std::exchange(lab.focus_search, false)) {
+    panel.search.copy(buffer, sizeof buffer - 1);
+    if (std::exchange(panel.focus, false)) {
         ImGui::SetWindowFocus();  // ImGui gives the keys only to a control of the window that has them already
         ImGui::SetKeyboardFocusHere();
     }
     ImGui::SetNextItemWidth(-1);
     const bool entered =
         ImGui::InputTextWithHint("##search", "find a lesson (F)", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue);
-    lab.search = buffer;
+    panel.search = buffer;
     lab.note_control("search");
     if (!entered) return;
-    const auto found = std::ranges::find_if(lessons(), [&](const LessonEntry& e) { return matches(e, lab.search); });
+    const auto found = std::ranges::find_if(lessons(), [&](const LessonEntry& e) { return matches(e, panel.search); });
     if (found != lessons().end()) lab.session.open(*found);
-    lab.search.clear();
+    panel.search.clear();
 }
 
-void preset_menu(LabState& lab) {
+void preset_menu(PanelContext& lab) {
     const auto names = preset_names(lab.session.entry().info.id);
     if (names.empty()) return;
     ImGui::SetNextItemWidth(-1);
@@ -54,17 +55,17 @@ void preset_menu(LabState& lab) {
     lab.note_control("presets");
 }
 
-bool has_walkthrough(const LabState& lab) {
+bool has_walkthrough(const PanelContext& lab) {
     return !find_text(std::string(lab.session.entry().info.id) + "/walkthrough.md").empty();
 }
 
 // The chapters and their lessons. The open one is scrolled to when another was open before.
-void names_of_lessons(LabState& lab) {
-    const bool opened = lab.listed != lab.session.entry().info.id;
-    lab.listed = lab.session.entry().info.id;
+void names_of_lessons(PanelContext& lab, LessonListState& panel) {
+    const bool opened = panel.listed != lab.session.entry().info.id;
+    panel.listed = lab.session.entry().info.id;
     std::string_view chapter;
     for (const LessonEntry& e : lessons()) {
-        if (!lab.search.empty() && !matches(e, lab.search)) continue;
+        if (!panel.search.empty() && !matches(e, panel.search)) continue;
         if (e.chapter() != chapter) {
             chapter = e.chapter();
             ImGui::PushFont(lab.fonts.small);
@@ -86,14 +87,14 @@ void names_of_lessons(LabState& lab) {
 
 }  // namespace
 
-void draw_lesson_list(LabState& lab) {
-    search_box(lab);
+void draw_lesson_list(PanelContext& lab, LessonListState& panel) {
+    search_box(lab, panel);
     // What belongs to the open lesson stays in sight below the names.
     const int rows = (preset_names(lab.session.entry().info.id).empty() ? 0 : 1) + (has_walkthrough(lab) ? 1 : 0);
     const float below = static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing();
     ImGui::BeginChild("names",
                       {0, std::max(ImGui::GetContentRegionAvail().y - below, 3 * ImGui::GetTextLineHeightWithSpacing())});
-    names_of_lessons(lab);
+    names_of_lessons(lab, panel);
     ImGui::EndChild();
     lab.note_control("lessons");
     preset_menu(lab);

@@ -1,4 +1,6 @@
 // One control per parameter, made from its declaration alone.
+#include "panels/parameter_panel.h"
+
 #include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
@@ -42,7 +44,7 @@ std::string in_full(const Parameter& p, Real value) {
     return p.info.unit.empty() ? p.text(value) : fmt::format("{} {}", p.text(value), p.info.unit);
 }
 
-void number_slider(LabState& lab, const Parameter& p) {
+void number_slider(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
     Session& session = lab.session;
     Real value = session.addressed().wanted(p);
     Interval span = span_of(p, session.extreme);
@@ -60,17 +62,17 @@ void number_slider(LabState& lab, const Parameter& p) {
         ImGui::ClearActiveID();  // else the button that is still down would set the value again
         return session.restore_default(p);
     }
-    if (ImGui::IsItemActivated()) lab.value_changed = false;
+    if (ImGui::IsItemActivated()) panel.value_changed = false;
     if (!changed) return;
     if (p.info.kind == Kind::whole) value = std::round(value);
-    session.assign(p, value, std::exchange(lab.value_changed, true));
+    session.assign(p, value, std::exchange(panel.value_changed, true));
 }
 
 bool fits_with(const ImFont* font, const std::string& text, float room) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x <= room;
 }
 
-void choice_box(LabState& lab, const Parameter& p) {
+void choice_box(PanelContext& lab, const Parameter& p) {
     const auto current = static_cast<std::size_t>(lab.session.addressed().wanted(p));
     const std::string label(p.info.options[current].label);
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
@@ -90,7 +92,7 @@ void choice_box(LabState& lab, const Parameter& p) {
                                         ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
 }
 
-void switch_box(LabState& lab, const Parameter& p, const std::string& label) {
+void switch_box(PanelContext& lab, const Parameter& p, const std::string& label) {
     bool on = lab.session.addressed().wanted(p) != 0;
     if (ImGui::Checkbox((label + "##value").c_str(), &on)) lab.session.assign(p, on ? 1 : 0);
 }
@@ -103,19 +105,19 @@ std::optional<Real> value_in_other_run(const Session& s, const Parameter& p) {
     return std::nullopt;
 }
 
-std::string help_of(LabState& lab, const Parameter& p) {
+std::string help_of(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
     if (lab.session.locked(p)) return "Locked on this slide; End the walkthrough or press L to unlock.";
-    if (!p.used()) return fmt::format("{}\n{}", lab.usage.reason(lab.session.addressed(), p), describe(p));
+    if (!p.used()) return fmt::format("{}\n{}", panel.usage.reason(lab.session.addressed(), p), describe(p));
     const auto other = value_in_other_run(lab.session, p);
     return describe(p) + (other ? fmt::format("\nThe other run has {}.", setting_text(p, *other)) : "");
 }
 
 // What would be in the tooltip is looked for only where it is shown.
-void parameter_tip(LabState& lab, const Parameter& p) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(help_of(lab, p), lab.scale);
+void parameter_tip(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(help_of(lab, panel, p), lab.scale);
 }
 
-std::string label_of(const LabState& lab, const Parameter& p) {
+std::string label_of(const PanelContext& lab, const Parameter& p) {
     std::string label = fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "",
                                     with_index_letters(name_with_symbol(p.info.key, p.info.symbol, "  ")));
     if (p.info.effect == Effect::rebuild) label += "  ↻";
@@ -123,7 +125,7 @@ std::string label_of(const LabState& lab, const Parameter& p) {
 }
 
 // The name and the value on one line, in the large type of a deck.
-bool label_fits_large(const LabState& lab, const Parameter& p) {
+bool label_fits_large(const PanelContext& lab, const Parameter& p) {
     const bool number = p.info.kind != Kind::choice && p.info.kind != Kind::toggle;
     const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
     const float room = ImGui::GetContentRegionAvail().x - lab.px(8);
@@ -132,7 +134,7 @@ bool label_fits_large(const LabState& lab, const Parameter& p) {
 }
 
 // The name on the left and, of a number, the value on the right.
-void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
+void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p, ImFont* label_font) {
     const bool number = p.info.kind != Kind::choice;
     const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
     const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x - lab.px(2);
@@ -141,7 +143,7 @@ void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     ImGui::SetCursorPosY(top + drop - ImGui::GetTextLineHeight());
     fitted_text(label_of(lab, p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
-    parameter_tip(lab, p);
+    parameter_tip(lab, panel, p);
     if (!number) return;
     ImGui::SameLine();
     ImGui::SetCursorPosX(right);
@@ -149,7 +151,7 @@ void label_row(LabState& lab, const Parameter& p, ImFont* label_font) {
     ImGui::TextUnformatted(value.c_str());
 }
 
-void extreme_switch(LabState& lab) {
+void extreme_switch(PanelContext& lab) {
     const bool on = lab.session.extreme;
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
     ImGui::Checkbox("extreme ranges", &lab.session.extreme);
@@ -160,7 +162,7 @@ void extreme_switch(LabState& lab) {
 
 }  // namespace
 
-void draw_parameter(LabState& lab, const Parameter& p, bool large) {
+void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Parameter& p, bool large) {
     ImGui::PushID(&p);
     ImFont* const label_font = !large ? lab.fonts.small : label_fits_large(lab, p) ? lab.fonts.medium : lab.fonts.normal;
     ImGui::PushFont(!large ? lab.fonts.normal : label_font == lab.fonts.medium ? lab.fonts.large : lab.fonts.medium);
@@ -168,21 +170,21 @@ void draw_parameter(LabState& lab, const Parameter& p, bool large) {
     if (p.info.kind == Kind::toggle) {
         switch_box(lab, p, label_of(lab, p));
     } else {
-        label_row(lab, p, label_font);
+        label_row(lab, panel, p, label_font);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
         ImGui::SetNextItemWidth(-1);
         if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
-        p.info.kind == Kind::choice ? choice_box(lab, p) : number_slider(lab, p);
+        p.info.kind == Kind::choice ? choice_box(lab, p) : number_slider(lab, panel, p);
         if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
     }
     lab.note_control(std::string(p.info.key));
     ImGui::EndDisabled();
     ImGui::PopFont();
-    parameter_tip(lab, p);
+    parameter_tip(lab, panel, p);
     ImGui::PopID();
 }
 
-void draw_parameters(LabState& lab) {
+void draw_parameters(PanelContext& lab, ParameterPanelState& panel) {
     ImGui::TextDisabled("Parameters");
     ImGui::SameLine();
     const float width = ImGui::CalcTextSize("extreme ranges").x + ImGui::GetFrameHeight() + lab.px(6);
@@ -190,7 +192,7 @@ void draw_parameters(LabState& lab) {
     extreme_switch(lab);
     draw_run_switch(lab);
     ImGui::BeginChild("parameters", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
-    for (const Parameter* p : lab.session.addressed().lesson().parameters) draw_parameter(lab, *p);
+    for (const Parameter* p : lab.session.addressed().lesson().parameters) draw_parameter(lab, panel, *p);
     ImGui::EndChild();
 }
 

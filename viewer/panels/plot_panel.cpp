@@ -4,7 +4,6 @@
 
 #include "panels/companion_panel.h"
 #include "panels/field_profile.h"
-#include "panels/lab_state.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +16,8 @@ namespace {
 
 constexpr std::string_view along = "along", heat_map = "map";
 
-void choose_first(LabState& lab) {
-    PlotPanelState& p = lab.plots;
+void choose_first(PanelContext& lab, PlotPanelState& panel) {
+    PlotPanelState& p = panel;
     if (p.lesson == lab.session.entry().info.id) return;
     p.lesson = lab.session.entry().info.id;
     p.memory.clear();
@@ -28,19 +27,19 @@ void choose_first(LabState& lab) {
         if (lab.session.lesson().first_plots().empty() && p.chosen.size() < 2) p.chosen.emplace_back(probe.name);
 }
 
-std::string field_title(const LabState& lab, const Field& f) {
+std::string field_title(const PanelContext& lab, const Field& f) {
     const int c = lab.session.colours.component;
     return words(f.name) + (c >= 0 ? " " + component_names(f)[static_cast<std::size_t>(c)] : "");
 }
 
 // Where the run stands, when that is not the end of what was recorded.
-void mark_now(const LabState& lab, Plot& plot) {
+void mark_now(const PanelContext& lab, Plot& plot) {
     const Runner& runner = lab.session.runner();
     if (runner.place() == runner.reach()) return;
     plot.vertical_line("now", runner.is_static() ? static_cast<Real>(runner.place().step) : runner.time());
 }
 
-void plot_probe(LabState& lab, Plot& plot, std::size_t i, Point size) {
+void plot_probe(PanelContext& lab, Plot& plot, std::size_t i, Point size) {
     Session& s = lab.session;
     if (s.recorder().empty()) return;
     const Probe& probe = s.lesson().probes[i];
@@ -100,7 +99,7 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
 }
 
 // Where the line of a profile crosses an axis, as a part of the scene.
-void across_slider(LabState& lab, const char* axis, Real& at) {
+void across_slider(PanelContext& lab, const char* axis, Real& at) {
     const Real low = 0, high = 1;
     const std::string label = fmt::format("##across {}", axis), format = fmt::format("{} at %.2f", axis);
     const auto text = slider_or_text(lab.typed, label.c_str(), format_exact(at), [&] {
@@ -110,9 +109,9 @@ void across_slider(LabState& lab, const char* axis, Real& at) {
     if (text) lab.take_typed([&] { at = number_typed(axis, *text, low, high); });
 }
 
-void plot_along(LabState& lab, Plot& plot, Point size) {
+void plot_along(PanelContext& lab, PlotPanelState& panel, Plot& plot, Point size) {
     Session& s = lab.session;
-    PlotPanelState& state = lab.plots;
+    PlotPanelState& state = panel;
     const Field* field = s.lesson().find_field(s.colours.field);
     if (!field || !field->in_use()) return ImGui::TextDisabled("Choose a field above the picture to see it along a line.");
     constexpr std::array<const char*, 3> axes{"x", "y", "z"};
@@ -155,7 +154,7 @@ void plot_along(LabState& lab, Plot& plot, Point size) {
     plot.end();
 }
 
-void plot_map(LabState& lab, Plot& plot, Point size) {
+void plot_map(PanelContext& lab, Plot& plot, Point size) {
     Session& s = lab.session;
     const Field* field = s.lesson().find_field(s.colours.field);
     const Scene& scene = s.scene();
@@ -177,7 +176,7 @@ void plot_map(LabState& lab, Plot& plot, Point size) {
     plot.end();
 }
 
-void plot_pin(LabState& lab, Plot& plot, Pin& pin, Point size) {
+void plot_pin(PanelContext& lab, Plot& plot, Pin& pin, Point size) {
     const bool steps = lab.session.runner().is_static();
     const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(pin.field), pin.unit}};
     if (!plot.begin(fmt::format("{}##pin", pin.title), size, axes)) return;
@@ -187,10 +186,10 @@ void plot_pin(LabState& lab, Plot& plot, Pin& pin, Point size) {
     plot.end();
 }
 
-void draw_one(LabState& lab, Plot& plot, const std::string& name, Point size) {
+void draw_one(PanelContext& lab, PlotPanelState& panel, Plot& plot, const std::string& name, Point size) {
     for (Pin& pin : lab.session.inspector.pins)
         if (pin.title == name) return plot_pin(lab, plot, pin, size);
-    if (name == along) return plot_along(lab, plot, size);
+    if (name == along) return plot_along(lab, panel, plot, size);
     if (name == heat_map) return plot_map(lab, plot, size);
     const Lesson& lesson = lab.session.lesson();
     for (std::size_t i = 0; i < lesson.probes.size(); ++i)
@@ -199,64 +198,64 @@ void draw_one(LabState& lab, Plot& plot, const std::string& name, Point size) {
         if (line.name == name && line.in_use()) return plot_line(lab.session, plot, line, size);
 }
 
-void toggle(LabState& lab, std::string_view name, const std::string& label) {
-    auto& chosen = lab.plots.chosen;
+void toggle(PlotPanelState& panel, std::string_view name, const std::string& label) {
+    auto& chosen = panel.chosen;
     const auto found = std::ranges::find(chosen, name);
     bool on = found != chosen.end();
     if (!ImGui::Checkbox((label + "##" + std::string(name)).c_str(), &on)) return;
     on ? chosen.push_back(std::string(name)) : void(chosen.erase(found));
 }
 
-void choice_menu(LabState& lab) {
+void choice_menu(PanelContext& lab, PlotPanelState& panel) {
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##plots", lab.cost_shown ? "cost & error" : "plots …", ImGuiComboFlags_HeightLarge))
+    if (!ImGui::BeginCombo("##plots", panel.cost_shown ? "cost & error" : "plots …", ImGuiComboFlags_HeightLarge))
         return lab.note_control("plots");
-    ImGui::Checkbox("cost & error  (C)", &lab.cost_shown);
+    ImGui::Checkbox("cost & error  (C)", &panel.cost_shown);
     tooltip("In place of the plots: ms per stage, the error over time, and the error against the cost", lab.scale);
     ImGui::Separator();
     const Lesson& lesson = lab.session.lesson();
-    for (const Probe& p : lesson.probes) toggle(lab, p.name, words(p.name));
+    for (const Probe& p : lesson.probes) toggle(panel, p.name, words(p.name));
     for (const Line& l : lesson.lines)
-        if (l.in_use()) toggle(lab, l.name, words(l.name));
-    toggle(lab, along, "the field along a line");
-    if (lab.scene_has_grid) toggle(lab, heat_map, "the field as a heat map");
+        if (l.in_use()) toggle(panel, l.name, words(l.name));
+    toggle(panel, along, "the field along a line");
+    if (lab.scene_has_grid) toggle(panel, heat_map, "the field as a heat map");
     ImGui::EndCombo();
 }
 
-bool shown_now(const LabState& lab, const std::string& name) {
+bool shown_now(const PanelContext& lab, const std::string& name) {
     for (const Line& line : lab.session.lesson().lines)
         if (line.name == name) return line.in_use();
     return true;
 }
 
 // What was chosen; in the deck the first two that suit its scene.
-std::vector<std::string> shown_plots(const LabState& lab) {
+std::vector<std::string> shown_plots(const PanelContext& lab, const PlotPanelState& panel) {
     const bool deck = lab.layout == Layout::deck;
     const auto first = lab.session.lesson().first_plots();
     const std::vector<std::string> wanted =
-        deck && !first.empty() ? std::vector<std::string>(first.begin(), first.end()) : lab.plots.chosen;
+        deck && !first.empty() ? std::vector<std::string>(first.begin(), first.end()) : panel.chosen;
     std::vector<std::string> shown;
     std::ranges::copy_if(wanted, std::back_inserter(shown), [&](const std::string& n) { return shown_now(lab, n); });
     if (deck && shown.size() > 2) shown.resize(2);
     return shown;
 }
 
-void begin_plots(LabState& lab) {
-    choose_first(lab);
-    if (std::exchange(lab.plots.run, lab.session.run_count()) != lab.session.run_count()) lab.plots.memory.refit();
+void begin_plots(PanelContext& lab, PlotPanelState& panel) {
+    choose_first(lab, panel);
+    if (std::exchange(panel.run, lab.session.run_count()) != lab.session.run_count()) panel.memory.refit();
     follow_live_error(lab);
 }
 
 // How many plots are seen at once; on a slide, where nobody scrolls, none is cut, and one that has no room for its axes is left
 // out.
-std::size_t rows_of_plots(const LabState& lab, std::size_t count, float least) {
+std::size_t rows_of_plots(const PanelContext& lab, std::size_t count, float least) {
     if (lab.layout == Layout::lab) return std::min<std::size_t>(count, 3);
     const float spacing = ImGui::GetStyle().ItemSpacing.y, room = ImGui::GetContentRegionAvail().y;
     if (room < lab.px(80)) return 0;
     return std::clamp<std::size_t>(static_cast<std::size_t>(std::max(room + spacing, 0.f) / (least + spacing)), 1, count);
 }
 
-void table_below(LabState& lab) {
+void table_below(PanelContext& lab) {
     if (companion_table_height(lab) > 0) draw_companion_table(lab);
 }
 
@@ -269,12 +268,12 @@ std::optional<Interval> zoomed_part(const Plot& plot) {
 
 PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dark : PlotTheme::projector; }
 
-void draw_plots(LabState& lab) {
-    begin_plots(lab);
-    if (lab.layout == Layout::lab) choice_menu(lab);
-    Plot plot(lab.plots.memory, style_of_plots(lab), lab.plots.hooks);
-    if (lab.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
-    std::vector<std::string> shown = shown_plots(lab);
+void draw_plots(PanelContext& lab, PlotPanelState& panel) {
+    begin_plots(lab, panel);
+    if (lab.layout == Layout::lab) choice_menu(lab, panel);
+    Plot plot(panel.memory, style_of_plots(lab), panel.hooks);
+    if (panel.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
+    std::vector<std::string> shown = shown_plots(lab, panel);
     if (shown.empty()) return table_below(lab);
     ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None,
                       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoBackground);
@@ -287,27 +286,27 @@ void draw_plots(LabState& lab) {
     const auto count = static_cast<float>(rows);
     // They fill the room, but are hardly higher than wide.
     const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, 1.1f * room.x));
-    for (const std::string& name : shown) draw_one(lab, plot, name, {0, height});
+    for (const std::string& name : shown) draw_one(lab, panel, plot, name, {0, height});
     ImGui::EndChild();
     table_below(lab);
 }
 
-PlotStyle style_of_plots(const LabState& lab) {
+PlotStyle style_of_plots(const PanelContext& lab) {
     PlotStyle style = plot_style(plot_theme(lab.theme), lab.scale);
     style.mathematics = &lab.fonts.mathematics;
     return style;
 }
 
-void draw_plots_in_row(LabState& lab) {
-    begin_plots(lab);
-    Plot plot(lab.plots.memory, style_of_plots(lab), lab.plots.hooks);
-    const std::vector<std::string> shown = shown_plots(lab);
+void draw_plots_in_row(PanelContext& lab, PlotPanelState& panel) {
+    begin_plots(lab, panel);
+    Plot plot(panel.memory, style_of_plots(lab), panel.hooks);
+    const std::vector<std::string> shown = shown_plots(lab, panel);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x, count = static_cast<float>(std::max<std::size_t>(shown.size(), 1));
     const float width = std::min((room.x - gap * (count - 1)) / count, 2.6f * room.y);
     for (const std::string& name : shown) {
         if (name != shown.front()) ImGui::SameLine(0, gap);
-        draw_one(lab, plot, name, {width, room.y});
+        draw_one(lab, panel, plot, name, {width, room.y});
     }
 }
 

@@ -9,12 +9,12 @@ namespace pliant::viewer {
 namespace {
 
 // The sizes of type for labels, the largest first: what a lecture hall reads is larger.
-std::vector<ImFont*> label_fonts(const LabState& lab) {
+std::vector<ImFont*> label_fonts(const PanelContext& lab) {
     if (lab.layout == Layout::lab) return {lab.fonts.normal, lab.fonts.small};
     return {lab.fonts.medium, lab.fonts.normal, lab.fonts.small};
 }
 
-ImFont* font_of(const LabState& lab, const LabelMark& label, ImFont* font) {
+ImFont* font_of(const PanelContext& lab, const LabelMark& label, ImFont* font) {
     if (!label.large) return font;
     return lab.layout == Layout::lab ? lab.fonts.large : lab.fonts.larger;
 }
@@ -27,7 +27,7 @@ struct PlacedLabel {
 };
 
 // Where a label stands in the picture, in the present type.
-PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark& l, const Eigen::Vector3f& p, float scale) {
+PlacedLabel placed_label(const PanelContext& lab, const View& view, const LabelMark& l, const Eigen::Vector3f& p, float scale) {
     const float type = ImGui::GetFontSize();
     // One that is wider than the picture stands above its place, in lines.
     MathBox words =
@@ -49,7 +49,7 @@ PlacedLabel placed_label(const LabState& lab, const View& view, const LabelMark&
 }
 
 // Those that are in front of the eye; empty ones stand for the others.
-std::vector<PlacedLabel> placed_labels(LabState& lab, const View& view, ImFont* font) {
+std::vector<PlacedLabel> placed_labels(PanelContext& lab, const View& view, ImFont* font) {
     std::vector<PlacedLabel> placed;
     const float scale = font->FontSize / lab.fonts.normal->FontSize;
     for (const LabelMark& l : view.picture->scene.labels) {
@@ -76,19 +76,19 @@ std::size_t overlaps(const std::vector<PlacedLabel>& labels) {
 
 // The largest type in which no label lies on another, or as few as can be. It stays for the run, lest it change with every move,
 // unless it has to be smaller.
-ImFont* chosen_font(LabState& lab, const View& view) {
+ImFont* chosen_font(PanelContext& lab, ScenePanelState& panel, const View& view) {
     const std::vector<ImFont*> fonts = label_fonts(lab);
     const LabelType now{lab.session.run_count(), lab.layout, view.size.x, view.size.y, lab.scale, 0};
-    if (!lab.label_type.same_picture(now)) lab.label_type = now;
-    std::size_t best = lab.label_type.smaller, least = overlaps(placed_labels(lab, view, fonts[best]));
+    if (!panel.label_type.same_picture(now)) panel.label_type = now;
+    std::size_t best = panel.label_type.smaller, least = overlaps(placed_labels(lab, view, fonts[best]));
     for (std::size_t k = best + 1; k < fonts.size() && least > 0; ++k)
         if (const std::size_t count = overlaps(placed_labels(lab, view, fonts[k])); count < least) best = k, least = count;
-    lab.label_type.smaller = best;
+    panel.label_type.smaller = best;
     return fonts[best];
 }
 
 // What lies behind words is dimmed, so that they can be read over any colour.
-void draw_plates(LabState& lab, const View& view, const std::vector<PlacedLabel>& labels) {
+void draw_plates(PanelContext& lab, const View& view, const std::vector<PlacedLabel>& labels) {
     const unsigned plate = packed(palette(lab.theme).background, 0.68f);
     const float pad = lab.px(3);
     for (const PlacedLabel& l : labels) {
@@ -101,13 +101,13 @@ void draw_plates(LabState& lab, const View& view, const std::vector<PlacedLabel>
 
 }  // namespace
 
-float mark_scale(const LabState& lab) {
+float mark_scale(const PanelContext& lab) {
     return lab.layout == Layout::lab ? 1 : lab.fonts.medium->FontSize / lab.fonts.normal->FontSize;
 }
 
-void draw_labels(LabState& lab, const View& view) {
+void draw_labels(PanelContext& lab, ScenePanelState& panel, const View& view) {
     if (!view.picture->scene.show_labels || view.picture->scene.labels.empty()) return;
-    ImFont* const font = chosen_font(lab, view);
+    ImFont* const font = chosen_font(lab, panel, view);
     const std::vector<PlacedLabel> placed = placed_labels(lab, view, font);
     draw_plates(lab, view, placed);
     for (std::size_t i = 0; i < placed.size(); ++i) {

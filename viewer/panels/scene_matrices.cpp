@@ -45,7 +45,7 @@ std::string entry_text(Real x, int decimals) {
     return std::stod(text) == 0 ? (x == 0 ? "0" : text.substr(text.front() == '-')) : text;
 }
 
-Block measured(LabState& lab, const MatrixMark& m) {
+Block measured(PanelContext& lab, const MatrixMark& m) {
     const int exponent = common_exponent(m);
     Block b{.entries = {},
             .before = with_index_letters(m.name) + " =",
@@ -69,7 +69,7 @@ Block measured(LabState& lab, const MatrixMark& m) {
     return b;
 }
 
-void draw_block(LabState& lab, const Block& b, ImVec2 at) {
+void draw_block(PanelContext& lab, const Block& b, ImVec2 at) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const unsigned ink = lab.ink(b.ink);
     const float line = ImGui::GetTextLineHeight(), pad = lab.px(4), tick = lab.px(4);
@@ -99,7 +99,7 @@ struct Placed {
 };
 
 // As many as fit into the lower half of the place: the upper one is left to the picture.
-std::vector<Placed> placed(LabState& lab, const std::vector<MatrixMark>& matrices, const Rectangle& place) {
+std::vector<Placed> placed(PanelContext& lab, const std::vector<MatrixMark>& matrices, const Rectangle& place) {
     const float gap = lab.px(16), left = place.x + lab.px(14);
     float x = left, bottom = place.y + place.height - lab.px(14), tallest = 0;
     std::vector<Placed> blocks;
@@ -117,7 +117,7 @@ std::vector<Placed> placed(LabState& lab, const std::vector<MatrixMark>& matrice
 
 }  // namespace
 
-void draw_matrices(LabState& lab, const std::vector<MatrixMark>& matrices, const Rectangle& place) {
+void draw_matrices(PanelContext& lab, const std::vector<MatrixMark>& matrices, const Rectangle& place) {
     if (matrices.empty()) return;
     // What a lecture hall reads is as large as leaves the picture most of the room.
     const bool large = lab.layout != Layout::lab;

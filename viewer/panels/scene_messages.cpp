@@ -9,7 +9,7 @@
 
 namespace pliant::viewer {
 
-void draw_banner(LabState& lab, const Rectangle& place) {
+void draw_banner(PanelContext& lab, const Rectangle& place) {
     const auto& message = lab.session.message();
     if (!message || lab.session.autopsy()) return;
     using Kind = Session::Message::Kind;
@@ -34,8 +34,8 @@ void draw_banner(LabState& lab, const Rectangle& place) {
     ImGui::PopStyleColor(2);
 }
 
-void draw_hints(LabState& lab, const Rectangle& place) {
-    if (!lab.hints_shown || lab.layout != Layout::lab || lab.animation.progress) return;
+void draw_hints(PanelContext& lab, ScenePanelState& panel, const Rectangle& place) {
+    if (!panel.hints_shown || lab.layout != Layout::lab || lab.animation.progress) return;
     const bool can_pull = lab.session.lesson().can_pull().has_value();
     const std::string all = fmt::format(
         "{}\nSpace pauses; . goes one step, / one stage, , back\nMove a slider on the left; F1 shows all keys",
@@ -48,19 +48,19 @@ void draw_hints(LabState& lab, const Rectangle& place) {
                                               ImGui::GetColorU32(ImGuiCol_PopupBg, 0.88f), lab.px(5));
     ImGui::GetWindowDrawList()->AddText({at.x + pad, at.y + pad}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     ImGui::SetCursorScreenPos({at.x + size.x + 2 * pad, at.y + pad});
-    if (ImGui::Button("×", {button, button})) lab.hints_shown = false;
+    if (ImGui::Button("×", {button, button})) panel.hints_shown = false;
     lab.note_control("hide hints");
 }
 
-void name_pinned(LabState& lab, const Rectangle& place) {
+void name_pinned(PanelContext& lab, ScenePanelState& panel, const Rectangle& place) {
     if (!lab.session.pinned()) return;
-    const bool hinted = lab.hints_shown && lab.layout == Layout::lab;
+    const bool hinted = panel.hints_shown && lab.layout == Layout::lab;
     const float up = hinted ? 3 * ImGui::GetTextLineHeight() + lab.px(34) : lab.px(8);
     const ImVec2 at{place.x + lab.px(10), place.y + place.height - ImGui::GetTextLineHeight() - up};
     haloed_text(lab, at, lab.ink(Ink::text), pinned_text(lab.session));
 }
 
-void tell_stopped(LabState& lab, const Rectangle& place) {
+void tell_stopped(PanelContext& lab, const Rectangle& place) {
     const std::string& why = lab.session.companion()->stopped();
     if (why.empty()) return;
     const std::string text = fmt::format("B stopped, A goes on: {}", why);

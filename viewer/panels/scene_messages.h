@@ -1,16 +1,16 @@
 // Words that lie over the picture, at a place of the window.
 #pragma once
-#include "panels/lab_state.h"
+#include "panels/scene_panel.h"
 
 namespace pliant::viewer {
 
 // The message of the session, with what can be done about it.
-void draw_banner(LabState& lab, const Rectangle& place);
+void draw_banner(PanelContext& lab, const Rectangle& place);
 // The first three things to try, until they are put away.
-void draw_hints(LabState& lab, const Rectangle& place);
+void draw_hints(PanelContext& lab, ScenePanelState& panel, const Rectangle& place);
 // How the pinned run differs, at the lower left above the hints.
-void name_pinned(LabState& lab, const Rectangle& place);
+void name_pinned(PanelContext& lab, ScenePanelState& panel, const Rectangle& place);
 // Why B does not go on, over its picture.
-void tell_stopped(LabState& lab, const Rectangle& place);
+void tell_stopped(PanelContext& lab, const Rectangle& place);
 
 }  // namespace pliant::viewer

@@ -17,26 +17,26 @@ Eigen::Vector2f pointer_in(const View& view) {
 // The person's from now on: it no longer goes along with what moves.
 Camera& own_camera(Session& s) { return s.camera ? *s.camera : s.camera.emplace(s.viewpoint.camera()); }
 
-void begin_drag(LabState& lab) {
+void begin_drag(PanelContext& lab, ScenePanelState& panel) {
     const auto can_pull = lab.session.lesson().can_pull();
-    lab.turning = true;
-    lab.clicked_only = true;
-    if (!can_pull || !lab.hovered || lab.hovered->on != *can_pull) return;
-    lab.turning = false;
-    lab.pulling = Pull{lab.hovered->index, lab.hovered->at, lab.hovered->at};
+    panel.turning = true;
+    panel.clicked_only = true;
+    if (!can_pull || !panel.hovered || panel.hovered->on != *can_pull) return;
+    panel.turning = false;
+    panel.pulling = Pull{panel.hovered->index, panel.hovered->at, panel.hovered->at};
 }
 
-void go_on_dragging(LabState& lab, const View& view) {
+void go_on_dragging(PanelContext& lab, ScenePanelState& panel, const View& view) {
     Session& s = lab.session;
-    if (lab.clicked_only && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, lab.px(4))) return;
-    lab.clicked_only = false;
-    if (lab.pulling) {
-        lab.pulling->to = view.projection.at_depth_of(pointer_in(view), lab.pulling->from);
-        s.pull(lab.pulling);
+    if (panel.clicked_only && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, lab.px(4))) return;
+    panel.clicked_only = false;
+    if (panel.pulling) {
+        panel.pulling->to = view.projection.at_depth_of(pointer_in(view), panel.pulling->from);
+        s.pull(panel.pulling);
         return;
     }
     const ImVec2 d = ImGui::GetIO().MouseDelta;
-    if (!lab.turning || (d.x == 0 && d.y == 0)) return;
+    if (!panel.turning || (d.x == 0 && d.y == 0)) return;
     if (view.dimension == 2)
         pan(own_camera(s), 2, view.projection, d.x, d.y);
     else
@@ -44,10 +44,10 @@ void go_on_dragging(LabState& lab, const View& view) {
 }
 
 // A lesson that looks at one cell, with a handle on it, looks at the one that is clicked.
-void look_at_cell(LabState& lab) {
+void look_at_cell(PanelContext& lab, ScenePanelState& panel) {
     const Lesson& lesson = lab.session.lesson();
-    if (lab.hovered->on != On::cell || lesson.can_pull() != On::handle) return;
-    const Pull there{0, lab.hovered->at, lab.hovered->at};
+    if (panel.hovered->on != On::cell || lesson.can_pull() != On::handle) return;
+    const Pull there{0, panel.hovered->at, panel.hovered->at};
     const auto chosen = lesson.dragged(there);
     const auto of_cell = [](const auto& assignment) { return assignment.first == "cell_x" || assignment.first == "cell_y"; };
     if (chosen.empty() || !std::ranges::all_of(chosen, of_cell)) return;
@@ -56,38 +56,38 @@ void look_at_cell(LabState& lab) {
 }
 
 // A press that did not move picks what lies there.
-void end_drag(LabState& lab) {
-    if (lab.clicked_only && lab.hovered && lab.hovered->on != On::handle && lab.layout == Layout::lab) {
-        lab.session.inspector.thing = Thing{lab.hovered->on, lab.hovered->index};
-        lab.choose_inspector = true;
-        look_at_cell(lab);
+void end_drag(PanelContext& lab, ScenePanelState& panel) {
+    if (panel.clicked_only && panel.hovered && panel.hovered->on != On::handle && lab.layout == Layout::lab) {
+        lab.session.inspector.thing = Thing{panel.hovered->on, panel.hovered->index};
+        lab.side_wanted = SideTab::inspect;
+        look_at_cell(lab, panel);
     }
-    if (lab.pulling && !lab.clicked_only) lab.session.pull(std::nullopt);
-    lab.clicked_only = false;
-    lab.pulling.reset();
-    lab.turning = false;
+    if (panel.pulling && !panel.clicked_only) lab.session.pull(std::nullopt);
+    panel.clicked_only = false;
+    panel.pulling.reset();
+    panel.turning = false;
 }
 
 }  // namespace
 
-void handle_mouse(LabState& lab, const View& view) {
+void handle_mouse(PanelContext& lab, ScenePanelState& panel, const View& view) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool inside = ImGui::IsItemHovered();
-    if (!lab.pulling && !lab.turning && (inside || view.first))
-        lab.hovered =
+    if (!panel.pulling && !panel.turning && (inside || view.first))
+        panel.hovered =
             inside && view.lesson ? pick(view.picture->scene, view.projection, pointer_in(view), lab.px(9)) : std::nullopt;
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) begin_drag(lab);
-    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, view);
+    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) begin_drag(lab, panel);
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, panel, view);
     const bool drags = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
     if (ImGui::IsItemActive() && drags && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
         pan(own_camera(lab.session), view.dimension, view.projection, io.MouseDelta.x, io.MouseDelta.y);
-    if (ImGui::IsItemDeactivated()) end_drag(lab);
+    if (ImGui::IsItemDeactivated()) end_drag(lab, panel);
     if (inside && io.MouseWheel != 0)
         zoom(own_camera(lab.session), view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
-    if (inside && view.lesson && lab.hovered && !lab.turning && !lab.pulling) read_out(lab, view, *lab.hovered);
+    if (inside && view.lesson && panel.hovered && !panel.turning && !panel.pulling) read_out(lab, view, *panel.hovered);
 }
 
-void note_handles(LabState& lab, const View& view) {
+void note_handles(PanelContext& lab, const View& view) {
     constexpr std::size_t most = 16;  // a lattice of nodes needs no names
     const auto pulled = lab.session.lesson().can_pull();
     for (const PointMarks& marks : view.picture->scene.points) {

@@ -18,7 +18,7 @@ struct NoteLine {
     float height() const { return words.height() + space; }
 };
 
-std::vector<NoteLine> note_lines(LabState& lab, const Notes& notes, bool small, float width) {
+std::vector<NoteLine> note_lines(PanelContext& lab, const Notes& notes, bool small, float width) {
     std::vector<NoteLine> lines;
     const auto add = [&](const ImFont* font, Ink ink, std::string_view text) {
         const float type = font->FontSize;
@@ -32,7 +32,7 @@ std::vector<NoteLine> note_lines(LabState& lab, const Notes& notes, bool small, 
     return lines;
 }
 
-float strip_height(LabState& lab, std::initializer_list<Notes> all, bool small, float width) {
+float strip_height(PanelContext& lab, std::initializer_list<Notes> all, bool small, float width) {
     float tallest = 0;
     for (const Notes& notes : all) {
         float height = 0;
@@ -44,9 +44,9 @@ float strip_height(LabState& lab, std::initializer_list<Notes> all, bool small, 
 
 }  // namespace
 
-float notes_height(LabState& lab, std::initializer_list<Notes> notes, float width, float room) {
+float notes_height(PanelContext& lab, ScenePanelState& panel, std::initializer_list<Notes> notes, float width, float room) {
     if (lab.layout == Layout::deck) return 0;
-    NotesStrip& strip = lab.notes_strip;
+    NotesStrip& strip = panel.notes_strip;
     const NotesStrip now{lab.session.run_count(), lab.layout, width, room, lab.scale};
     if (!strip.same_place(now)) strip = now;
     float height = strip_height(lab, notes, strip.small, width);
@@ -59,9 +59,9 @@ float notes_height(LabState& lab, std::initializer_list<Notes> notes, float widt
     return strip.height;
 }
 
-void draw_notes(LabState& lab, const View& view) {
+void draw_notes(PanelContext& lab, ScenePanelState& panel, const View& view) {
     const std::vector<NoteLine> lines =
-        note_lines(lab, {view.heading, &view.picture->scene.notes}, lab.notes_strip.small, view.size.x);
+        note_lines(lab, {view.heading, &view.picture->scene.notes}, panel.notes_strip.small, view.size.x);
     float y = view.origin.y - view.above + lab.px(8);
     for (const NoteLine& line : lines) {
         if (y + line.words.height() > view.origin.y) return;

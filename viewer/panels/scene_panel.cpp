@@ -17,7 +17,8 @@ namespace pliant::viewer {
 namespace {
 
 // A picture at a place of the window, under the mouse.
-void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, float right_margin, const char* name) {
+void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer, const View& view, float right_margin,
+                  const char* name) {
     const Size pixels{static_cast<int>(view.size.x), static_cast<int>(view.size.y)};
     const GLuint texture =
         renderer.render(*view.picture, view.dimension, lab.session.seen_by(), palette(lab.theme), lab.session.colour_scale(),
@@ -31,28 +32,28 @@ void draw_picture(LabState& lab, SceneRenderer& renderer, const View& view, floa
         name, view.size,
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     lab.note_control(name);
-    handle_mouse(lab, view);
+    handle_mouse(lab, panel, view);
     if (view.first) mark_thing(lab, view), note_handles(lab, view);
-    draw_labels(lab, view);
+    draw_labels(lab, panel, view);
     if (view.lesson) {
         // Above the hints, where they are shown.
-        const bool hinted = lab.hints_shown && lab.layout == Layout::lab;
+        const bool hinted = panel.hints_shown && lab.layout == Layout::lab;
         const float low = hinted ? 3 * ImGui::GetTextLineHeight() + lab.px(32) : 0;
         draw_matrices(lab, view.picture->scene.matrices,
                       {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y - low});
     }
-    if (!lab.session.message() && !lab.session.autopsy() && view.above > 0) draw_notes(lab, view);
+    if (!lab.session.message() && !lab.session.autopsy() && view.above > 0) draw_notes(lab, panel, view);
 }
 
 // The viewpoint of this frame; the ghost of a pinned run, in the ink of guides, is not followed.
-void look_at(LabState& lab, const Frame& frame, std::span<const Position> moving, float aspect) {
+void look_at(PanelContext& lab, ScenePanelState& panel, const Frame& frame, std::span<const Position> moving, float aspect) {
     Session& s = lab.session;
     s.viewpoint.look({.frame = frame,
                       .moving = moving,
                       .aspect = std::max(aspect, 0.05f),
                       .run = s.run_count(),
                       .seconds = lab.seconds,
-                      .held = lab.pulling || lab.turning});
+                      .held = panel.pulling || panel.turning});
 }
 
 struct Side {
@@ -65,20 +66,23 @@ struct Side {
 Rectangle below(const Rectangle& room, float strip) { return {room.x, room.y + strip, room.width, room.height - strip}; }
 
 // Where words of the picture may stand: in the deck beside a colour bar that lies below it.
-float label_width(const LabState& lab, float width, float right) { return lab.layout == Layout::deck ? width : width - right; }
+float label_width(const PanelContext& lab, float width, float right) {
+    return lab.layout == Layout::deck ? width : width - right;
+}
 
 // Two pictures side by side under one camera; the colour bar of both stands beside them. Gives the place of the second.
-Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, const Rectangle& room, float right) {
+Rectangle draw_pair(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer, Side a, Side b, const Rectangle& room,
+                    float right) {
     Session& s = lab.session;
     const float gap = lab.px(2), width = std::floor((room.width - right - gap) / 2);
     if (width < 8) return {};
-    const float above =
-        notes_height(lab, {{a.heading, &a.picture->scene.notes}, {b.heading, &b.picture->scene.notes}}, width, room.height);
+    const float above = notes_height(lab, panel, {{a.heading, &a.picture->scene.notes}, {b.heading, &b.picture->scene.notes}},
+                                     width, room.height);
     const Rectangle place = below(room, above);
     std::vector<Position> moving = moving_parts(a.picture->scene);
     std::ranges::copy(moving_parts(b.picture->scene), std::back_inserter(moving));
     const int dimension = s.lesson().dimension();
-    look_at(lab, about(frame_of(a.picture->scene, dimension), frame_of(b.picture->scene, dimension)), moving,
+    look_at(lab, panel, about(frame_of(a.picture->scene, dimension), frame_of(b.picture->scene, dimension)), moving,
             width / place.height);
     const Projection projection(s.seen_by(), dimension, width, place.height);
     const ImVec2 size{width, place.height};
@@ -94,20 +98,21 @@ Rectangle draw_pair(LabState& lab, SceneRenderer& renderer, Side a, Side b, cons
                     above,
                     width};
     };
-    if (!lab.renderer_beside) lab.renderer_beside = std::make_unique<SceneRenderer>();
+    if (!panel.renderer_beside) panel.renderer_beside = std::make_unique<SceneRenderer>();
     const float second = place.x + width + gap;
-    draw_picture(lab, renderer, view(a, place.x), 0, a.first ? "scene" : "scene B");
-    draw_picture(lab, *lab.renderer_beside, view(b, second), 0, b.first ? "scene" : "scene B");
+    draw_picture(lab, panel, renderer, view(a, place.x), 0, a.first ? "scene" : "scene B");
+    draw_picture(lab, panel, *panel.renderer_beside, view(b, second), 0, b.first ? "scene" : "scene B");
     ImGui::GetWindowDrawList()->AddRectFilled({second - gap, place.y}, {second, place.y + place.height}, lab.ink(Ink::rest));
     return {second, place.y, width, place.height};
 }
 
 // A on the left and B on the right.
-void draw_two(LabState& lab, SceneRenderer& renderer, KeptPicture of_a, const Rectangle& place, float right) {
+void draw_two(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer, KeptPicture of_a, const Rectangle& place,
+              float right) {
     Session& s = lab.session;
     Side a{std::move(of_a), &s.lesson(), run_name(s, false), true},
         b{s.picture_beside(), &s.companion()->lesson(), run_name(s, true), false};
-    tell_stopped(lab, draw_pair(lab, renderer, std::move(a), std::move(b), place, right));
+    tell_stopped(lab, draw_pair(lab, panel, renderer, std::move(a), std::move(b), place, right));
 }
 
 std::string heading_of(const Session& s, std::string_view moment) {
@@ -116,25 +121,26 @@ std::string heading_of(const Session& s, std::string_view moment) {
 }
 
 // What a stage found on the left, and what it left on the right.
-void draw_before_and_after(LabState& lab, SceneRenderer& renderer, KeptPicture before, KeptPicture after, const Rectangle& place,
-                           float right) {
+void draw_before_and_after(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer, KeptPicture before,
+                           KeptPicture after, const Rectangle& place, float right) {
     Session& s = lab.session;
     Side left{std::move(before), nullptr, heading_of(s, "before"), false},
         now{std::move(after), &s.lesson(), heading_of(s, "after"), true};
-    draw_pair(lab, renderer, std::move(left), std::move(now), place, right);
+    draw_pair(lab, panel, renderer, std::move(left), std::move(now), place, right);
 }
 
 // Gives the place of the picture, below its notes.
-Rectangle draw_alone(LabState& lab, SceneRenderer& renderer, KeptPicture picture, const Rectangle& room, float right) {
+Rectangle draw_alone(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer, KeptPicture picture,
+                     const Rectangle& room, float right) {
     Session& s = lab.session;
     const int dimension = s.lesson().dimension();
     const std::string of_a = differing_text(s, false);
     const std::string heading = !s.shows_difference() ? ""
                                 : of_a.empty()        ? "A − B, of the same parameters"
                                                       : fmt::format("A − B:  {}  −  {}", of_a, differing_text(s, true));
-    const float above = notes_height(lab, {{heading, &picture->scene.notes}}, room.width, room.height);
+    const float above = notes_height(lab, panel, {{heading, &picture->scene.notes}}, room.width, room.height);
     const Rectangle place = below(room, above);
-    look_at(lab, frame_of(picture->scene, dimension), moving_parts(picture->scene), (place.width - right) / place.height);
+    look_at(lab, panel, frame_of(picture->scene, dimension), moving_parts(picture->scene), (place.width - right) / place.height);
     const View view{std::move(picture),
                     Projection(s.seen_by(), dimension, place.width, place.height, right),
                     {place.x, place.y},
@@ -145,20 +151,20 @@ Rectangle draw_alone(LabState& lab, SceneRenderer& renderer, KeptPicture picture
                     dimension,
                     above,
                     label_width(lab, place.width, right)};
-    draw_picture(lab, renderer, view, right, "scene");
+    draw_picture(lab, panel, renderer, view, right, "scene");
     return place;
 }
 
 // What a stage found, drawn over what it left up to a line that can be moved.
-void draw_swipe(LabState& lab, SceneRenderer& renderer, const Picture& before, KeptPicture after, const Rectangle& room,
-                float right) {
+void draw_swipe(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer, const Picture& before, KeptPicture after,
+                const Rectangle& room, float right) {
     Session& s = lab.session;
     float& swipe = s.inspector.swipe;
-    const Rectangle place = draw_alone(lab, renderer, std::move(after), room, right);
-    if (!lab.renderer_beside) lab.renderer_beside = std::make_unique<SceneRenderer>();
+    const Rectangle place = draw_alone(lab, panel, renderer, std::move(after), room, right);
+    if (!panel.renderer_beside) panel.renderer_beside = std::make_unique<SceneRenderer>();
     const Size pixels{static_cast<int>(place.width), static_cast<int>(place.height)};
-    const GLuint texture = lab.renderer_beside->render(before, s.lesson().dimension(), s.seen_by(), palette(lab.theme),
-                                                       s.colour_scale(), pixels, lab.px(mark_scale(lab)), right, s.patterns);
+    const GLuint texture = panel.renderer_beside->render(before, s.lesson().dimension(), s.seen_by(), palette(lab.theme),
+                                                         s.colour_scale(), pixels, lab.px(mark_scale(lab)), right, s.patterns);
     const float x = place.x + swipe * place.width, line = std::max(2.f, lab.px(2)), grip = lab.px(14);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {place.x, place.y},
@@ -178,7 +184,7 @@ void draw_swipe(LabState& lab, SceneRenderer& renderer, const Picture& before, K
 
 }  // namespace
 
-void draw_scene(LabState& lab, SceneRenderer& renderer) {
+void draw_scene(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer) {
     Session& s = lab.session;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -192,18 +198,18 @@ void draw_scene(LabState& lab, SceneRenderer& renderer) {
     const bool two = s.companion() && !s.shows_difference();
     KeptPicture before = two || s.inspector.compare == Compare::before ? nullptr : s.other_picture();
     if (two)
-        draw_two(lab, renderer, std::move(picture), place, bar.right);
+        draw_two(lab, panel, renderer, std::move(picture), place, bar.right);
     else if (before && s.inspector.compare == Compare::side_by_side)
-        draw_before_and_after(lab, renderer, std::move(before), std::move(picture), place, bar.right);
+        draw_before_and_after(lab, panel, renderer, std::move(before), std::move(picture), place, bar.right);
     else if (before)
-        draw_swipe(lab, renderer, *before, std::move(picture), place, bar.right);
+        draw_swipe(lab, panel, renderer, *before, std::move(picture), place, bar.right);
     else
-        draw_alone(lab, renderer, std::move(picture), place, bar.right);
+        draw_alone(lab, panel, renderer, std::move(picture), place, bar.right);
     draw_colour_bar(lab, {place.x, place.y, place.width, place.height + bar.below});
-    name_pinned(lab, place);
-    draw_hints(lab, place);
+    name_pinned(lab, panel, place);
+    draw_hints(lab, panel, place);
     draw_banner(lab, place);
-    draw_autopsy(lab, place);
+    draw_autopsy(lab, panel, place);
 }
 
 }  // namespace pliant::viewer

@@ -47,21 +47,21 @@ std::vector<Point> seen_parts(const View& view) {
     return seen;
 }
 
-void mark(LabState& lab, const View& view, const Position& place, float radius, float width) {
+void mark(PanelContext& lab, const View& view, const Position& place, float radius, float width) {
     const Point at = pixel_of(view, place);
     ImGui::GetWindowDrawList()->AddCircle({at.x, at.y}, lab.px(radius), lab.ink(Ink::accent), 0, std::max(2.f, lab.px(width)));
 }
 
 }  // namespace
 
-void mark_thing(LabState& lab, const View& view) {
+void mark_thing(PanelContext& lab, const View& view) {
     const auto& autopsy = lab.session.autopsy();
     const auto& thing = autopsy && autopsy->thing ? autopsy->thing : lab.session.inspector.thing;
-    if (!thing || (thing == lab.session.inspector.thing && !lab.show_inspector)) return;
+    if (!thing || (thing == lab.session.inspector.thing && lab.side != SideTab::inspect)) return;
     if (const auto at = place_of(view.picture->scene, thing->on, thing->index)) mark(lab, view, *at, 11, 3);
 }
 
-void read_out(LabState& lab, const View& view, const Picked& picked) {
+void read_out(PanelContext& lab, const View& view, const Picked& picked) {
     const Position place = position<3>(picked.at);
     mark(lab, view, place, 9, 2);
     const std::string text = picked.on == On::handle ? "Drag me" : known_of(*view.lesson, picked);

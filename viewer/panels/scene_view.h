@@ -1,6 +1,6 @@
 // A picture in the window, and what the panel does with it.
 #pragma once
-#include "panels/lab_state.h"
+#include "panels/scene_panel.h"
 
 #include <initializer_list>
 #include <string_view>
@@ -20,10 +20,10 @@ struct View {
 };
 
 // The size of marks and words in the picture against those of the lab.
-float mark_scale(const LabState& lab);
+float mark_scale(const PanelContext& lab);
 
 // Words over the picture, at their marks.
-void draw_labels(LabState& lab, const View& view);
+void draw_labels(PanelContext& lab, ScenePanelState& panel, const View& view);
 
 // What is said above a picture: the name of the run or moment, where there are two, and the notes of the lesson.
 struct Notes {
@@ -32,18 +32,18 @@ struct Notes {
 };
 // The height of the strip that they take above pictures of this width, px. It grows with them but does not shrink within a run,
 // lest the picture jump, and leaves the picture two thirds of the room.
-float notes_height(LabState& lab, std::initializer_list<Notes> notes, float width, float room);
+float notes_height(PanelContext& lab, ScenePanelState& panel, std::initializer_list<Notes> notes, float width, float room);
 // Into the strip above the picture.
-void draw_notes(LabState& lab, const View& view);
+void draw_notes(PanelContext& lab, ScenePanelState& panel, const View& view);
 
 // A ring around the thing that is inspected, or where the run broke down.
-void mark_thing(LabState& lab, const View& view);
+void mark_thing(PanelContext& lab, const View& view);
 // A ring around the thing under the pointer, and all that is known of it.
-void read_out(LabState& lab, const View& view, const Picked& picked);
+void read_out(PanelContext& lab, const View& view, const Picked& picked);
 
 // Turns, moves, pulls and picks by the mouse over the last item.
-void handle_mouse(LabState& lab, const View& view);
+void handle_mouse(PanelContext& lab, ScenePanelState& panel, const View& view);
 // Where the things to drag are, by name.
-void note_handles(LabState& lab, const View& view);
+void note_handles(PanelContext& lab, const View& view);
 
 }  // namespace pliant::viewer

@@ -1,4 +1,6 @@
 // The buttons of time, and the stages of a step with where we are in them.
+#include "panels/stage_bar.h"
+
 #include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
@@ -17,7 +19,7 @@
 namespace pliant::viewer {
 namespace {
 
-bool button(LabState& lab, const char* name, const char* control, const char* help) {
+bool button(PanelContext& lab, const char* name, const char* control, const char* help) {
     const bool used = ImGui::Button(name);
     lab.note_control(control);
     tooltip(help, lab.scale);
@@ -27,9 +29,9 @@ bool button(LabState& lab, const char* name, const char* control, const char* he
 
 constexpr float least_colour_menu = 84;  // px at scale 1
 // Of the switches behind the menu of colours, likewise.
-float switches_width(const LabState& lab) { return lab.scene_has_grid ? 270 : 190; }
+float switches_width(const PanelContext& lab) { return lab.scene_has_grid ? 270 : 190; }
 
-void colour_menu(LabState& lab) {
+void colour_menu(PanelContext& lab) {
     Session& s = lab.session;
     const Field* shown = s.lesson().find_field(s.colours.field);
     std::string current = shown ? words(shown->name) : "none";
@@ -60,7 +62,7 @@ void colour_menu(LabState& lab) {
     tooltip("The colour bar follows the numbers; switched off, its range stays", lab.scale);
 }
 
-void speed_menu(LabState& lab) {
+void speed_menu(PanelContext& lab) {
     Session& s = lab.session;
     ImGui::SetNextItemWidth(lab.px(60));
     if (ImGui::BeginCombo("##speed", fmt::format("{:g}×", s.speed).c_str())) {
@@ -73,7 +75,7 @@ void speed_menu(LabState& lab) {
 }
 
 // A ring, or a filled disc where the run is to stop before this stage. True when it was pressed.
-bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, float size) {
+bool break_dot(PanelContext& lab, const Stage& stage, std::size_t i, ImVec2 at, float size) {
     const auto& breaks = lab.session.inspector.breaks;
     const bool set = breaks.stages.contains(stage.name) || breaks.passes.contains(stage.name);
     const float line = ImGui::GetTextLineHeight();
@@ -91,16 +93,16 @@ bool break_dot(LabState& lab, const Stage& stage, std::size_t i, ImVec2 at, floa
     return pressed;
 }
 
-float stage_pad(const LabState& lab) { return lab.px(6); }
+float stage_pad(const PanelContext& lab) { return lab.px(6); }
 // The room below the name of a stage.
-float formula_height(const LabState& lab) {
+float formula_height(const PanelContext& lab) {
     return lab.px(stage_height) - 1.4f * stage_pad(lab) - 1.25f * lab.fonts.small->FontSize;
 }
 
 constexpr float most_unbroken = 200;  // px at scale 1
 
 // In which its formula can be read.
-float stage_width(const LabState& lab, std::string_view formula) {
+float stage_width(const PanelContext& lab, std::string_view formula) {
     const Notation text = notation(formula);
     const float type = 0.95f * lab.fonts.normal->FontSize;
     // One that is not too wide is not broken.
@@ -116,7 +118,7 @@ float stage_width(const LabState& lab, std::string_view formula) {
 
 // What each asks for where there is room for all, and a share of what is spare; narrower ones down to the least where that keeps
 // all in sight.
-std::vector<float> stage_widths(const LabState& lab, const std::vector<const Stage*>& stages, float room) {
+std::vector<float> stage_widths(const PanelContext& lab, const std::vector<const Stage*>& stages, float room) {
     std::vector<float> widths;
     for (const Stage* stage : stages) widths.push_back(stage_width(lab, stage->formula_now()));
     const auto count = static_cast<float>(stages.size());
@@ -133,7 +135,7 @@ std::vector<float> stage_widths(const LabState& lab, const std::vector<const Sta
 
 // In the largest type in which it fits; what does not even fit in the smallest ends with an ellipsis;
 // the tooltip has it whole.
-void draw_formula(LabState& lab, std::string_view formula, ImVec2 at, ImVec2 room) {
+void draw_formula(PanelContext& lab, std::string_view formula, ImVec2 at, ImVec2 room) {
     const MathBox box = fitted_formula(notation(formula), lab.fonts.mathematics, 1.15f * lab.fonts.normal->FontSize,
                                        0.8f * lab.fonts.normal->FontSize, room.x, room.y);
     const float spare = std::max(0.f, room.y - box.height());
@@ -148,7 +150,7 @@ void draw_formula(LabState& lab, std::string_view formula, ImVec2 at, ImVec2 roo
 }
 
 // Of the last item: the whole formula, where it is from, what it took, and what a click does.
-void stage_tooltip(LabState& lab, const Stage& stage, const StageCost& cost) {
+void stage_tooltip(PanelContext& lab, const Stage& stage, const StageCost& cost) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) return;
     std::string more = fmt::format("Source: {}\nReads {}; writes {}.", stage.source, fmt::join(stage.reads, ", "),
                                    fmt::join(stage.writes, ", "));
@@ -166,7 +168,7 @@ void stage_tooltip(LabState& lab, const Stage& stage, const StageCost& cost) {
 }
 
 // The name with its milliseconds, where there is room for both, then the formula; the tooltip has it whole.
-void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
+void stage_box(PanelContext& lab, const Stage& stage, const StageCost& cost, std::size_t i, float width, float height) {
     const Runner& runner = lab.session.runner();
     const bool done_last = runner.last_stage() == i;
     const bool inside = runner.inside_step() && !lab.session.shows_last_step(), next = inside && runner.next_stage() == i;
@@ -218,7 +220,7 @@ void stage_box(LabState& lab, const Stage& stage, const StageCost& cost, std::si
 
 }  // namespace
 
-void draw_transport(LabState& lab) {
+void draw_transport(PanelContext& lab, StageBarState& panel) {
     Session& s = lab.session;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(5), ImGui::GetStyle().FramePadding.y});
     if (button(lab, s.playing ? "Pause" : "Play", "play", "Play or pause (Space)")) s.toggle_play();
@@ -237,7 +239,7 @@ void draw_transport(LabState& lab) {
         speed_menu(lab);
         ImGui::SameLine(0, lab.px(8));
     }
-    lab.transport_rows = below ? 2 : 1;
+    panel.transport_rows = below ? 2 : 1;
     colour_menu(lab);
     ImGui::SameLine();
     ImGui::Checkbox("arrows", &s.show_arrows);
@@ -248,7 +250,7 @@ void draw_transport(LabState& lab) {
     }
 }
 
-void draw_stage_bar(LabState& lab) {
+void draw_stage_bar(PanelContext& lab, StageBarState& panel) {
     const Runner& runner = lab.session.runner();
     const auto& stages = runner.stages();
     if (stages.empty()) return;
@@ -256,12 +258,12 @@ void draw_stage_bar(LabState& lab) {
     const std::vector<float> widths = stage_widths(lab, stages, room);
     // Where they would be too narrow to read, they are looked through sideways, and the one that is done stays in sight.
     const bool scrolls = std::accumulate(widths.begin(), widths.end(), 0.f) > room + 1;
-    lab.stages_scroll = scrolls;
+    panel.scrolls = scrolls;
     ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, lab.px(stage_scrollbar));
     ImGui::BeginChild("stages", {0, lab.px(stage_height + (scrolls ? stage_scrollbar : 0))}, ImGuiChildFlags_None,
                       ImGuiWindowFlags_NavFlattened | (scrolls ? ImGuiWindowFlags_AlwaysHorizontalScrollbar : 0));
     const auto seen = runner.inside_step() ? runner.last_stage() : std::optional<std::size_t>(0);
-    if (scrolls && seen && seen != std::exchange(lab.stage_in_sight, seen))
+    if (scrolls && seen && seen != std::exchange(panel.in_sight, seen))
         ImGui::SetScrollX(std::accumulate(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(*seen), 0.f) +
                           gap * static_cast<float>(*seen) - lab.px(least_stage_width) / 2);
     for (std::size_t i = 0; i < stages.size(); ++i) {

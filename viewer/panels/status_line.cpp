@@ -1,18 +1,18 @@
-#include <pliant/text/format.h>
+#include "panels/status_line.h"
 
-#include "panels/lab_state.h"
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 
 namespace pliant::viewer {
 namespace {
 
-float light_width(const LabState& lab) { return lab.px(10); }
-float gap_before_name(const LabState& lab) { return lab.px(4); }
-float gap_of_lights(const LabState& lab) { return lab.px(14); }
+float light_width(const PanelContext& lab) { return lab.px(10); }
+float gap_before_name(const PanelContext& lab) { return lab.px(4); }
+float gap_of_lights(const PanelContext& lab) { return lab.px(14); }
 
 // Is there room for the names of the lights?
-bool names_fit(const LabState& lab) {
+bool names_fit(const PanelContext& lab) {
     float width = 0;
     for (const Light& l : lab.held.lights)
         width += light_width(lab) + gap_before_name(lab) + ImGui::CalcTextSize(l.name.c_str()).x + gap_of_lights(lab);
@@ -20,7 +20,7 @@ bool names_fit(const LabState& lab) {
 }
 
 // A light that tells by its shape as well: a filled disc holds, a crossed square does not, a ring is not expected.
-void draw_light(LabState& lab, const Light& light, bool named) {
+void draw_light(PanelContext& lab, const Light& light, bool named) {
     const Holds holds = light.holds;
     const float r = light_width(lab) / 2, line = std::max(2.f, lab.px(1.5f));
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -53,7 +53,7 @@ std::string inside_text(const Session& s) {
 
 }  // namespace
 
-void draw_status_line(LabState& lab) {
+void draw_status_line(PanelContext& lab) {
     const Session& s = lab.session;
     const Runner& r = s.runner();
     if (r.is_static()) {

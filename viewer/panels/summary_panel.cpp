@@ -1,9 +1,10 @@
-#include "panels/lab_state.h"
+
+#include "panels/summary_panel.h"
 
 namespace pliant::viewer {
 
-void draw_summary(LabState& lab) {
-    if (lab.summary.empty()) return;
+void draw_summary(PanelContext& lab, SummaryPanelState& panel) {
+    if (panel.text.empty()) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(lab.px(620), display.x * 0.8f);
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -13,9 +14,9 @@ void draw_summary(LabState& lab) {
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse);
     ImGui::PushTextWrapPos(width - lab.px(16));
-    ImGui::TextUnformatted(lab.summary.c_str());
+    ImGui::TextUnformatted(panel.text.c_str());
     ImGui::PopTextWrapPos();
-    if (ImGui::Button("Copy")) ImGui::SetClipboardText(lab.summary.c_str());
+    if (ImGui::Button("Copy")) ImGui::SetClipboardText(panel.text.c_str());
     lab.note_control("copy summary");
     tooltip("Copy these sentences", lab.scale);
     ImGui::SameLine();
@@ -23,7 +24,7 @@ void draw_summary(LabState& lab) {
     lab.note_control("close summary");
     tooltip("Close this (S or Escape)", lab.scale);
     ImGui::End();
-    if (!open) lab.summary.clear();
+    if (!open) panel.text.clear();
 }
 
 }  // namespace pliant::viewer

@@ -1,7 +1,7 @@
 // The stored past with its scrubber, where the run is to stop, and what is shown of a stage.
-#include <pliant/text/format.h>
+#include "panels/timeline.h"
 
-#include "panels/lab_state.h"
+#include <pliant/text/format.h>
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ constexpr const char* breaks_popup = "where the run stops";
 
 Real megabytes(std::size_t bytes) { return static_cast<Real>(bytes) / 1e6; }
 
-void stage_breaks(LabState& lab) {
+void stage_breaks(PanelContext& lab) {
     Session& s = lab.session;
     Breakpoints& breaks = s.inspector.breaks;
     ImGui::TextDisabled("Stop before a stage, or after each pass of its loop");
@@ -38,17 +38,17 @@ void stage_breaks(LabState& lab) {
     ImGui::EndTable();
 }
 
-void add_condition(LabState& lab) {
+void add_condition(PanelContext& lab, TimelineState& panel) {
     try {
-        lab.session.inspector.breaks.conditions.push_back(parse_condition(lab.condition_text, lab.session.lesson()));
-        lab.condition_text.clear();
-        lab.condition_refused.clear();
+        lab.session.inspector.breaks.conditions.push_back(parse_condition(panel.condition, lab.session.lesson()));
+        panel.condition.clear();
+        panel.refused.clear();
     } catch (const Refused& e) {
-        lab.condition_refused = e.what();
+        panel.refused = e.what();
     }
 }
 
-void condition_breaks(LabState& lab) {
+void condition_breaks(PanelContext& lab, TimelineState& panel) {
     auto& conditions = lab.session.inspector.breaks.conditions;
     ImGui::TextDisabled("Stop when a probe crosses a limit");
     for (std::size_t k = 0; k < conditions.size(); ++k) {
@@ -63,34 +63,34 @@ void condition_breaks(LabState& lab) {
     ImGui::SetNextItemWidth(lab.px(230));
     const std::string example = fmt::format("{} > 1e-3", lab.session.lesson().probes.front().name);
     std::array<char, 200> text{};
-    lab.condition_text.copy(text.data(), text.size() - 1);
+    panel.condition.copy(text.data(), text.size() - 1);
     const bool entered =
         ImGui::InputTextWithHint("##condition", example.c_str(), text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-    lab.condition_text = text.data();
+    panel.condition = text.data();
     lab.note_control("condition");
     tooltip("A probe, <, <=, > or >=, and a number in the probe's unit", lab.scale);
     ImGui::SameLine();
-    if (ImGui::Button("Add") || entered) add_condition(lab);
+    if (ImGui::Button("Add") || entered) add_condition(lab, panel);
     lab.note_control("add condition");
-    if (lab.condition_refused.empty()) return;
+    if (panel.refused.empty()) return;
     ImGui::PushTextWrapPos(lab.px(320));
-    ImGui::TextUnformatted(lab.condition_refused.c_str());
+    ImGui::TextUnformatted(panel.refused.c_str());
     ImGui::PopTextWrapPos();
 }
 
-void breaks_menu(LabState& lab) {
+void breaks_menu(PanelContext& lab, TimelineState& panel) {
     Breakpoints& breaks = lab.session.inspector.breaks;
     const std::size_t count = breaks.stages.size() + breaks.passes.size() + breaks.conditions.size() +
                               static_cast<std::size_t>(breaks.assumptions) + static_cast<std::size_t>(breaks.laws);
-    if (ImGui::Button(count ? fmt::format("Stops: {}###breaks", count).c_str() : "Stops###breaks") || lab.open_breaks)
+    if (ImGui::Button(count ? fmt::format("Stops: {}###breaks", count).c_str() : "Stops###breaks") || panel.open_breaks)
         ImGui::OpenPopup(breaks_popup);
-    lab.open_breaks = false;
+    panel.open_breaks = false;
     lab.note_control("breaks");
     tooltip("Where the run is to stop by itself (F9)", lab.scale);
     if (!ImGui::BeginPopup(breaks_popup)) return;
     stage_breaks(lab);
     ImGui::Separator();
-    condition_breaks(lab);
+    condition_breaks(lab, panel);
     ImGui::Separator();
     ImGui::Checkbox("when an assumption fails", &breaks.assumptions);
     lab.note_control("break assumptions");
@@ -101,7 +101,7 @@ void breaks_menu(LabState& lab) {
     ImGui::EndPopup();
 }
 
-void compare_menu(LabState& lab) {
+void compare_menu(PanelContext& lab) {
     Session& s = lab.session;
     Inspector& in = s.inspector;
     const Stage* shown = in.shown_stage(s.runner());
@@ -127,7 +127,7 @@ void compare_menu(LabState& lab) {
     tooltip("The stage whose before and after are compared", lab.scale);
 }
 
-void scrubber(LabState& lab, float width) {
+void scrubber(PanelContext& lab, float width) {
     Session& s = lab.session;
     const Runner& runner = s.runner();
     const Index first = runner.history().first_step() == 0 ? 0 : runner.history().first_step() + 1;
@@ -157,13 +157,13 @@ void scrubber(LabState& lab, float width) {
 
 }  // namespace
 
-void draw_timeline(LabState& lab) {
+void draw_timeline(PanelContext& lab, TimelineState& panel) {
     const Session& s = lab.session;
     const History& history = s.runner().history();
     const std::size_t recorded = s.recorded_bytes() + lab.live_error.bytes(), most = s.recorded_cap() + lab.live_error.cap();
     const std::string memory = fmt::format("past {:.0f}/{:.0f}, plots {:.0f}/{:.0f} MB", megabytes(history.bytes()),
                                            megabytes(history.cap()), megabytes(recorded), megabytes(most));
-    breaks_menu(lab);
+    breaks_menu(lab, panel);
     ImGui::SameLine();
     compare_menu(lab);
     ImGui::SameLine();

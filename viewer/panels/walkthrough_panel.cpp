@@ -1,4 +1,5 @@
-#include "panels/lab_state.h"
+#include "panels/walkthrough_panel.h"
+
 #include "platform/index_letters.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ void paragraph(const std::string& text) {
     ImGui::Spacing();
 }
 
-void formula(LabState& lab, const Block& block) {
+void formula(PanelContext& lab, const Block& block) {
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::velocity));
     ImGui::Indent(lab.px(12));
     for (const std::string& line : block.lines)
@@ -21,13 +22,13 @@ void formula(LabState& lab, const Block& block) {
     ImGui::Spacing();
 }
 
-void heading(LabState& lab, const char* text, Ink role) {
+void heading(PanelContext& lab, const char* text, Ink role) {
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(role));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
 }
 
-void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& player) {
+void draw_block(PanelContext& lab, const Block& block, const WalkthroughPlayer& player) {
     switch (block.kind) {
         case BlockKind::text:
             paragraph(block.paragraph());
@@ -57,7 +58,7 @@ void draw_block(LabState& lab, const Block& block, const WalkthroughPlayer& play
     }
 }
 
-void expectations(LabState& lab, const WalkthroughPlayer& player) {
+void expectations(PanelContext& lab, const WalkthroughPlayer& player) {
     for (const ExpectationResult& r : player.results()) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(r.met ? good_colour : bad_colour));
         ImGui::TextUnformatted(r.met ? "✓" : "✗");
@@ -72,7 +73,7 @@ void expectations(LabState& lab, const WalkthroughPlayer& player) {
 
 }  // namespace
 
-void draw_walkthrough(LabState& lab) {
+void draw_walkthrough(PanelContext& lab) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
     const float buttons = ImGui::GetFrameHeightWithSpacing() + lab.px(6);
     ImGui::BeginChild("slide", {0, ImGui::GetContentRegionAvail().y - buttons});

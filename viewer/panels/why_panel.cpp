@@ -5,7 +5,7 @@
 #include <pliant/text/format.h>
 
 #include "panels/flowing_text.h"
-#include "panels/lab_state.h"
+#include "panels/panel_context.h"
 #include "platform/index_letters.h"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ void wrapped(const std::string& text) {
     ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
 }
 
-void formula_block(LabState& lab, const Answer& a) {
+void formula_block(PanelContext& lab, const Answer& a) {
     if (a.formula.empty()) return;
     const float size = lab.fonts.medium->FontSize, width = ImGui::GetContentRegionAvail().x;
     formula_item(lab.fonts.mathematics, a.formula, size, width);
@@ -56,7 +56,7 @@ void formula_block(LabState& lab, const Answer& a) {
 }
 
 // How much an input matters beside the others; a bullet where there is nothing to compare.
-void share_bar(LabState& lab, const Answer& a, const Answer& in) {
+void share_bar(PanelContext& lab, const Answer& a, const Answer& in) {
     Real whole = 0;
     for (const Answer& other : a.inputs) whole += other.sensitivity;
     if (a.inputs.size() < 2 || !(whole > 0)) {
@@ -77,7 +77,7 @@ void share_bar(LabState& lab, const Answer& a, const Answer& in) {
 }
 
 // The inputs of an answer; a click asks the same of one of them. Intermediate results unfold.
-void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& next) {
+void inputs_of(PanelContext& lab, const Answer& a, std::optional<Inspector::Asked>& next) {
     for (std::size_t k = 0; k < a.inputs.size(); ++k) {
         const Answer& in = a.inputs[k];
         ImGui::PushID(static_cast<int>(k));
@@ -111,7 +111,7 @@ void inputs_of(LabState& lab, const Answer& a, std::optional<Inspector::Asked>& 
 
 }  // namespace
 
-void draw_why(LabState& lab) {
+void draw_why(PanelContext& lab) {
     Session& s = lab.session;
     Inspector& in = s.inspector;
     if (!in.answer) {

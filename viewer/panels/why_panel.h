@@ -3,9 +3,9 @@
 
 namespace pliant::viewer {
 
-struct LabState;
+struct PanelContext;
 
 // The question that was asked last, and what goes into its number. A click asks on.
-void draw_why(LabState& lab);
+void draw_why(PanelContext& lab);
 
 }  // namespace pliant::viewer

@@ -1,8 +1,7 @@
 // The menus at the top of the lab. Each entry is an action of the table of keys, which says its key and what it does.
 #include <imgui_internal.h>
 
-#include "panels/keys.h"
-#include "panels/lab_state.h"
+#include "app/lab_state.h"
 
 #include <fmt/format.h>
 
@@ -92,9 +91,9 @@ void view_menu(LabState& lab) {
     ImGui::Separator();
     item(lab, Action::arrows, "Arrows", true, lab.session.show_arrows);
     item(lab, Action::patterns, "Patterns", true, lab.session.patterns);
-    item(lab, Action::summary, "Summary", true, !lab.summary.empty());
-    item(lab, Action::claims, "Claims", true, lab.show_claims);
-    item(lab, Action::atlas, "Stability atlas", true, lab.show_atlas);
+    item(lab, Action::summary, "Summary", true, !lab.summary.text.empty());
+    item(lab, Action::claims, "Claims", true, lab.side == SideTab::claims);
+    item(lab, Action::atlas, "Stability atlas", true, lab.side == SideTab::atlas);
     item(lab, Action::frame, "Whole scene");
     item(lab, Action::hide_panels, "Hide the panels");
     item(lab, Action::extreme, "Extreme ranges", true, lab.session.extreme);

@@ -1,0 +1,51 @@
+// All that the lab remembers from frame to frame: what its panels share, and what each of them keeps.
+#pragma once
+#include "panels/atlas_panel.h"
+#include "panels/claims_panel.h"
+#include "panels/file_dialog.h"
+#include "panels/inspector_panel.h"
+#include "panels/lesson_list.h"
+#include "panels/panel_context.h"
+#include "panels/parameter_panel.h"
+#include "panels/plot_panel.h"
+#include "panels/scene_panel.h"
+#include "panels/stage_bar.h"
+#include "panels/summary_panel.h"
+#include "panels/timeline.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pliant::viewer {
+
+inline constexpr std::size_t most_recent = 8;
+
+struct LabState : PanelContext {
+    LessonListState lesson_list{};
+    ParameterPanelState parameters{};
+    StageBarState stages{};
+    TimelineState timeline{};
+    ScenePanelState scene{};
+    PlotPanelState plots{};
+    InspectorPanelState inspector{};
+    ClaimsPanelState claims{};
+    AtlasPanelState atlas{};
+    SummaryPanelState summary{};
+    FileDialogState file_dialog{};
+
+    bool help_shown = false, notes_shown = false;
+    bool focus_menu = false;                                // the menus get the keys
+    std::vector<std::string> wanted_files{};                // scene files to open, asked for in a menu
+    std::vector<std::string> recent{};                      // scene files, the latest first
+    std::string file{};                                     // that the scene came from or was saved in
+    std::function<void(const std::string&)> speak{};        // who else takes the summary (standard output)
+    bool resting = false;                                   // nothing is drawn until something changes
+};
+
+void draw_menu_bar(LabState& lab);
+// Plots, inspector, claims and atlas, one behind the other.
+void draw_side(LabState& lab);
+
+}  // namespace pliant::viewer

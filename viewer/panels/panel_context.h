@@ -1,0 +1,117 @@
+// What the panels of the lab share: the session, how the lab looks, and what they ask of it. What a panel alone remembers from
+// frame to frame stands in its own header.
+#pragma once
+#include "panels/file_choice.h"
+#include "panels/keys.h"
+#include "panels/layout.h"
+#include "panels/theme.h"
+#include "panels/typed_number.h"
+#include "session/live_error.h"
+#include "session/session.h"
+
+#include <imgui.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pliant::viewer {
+
+struct Rectangle {
+    float x = 0, y = 0, width = 0, height = 0;  // px
+};
+
+// An animation that is asked for, or being made.
+struct AnimationOrder {
+    int seconds = 5, width = 640;    // of the file; px
+    bool asking = false;             // its panel is open
+    std::string path{};              // to be started
+    std::optional<Real> progress{};  // 0 to 1, while it is made
+    bool writing = false;            // all frames are recorded
+};
+
+// A law or an assumption: whether it holds, and what its tip says.
+struct Light {
+    Holds holds;
+    std::string name, help;
+};
+
+// Numbers of the run as it was when it moved last; of the last whole step while one that plays is cut by a frame, so that what is
+// only of use inside a step does not flash up.
+struct HeldNumbers {
+    std::pair<int, long> of{-1, -1};  // which lesson that was opened, and the revision of its run
+    std::vector<std::pair<std::optional<Real>, std::optional<Real>>> key_numbers{};  // and their exact values
+    std::vector<Light> lights{};
+};
+
+// The tabs at the right of the lab.
+enum class SideTab { plots, inspect, claims, atlas };
+
+struct PanelContext {
+    Session session{};
+    Theme theme = Theme::dark;
+    float scale = 1;  // UI scale, 1 to 3
+    Fonts fonts{};
+    Layout layout = Layout::lab;
+    Real seconds = 0;             // of wall time since the frame before; with 0 nothing moves
+    bool scene_has_grid = false;  // of the last frame
+
+    HeldNumbers held{};
+    LiveError live_error{};
+    TypedNumber typed{};
+
+    SideTab side = SideTab::plots;         // that is in front
+    std::optional<SideTab> side_wanted{};  // that comes to the front
+    FileChoice files{};
+    AnimationOrder animation{};
+    std::vector<Action> wanted{};      // what the lab itself has to do, asked for by a panel: done at the end of the frame
+    std::optional<Rectangle> focus{};  // the control that the keys act on, when it shows
+
+    // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
+    std::map<std::string, Rectangle> controls{};
+    // Remembers the last item under a name.
+    void note_control(const std::string& name);
+
+    // Does what a text that was typed asks for; a refusal becomes a message.
+    void take_typed(const std::function<void()>& action);
+
+    float px(float length) const { return length * scale; }
+    unsigned ink(Ink role, float opacity = 1) const { return viewer::ink(theme, role, opacity); }
+};
+
+// A window without a frame of its own at a fixed place.
+class FixedPanel {
+public:
+    FixedPanel(const char* name, const Rectangle& place, int extra_flags = 0);
+    ~FixedPanel();
+    FixedPanel(const FixedPanel&) = delete;
+    FixedPanel& operator=(const FixedPanel&) = delete;
+};
+
+// As much of the text as fits into a width in px, with an ellipsis behind it.
+std::string with_ellipsis(std::string text, float width);
+// Text cut with an ellipsis to a width in px; the whole text is its tooltip when it was cut.
+void fitted_text(const std::string& text, float width);
+// Words that stay readable over any picture, at this place of the window that is being drawn.
+void haloed_text(PanelContext& lab, ImVec2 at, unsigned colour, const std::string& text);
+// A tooltip for the last item, wrapped.
+void tooltip(const std::string& text, float scale);
+// A button on the line of the one before, or on the next where it does not fit.
+bool flowing_button(PanelContext& lab, const std::string& label, const std::string& name, const std::string& help,
+                    bool first = false);
+// Without Markdown's marks of emphasis; the words stay.
+std::string without_marks(const std::string& text);
+// With a large first letter, unless the first word is a symbol of one letter.
+std::string capitalised(std::string text);
+// "youngs_modulus" as words.
+std::string words(std::string_view key);
+// The words with the symbol behind them; the symbol alone where it says the same: det F, P₁₁.
+std::string name_with_symbol(std::string_view key, std::string_view symbol, std::string_view gap);
+
+// The keys go to the item that was drawn last, and it shows.
+void focus_last_item();
+
+}  // namespace pliant::viewer
