@@ -90,3 +90,37 @@ TEST_CASE("a slide shows the colours of those before it", "[session][walkthrough
     CHECK_THAT(s.message()->text, ContainsSubstring("slide 100"));
     CHECK(s.walkthrough->slide_number() == 0);
 }
+
+TEST_CASE("an extension opens its scene with a question, and answers when asked", "[session][walkthrough]") {
+    Session s("elasticity/moduli");
+    REQUIRE(s.extensions().size() > 1);
+    for (std::size_t n = 0; n < s.extensions().size(); ++n) {
+        const Extension& extension = s.extensions()[n];
+        s.open_extension(n);
+        INFO(extension.slide().title);
+        REQUIRE(s.extension() == n);
+        CHECK(s.walkthrough->slide().title == extension.slide().title);
+        CHECK_FALSE(s.walkthrough->revealed());
+        for (const auto& [key, value] : extension.scene.parameters)
+            CHECK(s.lesson().parameter(key).text(wanted(s, key)) ==
+                  s.lesson().parameter(key).text(s.lesson().parameter(key).parse(value)));
+        s.walkthrough_next();
+        CHECK(s.walkthrough->revealed());
+        CHECK_FALSE(s.walkthrough->results().empty());
+        for (const ExpectationResult& r : s.walkthrough->results()) {
+            INFO(r.measured);
+            CHECK(r.met);
+        }
+        // Back to its question, in its scene.
+        s.walkthrough_back();
+        CHECK(s.extension() == n);
+        CHECK_FALSE(s.walkthrough->revealed());
+    }
+    s.start_walkthrough();
+    CHECK_FALSE(s.extension());
+    s.open_extension(0);
+    s.end_walkthrough();
+    CHECK_FALSE(s.extension());
+    s.open_next(1);
+    for (const Extension& e : s.extensions()) CHECK(e.scene.lesson == s.entry().info.id);
+}

@@ -79,7 +79,8 @@ TEST_CASE("notation: words stand upright, letters side by side do not") {
     CHECK(latex("f: a mean") == "f: \\text{a mean}");
     CHECK(latex("tr(ε) I") == "\\operatorname{tr}\\left(\\varepsilon\\right) I");
     CHECK(latex("springs are a rod of EA") == "\\text{springs are a rod of} \\ EA");
-    CHECK(latex("Verlet – a ∠R ⟨u⟩ ~ Ẽ") == "\\text{Verlet} \\ \\text{–} a \\angle R \\langle u\\rangle \\sim \\tilde{E}");
+    CHECK(latex("Verlet – a ∠R ⟨u⟩ ~ Ẽ") ==
+          "\\text{Verlet} \\ \\text{–} a \\angle R \\left\\langle u\\right\\rangle{} \\sim \\tilde{E}");
     CHECK(latex("x −= p") == "x -= p");
     CHECK(latex("dx ≈ F dX") == "dx \\approx F dX");
     CHECK(latex("ε:ε") == "\\varepsilon:\\varepsilon");
@@ -115,9 +116,17 @@ TEST_CASE("notation: sums are large, remarks stand apart") {
     CHECK(count(notation("x = φ(X),  dX = Q − P"), Kind::gap) == 1);
 }
 
+TEST_CASE("notation: a text with quantities may begin with an article") {
+    CHECK(is_prose(notation("a step multiplies by 2", Numbers::with_units)));
+    CHECK_FALSE(is_prose(notation("a in m/s²", Numbers::with_units)));
+    CHECK_FALSE(is_prose(notation("a step")));
+}
+
 TEST_CASE("notation: units behind numbers stand upright where a text has quantities") {
     const auto upright = [](std::string_view text) { return count(notation(text, Numbers::with_units), Kind::name); };
     CHECK(upright("k = 200 N/m") == 1);
+    CHECK(upright("125 nodes of 8 g, 3 springs") == 1);
+    CHECK(upright("8 g_c") == 0);
     CHECK(upright("L = 200 mm, 3 kg m") == 2);
     CHECK(upright("10³ mm/s") == 1);
     CHECK(upright("16.7 ms") == 1);

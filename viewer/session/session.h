@@ -1,6 +1,7 @@
 // What the lab holds: the lesson being run, what the person looks at, and everything that a button, a key or a walkthrough may do
 // to it. It draws nothing, so a test can drive it as the window does.
 #pragma once
+#include <pliant/document/extensions.h>
 #include <pliant/document/scene_file.h>
 #include <pliant/document/walkthrough.h>
 #include <pliant/run/recorder.h>
@@ -219,6 +220,11 @@ public:
     void go_to_slide(std::size_t n);  // from 0
     void reset_slide();
     void end_walkthrough();  // the run stays as it is
+    // What the lesson offers to go on from. One that is opened is a walkthrough of one slide, its question in sight, in the scene
+    // of its share string; the next press plays its actions and shows the answer.
+    const std::vector<Extension>& extensions() const;
+    void open_extension(std::size_t n);                                                               // from 0
+    std::optional<std::size_t> extension() const { return walkthrough ? extension_ : std::nullopt; }  // that is open
 
     // --- messages ---
     struct Message {
@@ -310,6 +316,9 @@ private:
     Keeping now_, before_, beside_;
     long pictures_drawn_ = 0;
     int pin_count_ = 0, companion_count_ = 0;
+    std::optional<std::size_t> extension_{};
+    mutable std::string_view extensions_of_{};  // the lesson of those that are kept
+    mutable std::vector<Extension> extensions_{};
 };
 
 }  // namespace pliant::viewer

@@ -1,6 +1,10 @@
 // The session under a walkthrough: slides, their locks, and what is recorded of their runs.
 #include "session/session.h"
 
+#include <pliant/document/share.h>
+
+#include <utility>
+
 namespace pliant::viewer {
 
 bool Session::locked(const Parameter& parameter) const {
@@ -16,6 +20,7 @@ void Session::start_walkthrough() {
     guarded([&] {
         Walkthrough text = walkthrough_of(*entry_);
         open(*entry_);
+        extension_.reset();
         walkthrough.emplace(*runner_, std::move(text), [this] { record_of_walkthrough(); });
     });
 }
@@ -24,6 +29,25 @@ void Session::end_walkthrough() {
     if (put_off([this] { end_walkthrough(); })) return;
     walkthrough.reset();
     unlocked = false;
+}
+
+const std::vector<Extension>& Session::extensions() const {
+    if (std::exchange(extensions_of_, entry_->info.id) != entry_->info.id) {
+        extensions_.clear();
+        extensions_ = pliant::extensions_of(*entry_);
+    }
+    return extensions_;
+}
+
+void Session::open_extension(std::size_t n) {
+    if (put_off([this, n] { open_extension(n); })) return;
+    guarded([&] {
+        const Extension extension = extensions().at(n);
+        open_scene(read_share(share_text(extension.scene)));
+        walkthrough.emplace(*runner_, extension.walkthrough, [this] { record_of_walkthrough(); });
+        extension_ = n;
+        playing = false;
+    });
 }
 
 // A slide may start the lesson again, so a step that was recorded before begins another run.
@@ -64,7 +88,7 @@ void Session::move_walkthrough(const std::function<void()>& move) {
 void Session::walkthrough_next() {
     if (put_off([this] { walkthrough_next(); })) return;
     move_walkthrough([this] {
-        if (!walkthrough->next()) say(Message::Kind::info, "This was the last slide.");
+        if (!walkthrough->next()) say(Message::Kind::info, extension_ ? "This was its answer." : "This was the last slide.");
     });
 }
 
@@ -76,6 +100,7 @@ void Session::walkthrough_back() {
 
 void Session::go_to_slide(std::size_t n) {
     if (put_off([this, n] { go_to_slide(n); })) return;
+    if (const auto opened = extension()) return open_extension(*opened);
     move_walkthrough([this, n] {
         colours = lesson().first_colours();
         runner_->load({});

@@ -1,6 +1,7 @@
 // Formulas in LaTeX.
 #include <pliant/formula/formula.h>
 #include <pliant/formula/notation.h>
+#include <pliant/formula/unicode.h>
 
 #include <fmt/format.h>
 
@@ -106,12 +107,20 @@ std::string scripts(const Notation& n) {
     return text;
 }
 
+// The letter of a fence.
+std::string fence_letter(std::string_view letter) {
+    if (letter.empty()) return ".";  // left open
+    if (letter == "‖") return "\\|";
+    if (letter == "⟨") return "\\langle ";
+    if (letter == "⟩") return "\\rangle{}";
+    return letter == "{" || letter == "}" ? "\\" + std::string(letter) : std::string(letter);
+}
+
 std::string fence(const Notation& n) {
-    const bool closed = n.text.size() > 1;
-    const bool norm = n.text.starts_with("‖");
-    const std::string open = norm ? "\\|" : n.text[0] == '{' ? "\\{" : n.text.substr(0, 1);
-    const std::string close = norm ? "\\|" : !closed ? "." : n.text[1] == '}' ? "\\}" : n.text.substr(1);
-    return fmt::format("\\left{}{}\\right{}", open, latex(n.of[0]), close);
+    const std::string_view pair = n.text;
+    const std::size_t open = code_point(pair, 0).bytes;
+    return fmt::format("\\left{}{}\\right{}", fence_letter(pair.substr(0, open)), latex(n.of[0]),
+                       fence_letter(pair.substr(open)));
 }
 
 std::string grid(const Notation& n) {

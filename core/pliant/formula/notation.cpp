@@ -104,7 +104,8 @@ private:
         for (;;) {
             const std::size_t blanks = skip_blanks();
             const char32_t c = here();
-            if (c == 0 || c == ')' || c == ']' || c == '}' || (closes_ != 0 && c == closes_ && bar_may_close(all))) return all;
+            if (c == 0 || c == ')' || c == ']' || c == '}' || c == U'⟩' || (closes_ != 0 && c == closes_ && bar_may_close(all)))
+                return all;
             if (blanks > 1 && !all.of.empty()) all.of.push_back({.kind = Kind::gap});
             if (c == '/' && !all.of.empty()) {
                 ++at_;
@@ -130,7 +131,7 @@ private:
         if (numbers_ == Numbers::plain || blanks != 1 || all.of.empty()) return false;
         const Notation& last = all.of.back().kind == Kind::scripts ? all.of.back().of[0] : all.of.back();
         const std::string_view token = text_.substr(at_, token_end(at_) - at_);
-        return last.kind == Kind::digits && !token.empty() && is_prefixed_unit(token);
+        return last.kind == Kind::digits && !token.empty() && (is_prefixed_unit(token) || token == "g");  // grams
     }
     // "kg m²/s²" up to a blank: upright letters, with their exponents.
     Notation unit() {
@@ -193,7 +194,7 @@ private:
 
     Notation primary(const Notation& before) {
         const char32_t c = here();
-        if (c == '(' || c == '[' || c == '{') return fenced(c);
+        if (c == '(' || c == '[' || c == '{' || c == U'⟨') return fenced(c);
         if (c == '|' || c == U'‖') return bars(c);
         if (is_digit(c)) return number();
         if (c == U'√') return root();
@@ -250,14 +251,13 @@ private:
     Notation fenced(char32_t open) {
         if (open == '[')
             if (auto bracketed = unit_in_brackets()) return std::move(*bracketed);
-        const char32_t close = open == '(' ? ')' : open == '[' ? ']' : '}';
-        ++at_;
+        const char32_t close = open == '(' ? ')' : open == '[' ? ']' : open == '{' ? '}' : U'⟩';
+        std::string pair(take_letter());
         const char32_t outer = std::exchange(closes_, U'\0');
         Notation inner = row();
         closes_ = outer;
-        std::string pair(1, static_cast<char>(open));
         // Left open: only the first letter is drawn.
-        if (here() == close) pair += static_cast<char>(close), ++at_;
+        if (here() == close) pair += take_letter();
         if (pair == "[]")
             if (auto rows = grid_of(inner)) return std::move(*rows);
         return {.kind = Kind::fence, .text = std::move(pair), .of = {std::move(inner)}};
@@ -380,8 +380,11 @@ private:
     // "a" before a word.
     bool is_article(const Notation& before, std::size_t from, std::size_t end) const {
         if (text_.substr(from, end - from) != "a" || text_.substr(end, 1) != " ") return false;
-        if (before.of.empty() || (before.of.back().kind != Kind::words && before.of.back().kind != Kind::comma)) return false;
-        return is_word(end + 1, run_end(end + 1)) && run_end(end + 1) > end + 1;
+        const std::size_t next_end = run_end(end + 1);
+        if (!is_word(end + 1, next_end) || next_end == end + 1) return false;
+        // A sentence begins with it, but no formula: "a step multiplies by".
+        if (before.of.empty()) return numbers_ == Numbers::with_units && next_end > end + 3;
+        return before.of.back().kind == Kind::words || before.of.back().kind == Kind::comma;
     }
     // As many words as follow each other, with their punctuation and hyphens.
     Notation words(std::size_t from, std::size_t end) {

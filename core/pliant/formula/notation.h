@@ -25,7 +25,7 @@ struct Notation {
         root,      // of[0]
         scripts,   // of[0] with of[1] below and of[2] above; rows, which may be empty
         accent,    // text over of[0]: "~", "^", "¯", "˙"
-        fence,     // of[0] between the two letters of text: "()", "||"
+        fence,     // of[0] between the two letters of text: "()", "||", "⟨⟩"; one letter where it is left open
         grid       // rows of a matrix, each a row of rows
     };
     Kind kind = Kind::row;
