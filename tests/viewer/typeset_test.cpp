@@ -147,6 +147,13 @@ TEST_CASE("typeset: the type is the largest that fits") {
     CHECK(fitted_formula(text, even, 40, 10, 1, 1).letters[0].size == 10);
 }
 
+TEST_CASE("typeset: angle brackets are as high as what they hold") {
+    const MathBox box = set("⟨a / b⟩");
+    CHECK(letter(box, U'⟨').stretch > 1.5f);
+    CHECK(letter(box, U'⟩').stretch > 1.5f);
+    check_bounds(box);
+}
+
 TEST_CASE("typeset: any text can be set in any room") {
     const std::string text = GENERATE("", " ", ")", "((", "|", "a |", "/", "a /", "_", "x_", "√", "Σ", "[a; b c]", "\xff\xfe",
                                       "½½", "one word after the other and so on");

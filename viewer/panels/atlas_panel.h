@@ -10,8 +10,8 @@ namespace pliant::viewer {
 
 struct AtlasPanelState {
     Atlas atlas{};
-    bool focus = false;                                // its first control gets the keys
-    std::optional<std::pair<Index, Index>> cell{};     // under the pointer
+    bool focus = false;                             // its first control gets the keys
+    std::optional<std::pair<Index, Index>> cell{};  // under the pointer
 };
 
 void draw_atlas(PanelContext& lab, AtlasPanelState& panel);

@@ -1,5 +1,7 @@
 #include "panels/colour_bar.h"
 
+#include "panels/typeset_text.h"
+
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -19,11 +21,16 @@ const Field* shown_field(const PanelContext& lab) {
 }
 
 std::string title_of(const Session& s, const Field& field) {
+    const std::string symbol(field.symbol);
     std::string title = words(field.name);
     if (s.colours.component >= 0)
         title += " " + component_names(field)[static_cast<std::size_t>(s.colours.component)];
-    else if (field.rank != Rank::scalar)
+    else if (field.rank == Rank::scalar)
+        title = named_with_symbol(field.name, symbol);
+    else if (symbol.empty())
         title = "|" + title + "|";
+    else
+        title += " " + as_formula("|" + symbol + "|");
     if (s.shows_difference()) return fmt::format("A − B of {}", title);
     if (s.shows_change()) {
         const Stage* stage = s.inspector.shown_stage(s.runner());
@@ -110,7 +117,7 @@ void upright_bar(PanelContext& lab, const Rectangle& picture, const Field& field
         haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
     }
     const std::string title = title_of(lab.session, field);
-    haloed_text(lab, {low.x + width - ImGui::CalcTextSize(title.c_str()).x, top - 1.6f * line}, lab.ink(Ink::text), title);
+    haloed_sentence(lab, {low.x + width - sentence_width(lab, title), top - 1.6f * line}, lab.ink(Ink::text), title);
     ImGui::PopFont();
 }
 
@@ -133,7 +140,7 @@ void lying_bar(PanelContext& lab, const Rectangle& picture, const Field& field) 
         draw->AddLine({x, bottom}, {x, bottom + lab.px(4)}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
         haloed_text(lab, {left + tick_begin(ticks, i, width), bottom + lab.px(5)}, lab.ink(Ink::text), text);
     }
-    haloed_text(lab, {left, top - line - lab.px(3)}, lab.ink(Ink::text), title_of(lab.session, field));
+    haloed_sentence(lab, {left, top - line - lab.px(3)}, lab.ink(Ink::text), title_of(lab.session, field));
     ImGui::PopFont();
 }
 

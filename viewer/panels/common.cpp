@@ -116,10 +116,12 @@ std::string spelled(std::string_view text) {
 
 }  // namespace
 
+bool says_the_same(std::string_view key, std::string_view symbol) { return spelled(key) == spelled(symbol); }
+
 std::string name_with_symbol(std::string_view key, std::string_view symbol, std::string_view gap) {
     std::string name = words(key);
     if (symbol.empty()) return name;
-    if (spelled(key) == spelled(symbol)) return std::string(symbol);
+    if (says_the_same(key, symbol)) return std::string(symbol);
     return name.append(gap).append(symbol);
 }
 

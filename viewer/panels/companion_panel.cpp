@@ -1,5 +1,7 @@
 #include "panels/companion_panel.h"
 
+#include "panels/typeset_text.h"
+
 #include <pliant/document/summary.h>
 #include <pliant/text/format.h>
 
@@ -50,7 +52,7 @@ std::vector<Row> rows_of(const Session& s) {
     std::vector<Row> rows;
     for (const Probe* p : key_probes(s.lesson())) {
         rows.push_back(row_of(words(p->name), p->unit, value_of(s.runner(), *p), value_of(b.runner(), b.lesson().probe(p->name)),
-                              fmt::format("{} {}\n{}", words(p->name), p->symbol, p->help), 3));
+                              fmt::format("{}\n{}", named_with_symbol(p->name, p->symbol), p->help), 3));
         rows.back().symbol = p->symbol;
     }
     rows.push_back(row_of("Per step", "s", seconds(s.costs().step_ms()), seconds(b.costs().step_ms()),
@@ -169,8 +171,9 @@ void draw_companion_table(PanelContext& lab) {
             ImGui::TableNextColumn();
             // Where the name has no room the symbol stands for it, and the tooltip has both.
             const bool fits = ImGui::CalcTextSize(row.name.c_str()).x <= ImGui::GetContentRegionAvail().x;
-            fitted_text(fits || row.symbol.empty() ? row.name : row.symbol, ImGui::GetContentRegionAvail().x);
-            tooltip(row.help, lab.scale);
+            fitted_sentence(lab, fits || row.symbol.empty() ? row.name : as_formula(row.symbol),
+                            ImGui::GetContentRegionAvail().x);
+            sentence_tooltip(lab, row.help);
             for (const std::string* cell : {&row.a, &row.b, &row.difference}) {
                 ImGui::TableNextColumn();
                 ImGui::TextUnformatted(cell->c_str());

@@ -1,41 +1,29 @@
 // What the deck shows beside picture, plots and numbers: a slide of the walkthrough in large type.
 #include "panels/deck_panel.h"
 
-#include "panels/flowing_text.h"
-#include "platform/index_letters.h"
+#include "panels/typeset_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cfloat>
 
 namespace pliant::viewer {
 namespace {
 
 struct Paragraph {
-    std::string text;
-    ImFont* font;
+    MathBox words;
     unsigned colour;
-    MathBox formula{};  // in place of the text, where there is one
-
-    bool is_formula() const { return !formula.letters.empty(); }
-    float height(float width) const {
-        return is_formula() ? formula.height() : font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
-    }
 };
 
 float gap(const PanelContext& lab) { return lab.px(9); }
 
 // In the largest type in which it needs no more lines than it has equations.
 Paragraph formula(const PanelContext& lab, const std::string& line, float width) {
-    const Notation text = notation(line);
+    const MathType& type = lab.fonts.mathematics;
     const float largest = lab.fonts.huge->FontSize, smallest = lab.fonts.large->FontSize;
-    const float room = 1.2f * set_formula(text, lab.fonts.mathematics, largest).height();
-    return {line, lab.fonts.large, lab.ink(Ink::velocity),
-            fitted_formula(text, lab.fonts.mathematics, largest, smallest, width, room)};
+    const float room = 1.2f * type.formula(line, largest).height();
+    return {type.fitted(line, largest, smallest, width, room), lab.ink(Ink::velocity)};
 }
-
-std::string on_screen(const Block& block) { return with_index_letters(without_marks(block.paragraph())); }
 
 // What of the slide is shown: the introduction, formulas, the question, and the answer.
 struct Shown {
@@ -45,13 +33,15 @@ struct Shown {
 std::vector<Paragraph> words_of(const PanelContext& lab, ImFont* font, Shown shown, float width) {
     const unsigned ink = ImGui::GetColorU32(ImGuiCol_Text), quiet = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     std::vector<Paragraph> result;
+    const auto say = [&](const std::string& text, unsigned colour) {
+        result.push_back({lab.fonts.mathematics.sentence(text, font->FontSize, width), colour});
+    };
     const auto headed = [&](const char* heading, Ink role, const Block& block, unsigned colour) {
-        result.push_back({heading, font, lab.ink(role), {}});
-        result.push_back({flowing_text(on_screen(block), font, width), font, colour, {}});
+        say(heading, lab.ink(role));
+        say(without_marks(block.paragraph()), colour);
     };
     for (const Block& b : lab.session.walkthrough->slide().blocks) {
-        if (b.kind == BlockKind::text && shown.introduction)
-            result.push_back({flowing_text(on_screen(b), font, width), font, ink, {}});
+        if (b.kind == BlockKind::text && shown.introduction) say(without_marks(b.paragraph()), ink);
         if (b.kind == BlockKind::formula)
             for (const std::string& line : b.lines) result.push_back(formula(lab, line, width));
         if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, shown.answer ? quiet : ink);
@@ -60,9 +50,9 @@ std::vector<Paragraph> words_of(const PanelContext& lab, ImFont* font, Shown sho
     return result;
 }
 
-float height_of(const PanelContext& lab, const std::vector<Paragraph>& words, float width) {
+float height_of(const PanelContext& lab, const std::vector<Paragraph>& words) {
     float height = 0;
-    for (const Paragraph& p : words) height += p.height(width) + gap(lab);
+    for (const Paragraph& p : words) height += p.words.height() + gap(lab);
     return height;
 }
 
@@ -82,9 +72,7 @@ std::vector<Setting> settings(const PanelContext& lab) {
 // The one with the largest type in which the slide fits both with and without its answer, so that the question stays as it is
 // when the answer comes; their count when none does.
 std::size_t fitting_setting(const PanelContext& lab, ImVec2 room) {
-    const auto fits_in = [&](ImFont* font, Shown shown) {
-        return height_of(lab, words_of(lab, font, shown, room.x), room.x) <= room.y;
-    };
+    const auto fits_in = [&](ImFont* font, Shown shown) { return height_of(lab, words_of(lab, font, shown, room.x)) <= room.y; };
     const std::vector<Setting> all = settings(lab);
     std::size_t n = 0;
     while (n < all.size() && !(fits_in(all[n].font, {true, false}) && fits_in(all[n].font, {all[n].introduction, true}))) ++n;
@@ -140,19 +128,7 @@ void draw_slide_words(PanelContext& lab) {
     const auto words = fitting_words(lab, room);
     ImGui::BeginChild("words", {0, 0}, 0, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, gap(lab)});
-    for (const Paragraph& p : words) {
-        if (p.is_formula()) {
-            draw_item(lab.fonts.mathematics, p.formula, p.colour);
-            continue;
-        }
-        ImGui::PushFont(p.font);
-        ImGui::PushStyleColor(ImGuiCol_Text, p.colour);
-        ImGui::PushTextWrapPos(room.x);
-        ImGui::TextUnformatted(p.text.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
-        ImGui::PopFont();
-    }
+    for (const Paragraph& p : words) draw_item(lab.fonts.mathematics, p.words, p.colour);
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }
@@ -186,14 +162,11 @@ std::string notes_of(const PanelContext& lab) {
 }  // namespace
 
 float slide_notes_height(const PanelContext& lab, float width) {
-    const ImFont* font = lab.fonts.normal;
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, width - lab.px(40), notes_of(lab).c_str()).y + lab.px(22);
+    return lab.fonts.mathematics.sentence(notes_of(lab), lab.fonts.normal->FontSize, width - lab.px(40)).height() + lab.px(22);
 }
 
 void draw_slide_notes(PanelContext& lab) {
-    ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x);
-    ImGui::TextUnformatted(notes_of(lab).c_str());
-    ImGui::PopTextWrapPos();
+    sentence_item(lab, notes_of(lab));
     const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     lab.controls["notes"] = {at.x, at.y, size.x, size.y};
 }

@@ -5,7 +5,7 @@
 #include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
-#include "platform/index_letters.h"
+#include "panels/typeset_text.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,8 @@ bool draw_label(PanelContext& lab, const Probe& probe, const std::string& number
     const float room = ImGui::GetContentRegionAvail().x, gap = lab.px(12);
     const bool beside = number_width + gap + ImGui::CalcTextSize(exact.c_str()).x <= room;
     ImGui::PushFont(lab.layout == Layout::deck ? lab.fonts.normal : lab.fonts.small);
-    ImGui::TextDisabled("%s", with_index_letters(name_with_symbol(probe.name, probe.symbol, "  ")).c_str());
+    const MathBox& name = sentence_box(lab, named_with_symbol(probe.name, probe.symbol, "  "));
+    draw_item(lab.fonts.mathematics, name, ImGui::GetColorU32(ImGuiCol_TextDisabled));
     ImGui::PopFont();
     const float label_width = ImGui::GetItemRectSize().x;
     ImGui::PushFont(lab.fonts.small);
@@ -56,7 +57,7 @@ void draw_headline(PanelContext& lab) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     ImGui::TextDisabled("%s", now.c_str());
     ImGui::PopFont();
-    fitted_text(std::string(info.summary), ImGui::GetContentRegionAvail().x);
+    fitted_sentence(lab, std::string(info.summary), ImGui::GetContentRegionAvail().x);
 }
 
 void draw_key_numbers(PanelContext& lab) {

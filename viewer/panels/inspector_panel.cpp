@@ -5,6 +5,7 @@
 #include <pliant/text/format.h>
 
 #include "panels/flowing_text.h"
+#include "panels/typeset_text.h"
 #include "panels/why_panel.h"
 
 #include <fmt/format.h>
@@ -89,18 +90,19 @@ void quantity(PanelContext& lab, const Field& f, Index index) {
     ImGui::PushID(f.name.data(), f.name.data() + f.name.size());
     const std::string symbol(f.symbol.empty() ? "" : f.symbol);
     const bool scalar = f.rank == Rank::scalar;
-    const std::string name = symbol.empty() || !scalar ? words(f.name) : fmt::format("{} {}", words(f.name), symbol);
-    const std::string equals = scalar ? "=" : fmt::format("|{}| =", symbol);
+    const std::string name = scalar ? named_with_symbol(f.name, symbol) : words(f.name);
+    const std::string equals = scalar ? "=" : as_formula(fmt::format("|{}| =", symbol));
     const std::string value = format_quantity(row_value(f, index, -1), f.unit, digits);
-    ImGui::TextUnformatted(name.c_str());
-    if (!f.help.empty()) tooltip(std::string(f.help), lab.scale);
+    draw_item(lab.fonts.mathematics, sentence_box(lab, name), ImGui::GetColorU32(ImGuiCol_Text));
+    if (!f.help.empty()) sentence_tooltip(lab, f.help);
     const float pin_width = ImGui::CalcTextSize("unpin").x + lab.px(24);
-    const float whole = ImGui::CalcTextSize(fmt::format("{}  {}  {}", name, equals, value).c_str()).x + pin_width;
+    const float whole =
+        sentence_width(lab, fmt::format("{}  {}  ", name, equals)) + ImGui::CalcTextSize(value.c_str()).x + pin_width;
     if (whole <= ImGui::GetContentRegionMax().x)
         ImGui::SameLine();
     else
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + lab.px(18));
-    ImGui::TextDisabled("%s", equals.c_str());
+    draw_item(lab.fonts.mathematics, sentence_box(lab, equals), ImGui::GetColorU32(ImGuiCol_TextDisabled));
     ImGui::SameLine();
     number(lab, f, index, -1, 0, f.unit);
     pin_button(lab, f, index);

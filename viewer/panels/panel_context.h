@@ -108,6 +108,8 @@ std::string without_marks(const std::string& text);
 std::string capitalised(std::string text);
 // "youngs_modulus" as words.
 std::string words(std::string_view key);
+// Do both have the same letters: det_F and det F?
+bool says_the_same(std::string_view key, std::string_view symbol);
 // The words with the symbol behind them; the symbol alone where it says the same: det F, P₁₁.
 std::string name_with_symbol(std::string_view key, std::string_view symbol, std::string_view gap);
 

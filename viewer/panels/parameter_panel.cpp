@@ -4,7 +4,7 @@
 #include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
-#include "platform/index_letters.h"
+#include "panels/typeset_text.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
@@ -92,9 +92,17 @@ void choice_box(PanelContext& lab, const Parameter& p) {
                                         ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
 }
 
+// The words belong to the box: a click on them turns it as well.
 void switch_box(PanelContext& lab, const Parameter& p, const std::string& label) {
     bool on = lab.session.addressed().wanted(p) != 0;
-    if (ImGui::Checkbox((label + "##value").c_str(), &on)) lab.session.assign(p, on ? 1 : 0);
+    const MathBox& words = sentence_box(lab, label);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, blank = ImGui::CalcTextSize(" ").x;
+    const std::string room(static_cast<std::size_t>(std::ceil(words.width / blank)), ' ');
+    if (ImGui::Checkbox((room + "##value").c_str(), &on)) lab.session.assign(p, on ? 1 : 0);
+    const ImVec2 at = ImGui::GetItemRectMin();
+    lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), words,
+                               {at.x + ImGui::GetFrameHeight() + gap, at.y + ImGui::GetStyle().FramePadding.y + words.above},
+                               ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 // Where the two runs differ in it: the value in the one that the sliders do not set.
@@ -114,12 +122,12 @@ std::string help_of(PanelContext& lab, ParameterPanelState& panel, const Paramet
 
 // What would be in the tooltip is looked for only where it is shown.
 void parameter_tip(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(help_of(lab, panel, p), lab.scale);
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) sentence_tooltip(lab, help_of(lab, panel, p));
 }
 
 std::string label_of(const PanelContext& lab, const Parameter& p) {
-    std::string label = fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "",
-                                    with_index_letters(name_with_symbol(p.info.key, p.info.symbol, "  ")));
+    std::string label =
+        fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "", named_with_symbol(p.info.key, p.info.symbol, "  "));
     if (p.info.effect == Effect::rebuild) label += "  ↻";
     return label;
 }
@@ -130,7 +138,8 @@ bool label_fits_large(const PanelContext& lab, const Parameter& p) {
     const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
     const float room = ImGui::GetContentRegionAvail().x - lab.px(8);
     const ImFont* const font = lab.fonts.large;
-    return fits_with(lab.fonts.medium, label_of(lab, p), room - font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, value.c_str()).x);
+    const float label = lab.fonts.mathematics.sentence(label_of(lab, p), lab.fonts.medium->FontSize).width;
+    return label + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, value.c_str()).x <= room;
 }
 
 // The name on the left and, of a number, the value on the right.
@@ -141,7 +150,7 @@ void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p
     const float top = ImGui::GetCursorPosY(), drop = ImGui::GetTextLineHeight();
     ImGui::PushFont(label_font);
     ImGui::SetCursorPosY(top + drop - ImGui::GetTextLineHeight());
-    fitted_text(label_of(lab, p), right - ImGui::GetCursorPosX() - lab.px(4));
+    fitted_sentence(lab, label_of(lab, p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
     parameter_tip(lab, panel, p);
     if (!number) return;

@@ -178,7 +178,9 @@ void plot_map(PanelContext& lab, Plot& plot, Point size) {
 
 void plot_pin(PanelContext& lab, Plot& plot, Pin& pin, Point size) {
     const bool steps = lab.session.runner().is_static();
-    const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(pin.field), pin.unit}};
+    const Field* field = lab.session.lesson().find_field(pin.field);
+    const std::string name = field ? name_with_symbol(pin.field, field->symbol, " ") : words(pin.field);
+    const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {name, pin.unit}};
     if (!plot.begin(fmt::format("{}##pin", pin.title), size, axes)) return;
     plot.line("pinned", pin.series.at(), pin.series.values());
     mark_now(lab, plot);

@@ -30,8 +30,7 @@ struct PlacedLabel {
 PlacedLabel placed_label(const PanelContext& lab, const View& view, const LabelMark& l, const Eigen::Vector3f& p, float scale) {
     const float type = ImGui::GetFontSize();
     // One that is wider than the picture stands above its place, in lines.
-    MathBox words =
-        set_formula(notation(l.text, Numbers::with_units), lab.fonts.mathematics, type, view.label_width - 8, Fractions::in_line);
+    MathBox words = lab.fonts.mathematics.label(l.text, type, view.label_width - 8);
     words.above = std::max(words.above, 0.75f * type), words.below = std::max(words.below, 0.2f * type);
     const ImVec2 size{words.width, std::min(words.height(), ImGui::GetTextLineHeight())};
     const float more_lines = words.height() - size.y;

@@ -1,6 +1,6 @@
 #include "panels/scene_matrices.h"
 
-#include "platform/index_letters.h"
+#include "panels/typeset_text.h"
 
 #include <fmt/format.h>
 
@@ -42,28 +42,25 @@ std::string entry_text(Real x, int decimals) {
     if (!std::isfinite(x)) return "–";
     const std::string text = fmt::format("{:.{}f}", x, decimals);
     // No minus sign on what is 0 to the digits shown; a plain 0 shows where nothing is.
-    return std::stod(text) == 0 ? (x == 0 ? "0" : text.substr(text.front() == '-')) : text;
+    if (std::stod(text) == 0) return x == 0 ? "0" : text.substr(text.front() == '-');
+    return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
 Block measured(PanelContext& lab, const MatrixMark& m) {
     const int exponent = common_exponent(m);
-    Block b{.entries = {},
-            .before = with_index_letters(m.name) + " =",
-            .behind = m.unit,
-            .rows = m.rows,
-            .columns = m.columns,
-            .ink = m.ink};
+    Block b{
+        .entries = {}, .before = as_formula(m.name + " ="), .behind = m.unit, .rows = m.rows, .columns = m.columns, .ink = m.ink};
     if (exponent) b.behind = fmt::format("10{}{}{}", raised(exponent), m.unit.empty() ? "" : " ", m.unit);
     Real largest = 0;
     for (const Real x : m.entries) largest = std::max(largest, std::abs(x) * std::pow(10.0, -exponent));
     const int decimals = largest >= 100 ? 1 : largest >= 10 ? 2 : 3;
     for (const Real x : m.entries) {
-        b.entries.push_back(entry_text(x * std::pow(10.0, -exponent), decimals));
-        b.column_width = std::max(b.column_width, ImGui::CalcTextSize(b.entries.back().c_str()).x);
+        b.entries.push_back(as_formula(entry_text(x * std::pow(10.0, -exponent), decimals)));
+        b.column_width = std::max(b.column_width, sentence_width(lab, b.entries.back()));
     }
-    b.before_width = ImGui::CalcTextSize(b.before.c_str()).x;
+    b.before_width = sentence_width(lab, b.before);
     const auto columns = static_cast<float>(m.columns);
-    const float behind = ImGui::CalcTextSize(b.behind.c_str()).x;
+    const float behind = sentence_width(lab, b.behind);
     b.size = {b.before_width + columns * (b.column_width + lab.px(9)) + behind + lab.px(20),
               static_cast<float>(m.rows) * ImGui::GetTextLineHeight() + lab.px(6)};
     return b;
@@ -76,7 +73,7 @@ void draw_block(PanelContext& lab, const Block& b, ImVec2 at) {
     draw->AddRectFilled({at.x - pad, at.y - pad}, {at.x + b.size.x + pad, at.y + b.size.y + pad},
                         ImGui::GetColorU32(ImGuiCol_WindowBg, 0.82f), lab.px(4));
     const float middle = at.y + (b.size.y - line) / 2;
-    draw->AddText({at.x, middle}, ink, b.before.c_str());
+    draw_sentence(lab, {at.x, at.y + (b.size.y - sentence_box(lab, b.before).height()) / 2}, ink, b.before);
     const float left = at.x + b.before_width + lab.px(5), cell = b.column_width + lab.px(9);
     const float right = left + static_cast<float>(b.columns) * cell + lab.px(5);
     for (const auto& [x, inward] : {std::pair{left, tick}, {right, -tick}}) {
@@ -87,10 +84,10 @@ void draw_block(PanelContext& lab, const Block& b, ImVec2 at) {
     for (std::size_t k = 0; k < b.entries.size(); ++k) {
         const auto row = static_cast<float>(static_cast<int>(k) / b.columns),
                    column = static_cast<float>(static_cast<int>(k) % b.columns);
-        const float x = left + (column + 1) * cell - ImGui::CalcTextSize(b.entries[k].c_str()).x;
-        draw->AddText({x, at.y + lab.px(3) + row * line}, ink, b.entries[k].c_str());
+        const float x = left + (column + 1) * cell - sentence_width(lab, b.entries[k]);
+        draw_sentence(lab, {x, at.y + lab.px(3) + row * line}, ink, b.entries[k]);
     }
-    draw->AddText({right + lab.px(5), middle}, ink, b.behind.c_str());
+    draw_sentence(lab, {right + lab.px(5), middle}, ink, b.behind);
 }
 
 struct Placed {

@@ -22,8 +22,7 @@ std::vector<NoteLine> note_lines(PanelContext& lab, const Notes& notes, bool sma
     std::vector<NoteLine> lines;
     const auto add = [&](const ImFont* font, Ink ink, std::string_view text) {
         const float type = font->FontSize;
-        MathBox words =
-            set_formula(notation(text, Numbers::with_units), lab.fonts.mathematics, type, width - lab.px(20), Fractions::in_line);
+        MathBox words = lab.fonts.mathematics.label(text, type, width - lab.px(20));
         words.above = std::max(words.above, 0.75f * type), words.below = std::max(words.below, 0.2f * type);
         lines.push_back({std::move(words), ink, 0.28f * type});
     };

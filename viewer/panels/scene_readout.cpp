@@ -2,6 +2,7 @@
 #include <pliant/text/format.h>
 
 #include "panels/scene_view.h"
+#include "panels/typeset_text.h"
 #include "plot/free_place.h"
 #include "render/moving_parts.h"
 #include "render/places.h"
@@ -17,8 +18,11 @@ std::string known_of(const Lesson& lesson, const Picked& picked) {
     std::string text = fmt::format("{} {}\n", name_of(picked.on), picked.index);
     for (const Field& f : lesson.fields) {
         if (!f.in_use() || f.on != picked.on || picked.index >= f.size()) continue;
-        text += fmt::format("{}{}{} = {}\n", words(f.name), f.symbol.empty() ? "" : " ", f.symbol,
-                            format_quantity(row_value(f, picked.index, -1), f.unit));
+        const bool scalar = f.rank == Rank::scalar || f.symbol.empty();
+        text += fmt::format("{} {}\n",
+                            scalar ? named_with_symbol(f.name, f.symbol)
+                                   : fmt::format("{} {}", words(f.name), as_formula(fmt::format("|{}|", f.symbol))),
+                            as_formula("= " + format_quantity(row_value(f, picked.index, -1), f.unit)));
         if (f.rank == Rank::scalar) continue;
         const auto names = component_names(f);
         text += "   ";
@@ -66,15 +70,18 @@ void read_out(PanelContext& lab, const View& view, const Picked& picked) {
     mark(lab, view, place, 9, 2);
     const std::string text = picked.on == On::handle ? "Drag me" : known_of(*view.lesson, picked);
     ImGui::PushFont(lab.fonts.small);
-    const ImVec2 words = ImGui::CalcTextSize(text.c_str()), padding = ImGui::GetStyle().WindowPadding;
-    const Point size{words.x + 2 * padding.x, words.y + 2 * padding.y};
+    const MathBox& words = sentence_box(lab, text);
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const Point size{words.width + 2 * padding.x, words.height() + 2 * padding.y};
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const Box picture{{view.origin.x, view.origin.y}, {view.origin.x + view.size.x, view.origin.y + view.size.y}};
     const bool roomy = size.x < picture.width() && size.y < picture.height();
     const Point at = free_place(pixel_of(view, place), size, lab.px(22), roomy ? picture : Box{{0, 0}, {screen.x, screen.y}},
                                 seen_parts(view));
     ImGui::SetNextWindowPos({at.x, at.y});
-    ImGui::SetTooltip("%s", text.c_str());
+    ImGui::BeginTooltip();
+    draw_item(lab.fonts.mathematics, words, ImGui::GetColorU32(ImGuiCol_Text));
+    ImGui::EndTooltip();
     ImGui::PopFont();
     lab.controls["read-out"] = {at.x, at.y, size.x, size.y};
 }

@@ -5,7 +5,6 @@
 
 #include "panels/companion_panel.h"
 #include "panels/scene_view.h"
-#include "platform/index_letters.h"
 
 #include <fmt/format.h>
 
@@ -103,14 +102,14 @@ constexpr float most_unbroken = 200;  // px at scale 1
 
 // In which its formula can be read.
 float stage_width(const PanelContext& lab, std::string_view formula) {
-    const Notation text = notation(formula);
+    const MathType& mathematics = lab.fonts.mathematics;
     const float type = 0.95f * lab.fonts.normal->FontSize;
     // One that is not too wide is not broken.
-    const float whole = (set_formula(text, lab.fonts.mathematics, type).width + 2 * stage_pad(lab)) / lab.scale;
+    const float whole = (mathematics.formula(formula, type).width + 2 * stage_pad(lab)) / lab.scale;
     float width = whole < most_unbroken ? std::max(least_stage_width, std::ceil(whole)) : most_unbroken;
     for (; width < most_stage_width; width += 24) {
         const float room = lab.px(width) - 2 * stage_pad(lab);
-        const MathBox box = set_formula(text, lab.fonts.mathematics, type, room);
+        const MathBox& box = mathematics.formula(formula, type, room);
         if (box.width <= room && box.height() <= formula_height(lab)) break;
     }
     return lab.px(width);
@@ -136,8 +135,8 @@ std::vector<float> stage_widths(const PanelContext& lab, const std::vector<const
 // In the largest type in which it fits; what does not even fit in the smallest ends with an ellipsis;
 // the tooltip has it whole.
 void draw_formula(PanelContext& lab, std::string_view formula, ImVec2 at, ImVec2 room) {
-    const MathBox box = fitted_formula(notation(formula), lab.fonts.mathematics, 1.15f * lab.fonts.normal->FontSize,
-                                       0.8f * lab.fonts.normal->FontSize, room.x, room.y);
+    const float type = lab.fonts.normal->FontSize;
+    const MathBox& box = lab.fonts.mathematics.fitted(formula, 1.15f * type, 0.8f * type, room.x, room.y);
     const float spare = std::max(0.f, room.y - box.height());
     lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), box, {at.x, at.y + box.above + 0.35f * spare},
                                ImGui::GetColorU32(ImGuiCol_Text));

@@ -8,9 +8,9 @@
 namespace pliant::viewer {
 
 struct StageBarState {
-    int transport_rows = 1;                     // of the last frame
-    bool scrolls = false;                       // likewise
-    std::optional<std::size_t> in_sight{};      // the stage to which they have scrolled
+    int transport_rows = 1;                 // of the last frame
+    bool scrolls = false;                   // likewise
+    std::optional<std::size_t> in_sight{};  // the stage to which they have scrolled
 };
 
 inline constexpr float stage_height = 74, least_stage_width = 104, most_stage_width = 320, stage_scrollbar = 9;  // px at scale 1

@@ -1,14 +1,16 @@
 #include "panels/walkthrough_panel.h"
 
-#include "platform/index_letters.h"
+#include "panels/typeset_text.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace pliant::viewer {
 namespace {
 
-void paragraph(const std::string& text) {
-    ImGui::TextWrapped("%s", with_index_letters(without_marks(text)).c_str());
+void paragraph(const PanelContext& lab, const std::string& text) {
+    sentence_item(lab, without_marks(text));
     ImGui::Spacing();
 }
 
@@ -31,24 +33,27 @@ void heading(PanelContext& lab, const char* text, Ink role) {
 void draw_block(PanelContext& lab, const Block& block, const WalkthroughPlayer& player) {
     switch (block.kind) {
         case BlockKind::text:
-            paragraph(block.paragraph());
+            paragraph(lab, block.paragraph());
             break;
         case BlockKind::formula:
             formula(lab, block);
             break;
         case BlockKind::ask:
             heading(lab, "Predict", Ink::accent);
-            paragraph(block.paragraph());
+            paragraph(lab, block.paragraph());
             break;
         case BlockKind::actions:
             heading(lab, player.revealed() ? "Done" : "Next will", Ink::force);
-            for (const std::string& line : block.lines) ImGui::BulletText("%s", line.c_str());
+            for (const std::string& line : block.lines) {
+                ImGui::Bullet();
+                ImGui::TextWrapped("%s", line.c_str());
+            }
             ImGui::Spacing();
             break;
         case BlockKind::answer:
             if (!player.revealed()) break;
             heading(lab, "What happened", Ink::velocity);
-            paragraph(block.paragraph());
+            paragraph(lab, block.paragraph());
             break;
         case BlockKind::expect:
         case BlockKind::notes:
@@ -71,25 +76,54 @@ void expectations(PanelContext& lab, const WalkthroughPlayer& player) {
     }
 }
 
+// What to go on with: a press opens the scene, with its question.
+void extensions(PanelContext& lab) {
+    Session& s = lab.session;
+    if (s.extensions().empty()) return;
+    heading(lab, "Go on from here", Ink::accent);
+    for (std::size_t k = 0; k < s.extensions().size(); ++k) {
+        ImGui::PushID(static_cast<int>(k));
+        const std::string& title = s.extensions()[k].slide().title;
+        const MathBox& words = sentence_box(lab, title, std::max(ImGui::GetContentRegionAvail().x - lab.px(16), 1.f));
+        if (ImGui::Selectable("##extension", s.extension() == k, 0, {0, words.height()})) s.open_extension(k);
+        const ImVec2 at = ImGui::GetItemRectMin();
+        lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), words, {at.x + lab.px(12), at.y + words.above},
+                                   ImGui::GetColorU32(ImGuiCol_Text));
+        lab.note_control(fmt::format("extension {}", k + 1));
+        tooltip("Opens its scene, with a question; the answer comes when you ask for it.", lab.scale);
+        ImGui::PopID();
+    }
+}
+
+// Behind the last slide, and below an extension.
+bool offers_extensions(const Session& s) {
+    const WalkthroughPlayer& player = *s.walkthrough;
+    return s.extension() || (player.revealed() && player.slide_number() + 1 == player.walkthrough().slides.size());
+}
+
 }  // namespace
 
 void draw_walkthrough(PanelContext& lab) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
     const float buttons = ImGui::GetFrameHeightWithSpacing() + lab.px(6);
     ImGui::BeginChild("slide", {0, ImGui::GetContentRegionAvail().y - buttons});
-    ImGui::TextDisabled("%s", player.walkthrough().title.c_str());
+    const auto extension = lab.session.extension();
+    ImGui::TextDisabled("%s", extension ? "Go on from here" : player.walkthrough().title.c_str());
     ImGui::PushFont(lab.fonts.large);
     ImGui::TextWrapped("%s", player.slide().title.c_str());
     ImGui::PopFont();
     ImGui::Spacing();
     for (const Block& b : player.slide().blocks) draw_block(lab, b, player);
     expectations(lab, player);
+    if (offers_extensions(lab.session)) ImGui::Spacing(), extensions(lab);
     ImGui::EndChild();
 
-    if (ImGui::Button("Back##walkthrough")) lab.session.walkthrough_back();
+    if (ImGui::Button(extension ? "Again##walkthrough" : "Back##walkthrough")) lab.session.walkthrough_back();
     lab.note_control("walkthrough back");
     ImGui::SameLine();
-    if (ImGui::Button("Next##walkthrough", {lab.px(80), 0})) lab.session.walkthrough_next();
+    ImGui::BeginDisabled(extension && player.revealed());
+    if (ImGui::Button(extension ? "Answer##walkthrough" : "Next##walkthrough", {lab.px(80), 0})) lab.session.walkthrough_next();
+    ImGui::EndDisabled();
     lab.note_control("walkthrough next");
     ImGui::SameLine();
     const bool end = ImGui::Button("End##walkthrough");
@@ -100,7 +134,10 @@ void draw_walkthrough(PanelContext& lab) {
     lab.note_control("walkthrough deck");
     tooltip("Shows the slide in large type beside the picture, for a lecture (D).", lab.scale);
     ImGui::SameLine();
-    ImGui::TextDisabled("%zu of %zu", player.slide_number() + 1, player.walkthrough().slides.size());
+    if (extension)
+        ImGui::TextDisabled("%zu of %zu", *extension + 1, lab.session.extensions().size());
+    else
+        ImGui::TextDisabled("%zu of %zu", player.slide_number() + 1, player.walkthrough().slides.size());
     if (end) lab.session.end_walkthrough();
 }
 

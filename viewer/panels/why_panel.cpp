@@ -4,9 +4,8 @@
 #include <pliant/run/why.h>
 #include <pliant/text/format.h>
 
-#include "panels/flowing_text.h"
 #include "panels/panel_context.h"
-#include "platform/index_letters.h"
+#include "panels/typeset_text.h"
 
 #include <fmt/format.h>
 
@@ -31,17 +30,13 @@ std::string origin_of(const Answer& a) {
     }
 }
 
-void wrapped(const std::string& text) {
-    ImGui::TextUnformatted(flowing_text(text, ImGui::GetFont(), ImGui::GetContentRegionAvail().x).c_str());
-}
-
 void formula_block(PanelContext& lab, const Answer& a) {
     if (a.formula.empty()) return;
     const float size = lab.fonts.medium->FontSize, width = ImGui::GetContentRegionAvail().x;
     formula_item(lab.fonts.mathematics, a.formula, size, width);
     if (!a.trouble.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
-        wrapped("This formula cannot be evaluated. " + a.trouble);
+        sentence_item(lab, "This formula cannot be evaluated. " + a.trouble);
         ImGui::PopStyleColor();
         return;
     }
@@ -50,7 +45,7 @@ void formula_block(PanelContext& lab, const Answer& a) {
     ImGui::PopStyleColor();
     if (const std::string words = unit_words(a); !words.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
-        wrapped(words);
+        sentence_item(lab, words);
         ImGui::PopStyleColor();
     }
 }
@@ -70,10 +65,16 @@ void share_bar(PanelContext& lab, const Answer& a, const Answer& in) {
     draw->AddRectFilled(from, {from.x + width * static_cast<float>(in.sensitivity / whole), from.y + height},
                         lab.ink(Ink::accent));
     ImGui::Dummy({width, line});
-    tooltip(fmt::format("1 % of {} makes {} of this number; the bars compare the inputs", in.symbol,
-                        format_quantity(in.sensitivity / 100, a.unit, 3)),
-            lab.scale);
+    sentence_tooltip(lab, fmt::format("1 % of {} makes {} of this number; the bars compare the inputs", as_formula(in.symbol),
+                                      format_quantity(in.sensitivity / 100, a.unit, 3)));
     ImGui::SameLine();
+}
+
+// A sentence over the last item, so far from its left edge, px.
+void over_item(const PanelContext& lab, const std::string& text, float indent) {
+    const ImVec2 at = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+    const float down = (size.y - sentence_box(lab, text).height()) / 2;
+    draw_sentence(lab, {at.x + indent, at.y + down}, ImGui::GetColorU32(ImGuiCol_Text), text);
 }
 
 // The inputs of an answer; a click asks the same of one of them. Intermediate results unfold.
@@ -82,28 +83,29 @@ void inputs_of(PanelContext& lab, const Answer& a, std::optional<Inspector::Aske
         const Answer& in = a.inputs[k];
         ImGui::PushID(static_cast<int>(k));
         share_bar(lab, a, in);
-        const std::string text =
-            fmt::format("{} = {}", with_index_letters(in.symbol), format_quantity(in.value, in.unit, digits));
+        const std::string text = as_formula(fmt::format("{} = {}", in.symbol, format_quantity(in.value, in.unit, digits)));
         if (in.kind == Answer::Kind::part) {
-            const bool open = ImGui::TreeNodeEx("part", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", text.c_str());
+            const bool open = ImGui::TreeNodeEx("part", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", "");
             lab.note_control(fmt::format("part {}", in.symbol));
+            over_item(lab, text, ImGui::GetTreeNodeToLabelSpacing());
             if (open) {
                 formula_block(lab, in);
                 inputs_of(lab, in, next);
                 ImGui::TreePop();
             }
         } else if (in.can_ask || in.kind == Answer::Kind::state) {
-            if (ImGui::Selectable(fmt::format("{}##ask", text).c_str()))
+            if (ImGui::Selectable("##ask", false, 0, {0, sentence_box(lab, text).height()}))
                 next = {.field = in.field, .index = in.index, .component = in.component, .when = in.when};
             lab.note_control(fmt::format("ask {}", in.symbol));
+            over_item(lab, text, 0.5f * ImGui::GetStyle().ItemSpacing.x);
             const std::string origin = origin_of(in);
             tooltip(fmt::format("{}{}. Click: why this number?", title_of(in, lab.session.lesson()),
                                 origin.empty() ? "" : ", " + origin),
                     lab.scale);
         } else {
-            ImGui::PushTextWrapPos(0);
-            ImGui::TextDisabled("%s   %s", text.c_str(), origin_of(in).c_str());
-            ImGui::PopTextWrapPos();
+            ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+            sentence_item(lab, fmt::format("{}   {}", text, origin_of(in)));
+            ImGui::PopStyleColor();
         }
         ImGui::PopID();
     }
@@ -115,7 +117,7 @@ void draw_why(PanelContext& lab) {
     Session& s = lab.session;
     Inspector& in = s.inspector;
     if (!in.answer) {
-        wrapped("Click a number to see why it is what it is.");
+        sentence_item(lab, "Click a number to see why it is what it is.");
         return;
     }
     if (in.asked.size() > 1) {
@@ -127,7 +129,7 @@ void draw_why(PanelContext& lab) {
     }
     if (!in.answer) return;
     const Answer a = *in.answer;
-    wrapped(fmt::format("Why is {} = {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits)));
+    sentence_item(lab, fmt::format("Why is {} = {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits)));
     const bool end_of_step = a.kind == Answer::Kind::state;
     if (!a.stage.empty()) {
         ImGui::TextDisabled("step %lld, stage %s", static_cast<long long>(a.when.step + 1), words(a.stage).c_str());

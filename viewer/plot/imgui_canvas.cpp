@@ -6,7 +6,6 @@
 #include <imgui.h>
 
 #include <cmath>
-#include <optional>
 
 namespace pliant::viewer {
 namespace {
@@ -16,12 +15,12 @@ ImU32 im(Rgba8 c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 
 // A line may not be mitred where it turns by more than a right angle: its corner would stick out.
 bool sharp(Point a, Point b, Point c) { return (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < 0; }
-// Of words that have symbols in them, in the height of a line.
-std::optional<MathBox> formula_of(std::string_view words, const MathType* mathematics) {
-    if (!mathematics) return std::nullopt;
-    const Notation set = notation(words, Numbers::with_units);
-    if (is_prose(set)) return std::nullopt;
-    return set_formula(set, *mathematics, ImGui::GetFontSize(), 0, Fractions::in_line);
+
+// Of words that have symbols in them, in the height of a line; null for others.
+const MathBox* formula_of(std::string_view words, const MathType* mathematics) {
+    if (!mathematics) return nullptr;
+    const MathBox& set = mathematics->label_with_symbols(words, ImGui::GetFontSize());
+    return set.letters.empty() ? nullptr : &set;
 }
 
 bool same(Point a, Point b) { return std::abs(a.x - b.x) < 0.01f && std::abs(a.y - b.y) < 0.01f; }
@@ -66,13 +65,13 @@ void ImguiCanvas::polygon(std::span<const Point> corners, Rgba8 colour) {
 }
 
 void ImguiCanvas::text(Point top_left, Rgba8 colour, std::string_view words) {
-    const std::optional<MathBox> formula = formula_of(words, mathematics_);
+    const MathBox* const formula = formula_of(words, mathematics_);
     if (!formula) return list_.AddText(im(top_left), im(colour), with_index_letters(words).c_str());
     mathematics_->draw(list_, *formula, {top_left.x, top_left.y + ImGui::GetFont()->Ascent}, im(colour));
 }
 
 Point ImguiCanvas::text_size(std::string_view words) const {
-    if (const std::optional<MathBox> formula = formula_of(words, mathematics_)) return {formula->width, ImGui::GetFontSize()};
+    if (const MathBox* const formula = formula_of(words, mathematics_)) return {formula->width, ImGui::GetFontSize()};
     const ImVec2 size = ImGui::CalcTextSize(with_index_letters(words).c_str());
     return {size.x, size.y};
 }

@@ -1,6 +1,7 @@
 #include "plot/svg_canvas.h"
 
 #include <pliant/formula/notation.h>
+#include <pliant/formula/unicode.h>
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ private:
                 put(n.of[0], raise, size), leaf(combining(n.text), raise, size, false);
                 break;
             case Kind::fence: {
-                const std::size_t open = n.text.size() > 2 ? n.text.size() / 2 : 1;
+                const std::size_t open = code_point(n.text, 0).bytes;
                 leaf(n.text.substr(0, open), raise, size, false);
                 put(n.of[0], raise, size);
                 leaf(n.text.substr(open), raise, size, false);

@@ -2,8 +2,14 @@
 
 #include <imgui.h>
 
+#include "typeset/sentence.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 
 namespace pliant::viewer {
@@ -19,7 +25,17 @@ const ImFontGlyph* glyph_of(const ImFont& font, char32_t letter) {
 
 }  // namespace
 
-MathType::MathType(std::vector<ImFont*> signs, std::vector<ImFont*> words) : signs_(std::move(signs)), words_(std::move(words)) {
+// Boxes by what they were made of: those of lately, and those before that are about to go.
+struct MathType::Kept {
+    using Key = std::tuple<char, std::array<float, 4>, std::string>;
+    static constexpr std::size_t most = 600;
+    std::map<Key, MathBox> lately, before;
+};
+
+MathType::MathType() : kept_(std::make_shared<Kept>()) {}
+
+MathType::MathType(std::vector<ImFont*> signs, std::vector<ImFont*> words)
+    : signs_(std::move(signs)), words_(std::move(words)), kept_(std::make_shared<Kept>()) {
     sort_by_height(signs_), sort_by_height(words_);
 }
 
@@ -36,6 +52,41 @@ LetterBounds MathType::bounds(char32_t letter, MathFace face, float size) const 
     const ImFontGlyph* g = glyph_of(*font, letter);
     if (!g) return {};
     return {g->AdvanceX * scale, g->X0 * scale, (g->Y0 - font->Ascent) * scale, g->X1 * scale, (g->Y1 - font->Ascent) * scale};
+}
+
+const MathBox& MathType::kept(char kind, std::string_view text, std::array<float, 4> room,
+                              const std::function<MathBox()>& set) const {
+    Kept::Key key{kind, room, std::string(text)};
+    if (const auto found = kept_->lately.find(key); found != kept_->lately.end()) return found->second;
+    if (kept_->lately.size() >= Kept::most) kept_->before = std::exchange(kept_->lately, {});
+    if (auto old = kept_->before.extract(key)) return kept_->lately.insert(std::move(old)).position->second;
+    return kept_->lately.emplace(std::move(key), set()).first->second;
+}
+
+const MathBox& MathType::formula(std::string_view text, float size, float width, Numbers numbers) const {
+    return kept(numbers == Numbers::plain ? 'f' : 'n', text, {size, width},
+                [&] { return set_formula(notation(text, numbers), *this, size, width); });
+}
+
+const MathBox& MathType::label(std::string_view text, float size, float width) const {
+    return kept('l', text, {size, width},
+                [&] { return set_formula(notation(text, Numbers::with_units), *this, size, width, Fractions::in_line); });
+}
+
+const MathBox& MathType::label_with_symbols(std::string_view text, float size) const {
+    return kept('p', text, {size}, [&] {
+        const Notation set = notation(text, Numbers::with_units);
+        return is_prose(set) ? MathBox{} : set_formula(set, *this, size, 0, Fractions::in_line);
+    });
+}
+
+const MathBox& MathType::sentence(std::string_view text, float size, float width) const {
+    return kept('s', text, {size, width}, [&] { return set_sentence(text, *this, size, width); });
+}
+
+const MathBox& MathType::fitted(std::string_view text, float largest, float smallest, float width, float height) const {
+    return kept('t', text, {largest, smallest, width, height},
+                [&] { return fitted_formula(notation(text), *this, largest, smallest, width, height); });
 }
 
 void MathType::draw(ImDrawList& list, const MathBox& box, const ImVec2& at, unsigned colour) const {
@@ -63,7 +114,7 @@ void draw_item(const MathType& type, const MathBox& box, unsigned colour) {
 }
 
 void formula_item(const MathType& type, std::string_view text, float size, float width, Numbers numbers) {
-    draw_item(type, set_formula(notation(text, numbers), type, size, width), ImGui::GetColorU32(ImGuiCol_Text));
+    draw_item(type, type.formula(text, size, width, numbers), ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 }  // namespace pliant::viewer
