@@ -18,7 +18,8 @@ LabState fresh_lab() { return {{.session = Session("mesh/mass_spring")}}; }
 }  // namespace
 
 TEST_CASE("settings: everything is read back as it was written", "[settings]") {
-    const Settings s{Theme::projector, 1.5f, 0.25, Layout::slide, false, true, {"/a/b.json", "/c \"d\".json"}};
+    const Settings s{
+        Theme::projector, 1.5f, 0.25, Layout::slide, false, true, {.left = 250, .lessons = 0.5f}, {"/a/b.json", "/c \"d\".json"}};
     CHECK(parse_settings(settings_text(s), "s") == s);
     CHECK(parse_settings(settings_text({}), "s") == Settings{});
 }
@@ -31,7 +32,9 @@ TEST_CASE("settings: after a deck the lab opens with its controls", "[settings]"
 
 TEST_CASE("settings: what does not belong is passed over, what is no object is refused", "[settings]") {
     const Settings s = parse_settings(
-        R"({"theme": 3, "scale": 99, "speed": -1, "layout": "round", "hints_shown": "no", "recent": [1], "later": {}})", "s");
+        R"({"theme": 3, "scale": 99, "speed": -1, "layout": "round", "hints_shown": "no", "recent": [1], "later": {},
+            "panels": {"left": -3, "right": 1e9, "lessons": 2, "plots": "wide", "other": 1}})",
+        "s");
     CHECK(s == Settings{});
     for (const char* text : {"", "[]", "3", "{", "\xff"}) CHECK_THROWS_AS(parse_settings(text, "s"), Refused);
     const Settings many = parse_settings(R"({"recent": ["1","2","3","4","5","6","7","8","9","10"]})", "s");

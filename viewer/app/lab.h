@@ -128,7 +128,7 @@ private:
     std::optional<Animation> animation_;
     std::string animation_path_;
     int file_opening_ = 0;  // the session's count of openings that state_.file belongs to
-    bool restyle_ = true, fonts_loaded_ = false;
+    bool restyle_ = true, fonts_loaded_ = false, borders_made_ = false;
     bool run_moved_ = false;  // for the frame that comes
     int unsettled_ = 0;       // frames until ImGui shows all of what has changed
     Pace pace_{.budget = {}};

@@ -5,10 +5,12 @@
 #include "panels/walkthrough_panel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pliant::viewer {
 
 void Lab::draw_layout(float width, float height) {
+    if (!std::exchange(borders_made_, true)) make_borders();
     switch (state_.layout) {
         case Layout::lab:
             return lab_layout(width, height);
@@ -23,11 +25,21 @@ void Lab::lab_layout(float width, float height) {
     LabState& s = state_;
     draw_menu_bar(s);
     const float top = ImGui::GetFrameHeight();
-    const float status = ImGui::GetFrameHeight() + s.px(8), left = std::min(s.px(238), width * 0.28f);
-    const float right = std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), middle = width - left - right,
-                body = height - status - top;
-    const float list =
-        std::min(body * 0.42f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing());
+    const float status = ImGui::GetFrameHeight() + s.px(8), body = height - status - top, least_middle = s.px(360);
+    const float left =
+        size_at_border(s, {.name = "border left", .edge = 0, .from = top, .length = body, .unit = s.scale},
+                       {std::min(s.px(238), width * 0.28f), std::min(s.px(180), width * 0.28f), 0.4f * width}, s.sizes.left);
+    const float right =
+        size_at_border(s, {.name = "border right", .edge = width, .direction = -1, .from = top, .length = body, .unit = s.scale},
+                       {std::min(s.px(s.session.walkthrough ? 370 : 330), width * 0.32f), std::min(s.px(220), width * 0.32f),
+                        width - left - least_middle},
+                       s.sizes.right);
+    const float middle = width - left - right;
+    const float list = size_at_border(
+        s, {.name = "border lessons", .sideways = false, .edge = top, .from = 0, .length = left, .unit = body},
+        {std::min(body * 0.42f, s.px(40) + static_cast<float>(lessons().size() + 6) * ImGui::GetTextLineHeightWithSpacing()),
+         std::min(s.px(150), 0.4f * body), 0.75f * body},
+        s.sizes.lessons);
     const auto rows = static_cast<float>(1 + s.stages.transport_rows);
     const float bars = rows * ImGui::GetFrameHeight() + s.px(stage_height + (s.stages.scrolls ? stage_scrollbar : 0)) +
                        2 * ImGui::GetStyle().WindowPadding.y + rows * ImGui::GetStyle().ItemSpacing.y;
@@ -53,7 +65,10 @@ void Lab::lab_layout(float width, float height) {
         draw_scene(s, s.scene, renderer_);
     }
     if (s.session.walkthrough) {
-        const float split = body * 0.58f;
+        const float split = size_at_border(
+            s,
+            {.name = "border walkthrough", .sideways = false, .edge = top, .from = width - right, .length = right, .unit = body},
+            {body * 0.58f, 0.25f * body, 0.8f * body}, s.sizes.walkthrough);
         {
             const FixedPanel panel("Walkthrough", {width - right, top, right, split});
             draw_walkthrough(s);
@@ -70,7 +85,10 @@ void Lab::lab_layout(float width, float height) {
 
 void Lab::slide_layout(float width, float height) {
     LabState& s = state_;
-    const float head = s.px(78), right = std::max(s.px(300), width * 0.32f), numbers = s.px(158);
+    const float head = s.px(78), numbers = s.px(158);
+    const float right = size_at_border(
+        s, {.name = "border plots", .edge = width, .direction = -1, .from = head, .length = height - head, .unit = s.scale},
+        {std::max(s.px(300), width * 0.32f), std::min(s.px(240), 0.3f * width), 0.65f * width}, s.sizes.plots);
     const int flags = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     {

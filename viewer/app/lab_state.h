@@ -1,5 +1,6 @@
 // All that the lab remembers from frame to frame: what its panels share, and what each of them keeps.
 #pragma once
+#include "app/panel_borders.h"
 #include "panels/atlas_panel.h"
 #include "panels/claims_panel.h"
 #include "panels/file_dialog.h"
@@ -35,13 +36,15 @@ struct LabState : PanelContext {
     SummaryPanelState summary{};
     FileDialogState file_dialog{};
 
+    PanelSizes sizes{};
+    float border_grip = 0;  // where the border that is dragged was taken, px from its middle
     bool help_shown = false, notes_shown = false;
-    bool focus_menu = false;                                // the menus get the keys
-    std::vector<std::string> wanted_files{};                // scene files to open, asked for in a menu
-    std::vector<std::string> recent{};                      // scene files, the latest first
-    std::string file{};                                     // that the scene came from or was saved in
-    std::function<void(const std::string&)> speak{};        // who else takes the summary (standard output)
-    bool resting = false;                                   // nothing is drawn until something changes
+    bool focus_menu = false;                          // the menus get the keys
+    std::vector<std::string> wanted_files{};          // scene files to open, asked for in a menu
+    std::vector<std::string> recent{};                // scene files, the latest first
+    std::string file{};                               // that the scene came from or was saved in
+    std::function<void(const std::string&)> speak{};  // who else takes the summary (standard output)
+    bool resting = false;                             // nothing is drawn until something changes
 };
 
 void draw_menu_bar(LabState& lab);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <utility>
 
@@ -84,6 +85,29 @@ void run_menu(LabState& lab) {
     item(lab, Action::reset, "Reset");
 }
 
+// A press opens the scene of an extension, with its question.
+void extensions_menu(LabState& lab) {
+    Session& s = lab.session;
+    if (s.extensions().empty()) return;
+    ImGui::Separator();
+    ImGui::TextDisabled("Go on from here");
+    for (std::size_t k = 0; k < s.extensions().size(); ++k) {
+        const std::string label = fmt::format("{}##extension {}", s.extensions()[k].slide().title, k);
+        if (ImGui::MenuItem(label.c_str(), nullptr, s.extension() == k)) s.open_extension(k);
+        lab.note_control(fmt::format("menu extension {}", k + 1));
+    }
+}
+
+void lesson_menu(LabState& lab) {
+    const bool told = !find_text(std::string(lab.session.entry().info.id) + "/walkthrough.md").empty();
+    item(lab, Action::previous_lesson, "Previous lesson");
+    item(lab, Action::next_lesson, "Next lesson");
+    ImGui::Separator();
+    item(lab, Action::walkthrough_next, lab.session.walkthrough ? "Next of the slide" : "Walkthrough", told);
+    item(lab, Action::deck, "Deck", told);
+    extensions_menu(lab);
+}
+
 void view_menu(LabState& lab) {
     item(lab, Action::theme, "Projector theme", true, lab.theme == Theme::projector);
     item(lab, Action::larger, "Larger", lab.scale < 3);
@@ -133,6 +157,7 @@ void draw_menu_bar(LabState& lab) {
     focus_menus(lab);
     menu(lab, "File", file_menu);
     menu(lab, "Edit", edit_menu);
+    menu(lab, "Lesson", lesson_menu);
     menu(lab, "Run", run_menu);
     menu(lab, "View", view_menu);
     menu(lab, "Help", help_menu);

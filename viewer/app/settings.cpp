@@ -35,6 +35,33 @@ void put(Json& json, const char* key, const std::optional<T>& value) {
     if (value) json[key] = *value;
 }
 
+struct SizeKey {
+    const char* key;
+    std::optional<float> PanelSizes::*size;
+    float least, most;  // that are taken
+};
+constexpr float most_px = 4000;
+constexpr SizeKey size_keys[]{{"left", &PanelSizes::left, 1, most_px},
+                              {"right", &PanelSizes::right, 1, most_px},
+                              {"plots", &PanelSizes::plots, 1, most_px},
+                              {"lessons", &PanelSizes::lessons, 0, 1},
+                              {"walkthrough", &PanelSizes::walkthrough, 0, 1}};
+
+PanelSizes read_sizes(const Json& json) {
+    PanelSizes sizes;
+    if (!json.contains("panels") || !json["panels"].is_object()) return sizes;
+    for (const SizeKey& k : size_keys)
+        if (const auto size = read<float>(json["panels"], k.key); size && *size >= k.least && *size <= k.most)
+            sizes.*k.size = size;
+    return sizes;
+}
+
+void put_sizes(Json& json, const PanelSizes& sizes) {
+    Json panels = Json::object();
+    for (const SizeKey& k : size_keys) put(panels, k.key, sizes.*k.size);
+    if (!panels.empty()) json["panels"] = std::move(panels);
+}
+
 }  // namespace
 
 Settings parse_settings(std::string_view text, std::string_view path) {
@@ -49,6 +76,7 @@ Settings parse_settings(std::string_view text, std::string_view path) {
     if (const auto speed = read<Real>(json, "speed"); speed && *speed > 0 && *speed <= 1000) s.speed = speed;
     s.hints_shown = read<bool>(json, "hints_shown");
     s.patterns = read<bool>(json, "patterns");
+    s.panels = read_sizes(json);
     s.recent = read<std::vector<std::string>>(json, "recent").value_or(std::vector<std::string>{});
     if (s.recent.size() > most_recent) s.recent.resize(most_recent);
     return s;
@@ -62,13 +90,15 @@ std::string settings_text(const Settings& s) {
     put(json, "speed", s.speed);
     put(json, "hints_shown", s.hints_shown);
     put(json, "patterns", s.patterns);
+    put_sizes(json, s.panels);
     json["recent"] = s.recent;
     // A path need not be UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Settings settings_of(const LabState& lab) {
-    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.scene.hints_shown, lab.session.patterns, lab.recent};
+    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.scene.hints_shown, lab.session.patterns,
+            lab.sizes, lab.recent};
 }
 
 fs::path settings_path() {
@@ -101,7 +131,7 @@ void SettingsFile::note(const LabState& lab) {
         changed_ = true;
     };
     take(&Settings::theme), take(&Settings::scale), take(&Settings::speed), take(&Settings::layout);
-    take(&Settings::hints_shown), take(&Settings::patterns), take(&Settings::recent);
+    take(&Settings::hints_shown), take(&Settings::patterns), take(&Settings::panels), take(&Settings::recent);
     seen_ = now;
 }
 

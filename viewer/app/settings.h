@@ -17,6 +17,7 @@ struct Settings {
     std::optional<Layout> layout;
     std::optional<bool> hints_shown;
     std::optional<bool> patterns;     // as well as colours
+    PanelSizes panels{};              // where borders were dragged to
     std::vector<std::string> recent;  // scene files, the latest first
     bool operator==(const Settings&) const = default;
 };

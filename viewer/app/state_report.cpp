@@ -124,6 +124,7 @@ std::string state_json(const LabState& lab) {
     j["layout"] = name_of(lab.layout);
     const auto& walkthrough = lab.session.walkthrough;
     j["slide"] = walkthrough ? walkthrough->slide_number() + 1 : 0;
+    j["extension"] = lab.session.extension() ? *lab.session.extension() + 1 : 0;
     j["revealed"] = walkthrough && walkthrough->revealed();
     j["unlocked"] = lab.session.unlocked;
     j["notes"] = lab.notes_shown;

@@ -45,6 +45,7 @@ void restore(Lab& lab, const SettingsFile& file, const WindowOptions& o, float s
     lab.state().layout = s.layout.value_or(Layout::lab);
     lab.state().scene.hints_shown = s.hints_shown.value_or(true);
     lab.session().patterns = s.patterns.value_or(false);
+    lab.state().sizes = s.panels;
     lab.state().recent = s.recent;
 }
 
