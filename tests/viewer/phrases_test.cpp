@@ -38,6 +38,9 @@ TEST_CASE("phrases: symbols are formulas with all that signs tie to them") {
     CHECK(formulas_in("It falls like exp(−ω t) and |x_ij| stays.") == Texts{"exp(−ω t)", "|x_ij|"});
     CHECK(formulas_in("the area (in m², A = 2 m²) of det F") == Texts{"A = 2 m²", "det F"});
     CHECK(formulas_in("a method (ν = ½) of order Δt²") == Texts{"ν = ½", "Δt²"});
+    CHECK(formulas_in("from N = 10 to N = 20, with N springs of 2 N") == Texts{"N = 10", "N = 20", "N"});
+    CHECK(formulas_in("½ EA ε² and v·Kx") == Texts{"½ EA ε²", "v·Kx"});
+    CHECK(formulas_in("$M x″ = f$: a pulse, M x″ = f: a pulse") == Texts{"M x″ = f", "M x″ = f"});
     CHECK(formulas_in("dε_y = dx/x and so on") == Texts{"dε_y = dx/x"});
 }
 
@@ -45,7 +48,8 @@ TEST_CASE("phrases: words, numbers, units and names are none") {
     for (const char* sentence :
          {"A curtain of 25 × 25 masses, 2 % of 20 ms each.", "run A and run B", "I take a step", "3D, and 0.1 m × 0.1 m",
           "Navier–Stokes by splitting: 0.3 · 0.5 = 0.15", "set divergence_after or k_structural", "at 10⁻³ m/s, e.g. 5 kPa",
-          "and/or on-off", "", " ", "(a remark)", "1 N s/m², 3 MPa", "27 nodes of 37 g, 153 springs"})
+          "and/or on-off", "", " ", "(a remark)", "1 N s/m², 3 MPa, 10 mN s, 5 kg m", "1.37 m. Each",
+          "27 nodes of 37 g, 153 springs", "so many per m, forces in N"})
         CHECK(formulas_in(sentence) == Texts{});
 }
 
@@ -72,4 +76,8 @@ TEST_CASE("sentence: lines are as wide as their room, a line of type apart, and 
     const MathBox box = set_sentence(text, even, 20, room);
     CHECK(box.width <= room);
     CHECK(box.height() >= set_sentence(text, even, 20).height());
+    // Where a formula has no room in a line it is broken before a relation.
+    const MathBox broken = set_sentence("k = EA/Δs = 20 N/m = 200 N/m", even, 20, 150);
+    CHECK(broken.width <= 150);
+    CHECK(broken.height() <= 64);
 }

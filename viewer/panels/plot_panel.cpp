@@ -3,7 +3,7 @@
 #include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
-#include "panels/field_profile.h"
+#include "panels/field_plots.h"
 
 #include <fmt/format.h>
 
@@ -25,11 +25,6 @@ void choose_first(PanelContext& lab, PlotPanelState& panel) {
     for (const std::string_view name : lab.session.lesson().first_plots()) p.chosen.emplace_back(name);
     for (const Probe& probe : lab.session.lesson().probes)
         if (lab.session.lesson().first_plots().empty() && p.chosen.size() < 2) p.chosen.emplace_back(probe.name);
-}
-
-std::string field_title(const PanelContext& lab, const Field& f) {
-    const int c = lab.session.colours.component;
-    return words(f.name) + (c >= 0 ? " " + component_names(f)[static_cast<std::size_t>(c)] : "");
 }
 
 // Where the run stands, when that is not the end of what was recorded.
@@ -95,84 +90,6 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
         points ? plot.points(std::string(label), others[i].position, others[i].value)
                : plot.line(std::string(label), others[i].position, others[i].value);
     }
-    plot.end();
-}
-
-// Where the line of a profile crosses an axis, as a part of the scene.
-void across_slider(PanelContext& lab, const char* axis, Real& at) {
-    const Real low = 0, high = 1;
-    const std::string label = fmt::format("##across {}", axis), format = fmt::format("{} at %.2f", axis);
-    const auto text = slider_or_text(lab.typed, label.c_str(), format_exact(at), [&] {
-        ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &at, &low, &high, format.c_str(),
-                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-    });
-    if (text) lab.take_typed([&] { at = number_typed(axis, *text, low, high); });
-}
-
-void plot_along(PanelContext& lab, PlotPanelState& panel, Plot& plot, Point size) {
-    Session& s = lab.session;
-    PlotPanelState& state = panel;
-    const Field* field = s.lesson().find_field(s.colours.field);
-    if (!field || !field->in_use()) return ImGui::TextDisabled("Choose a field above the picture to see it along a line.");
-    constexpr std::array<const char*, 3> axes{"x", "y", "z"};
-    const int dim = s.lesson().dimension();
-    state.axis = std::min(state.axis, dim - 1);
-    ImGui::SetNextItemWidth(lab.px(60));
-    ImGui::Combo("##axis", &state.axis, axes.data(), dim);
-    std::size_t next = 0;
-    for (int k = 0; k < dim; ++k) {
-        if (k == state.axis) continue;
-        ImGui::SameLine();
-        ImGui::SetNextItemWidth((ImGui::GetContentRegionAvail().x - lab.px(4)) /
-                                static_cast<float>(k == dim - 1 || (state.axis == dim - 1 && k == dim - 2) ? 1 : 2));
-        across_slider(lab, axes[static_cast<std::size_t>(k)], state.across[next++]);
-    }
-    const Inspector& looked = s.inspector;
-    const Scene& scene = s.scene();
-    std::vector<Real> rows;
-    row_values(*field, s.colours.component, rows);
-    if (s.shows_change())
-        if (const auto change = looked.change(s.runner(), *field, s.colours.component)) rows = *change;
-    const auto along_line = [&](std::span<const Real> values) {
-        return field_profile(s.lesson(), scene, field->on, values, state.axis, state.across);
-    };
-    const FieldProfile profile = along_line(rows);
-    const std::string axis = axes[static_cast<std::size_t>(state.axis)], title = field_title(lab, *field);
-    size.y -= ImGui::GetFrameHeightWithSpacing();
-    if (!plot.begin(fmt::format("{} along {}##along", title, axis), size,
-                    {.x = {axis, "m"}, .y = {title, std::string(field->unit)}, .empty_hint = "this field has no places"}))
-        return;
-    plot.line(s.shows_change() ? "change" : "now", profile.position, profile.value);
-    if (looked.compare != Compare::now && !s.shows_change()) {
-        // What the stage found, beneath what it left.
-        const auto found = looked.before(s.runner(), field->name);
-        std::vector<Real> before;
-        row_values(*field, found, s.colours.component, before);
-        const FieldProfile old = along_line(before);
-        plot.reference("before", old.position, old.value);
-    }
-    plot.end();
-}
-
-void plot_map(PanelContext& lab, Plot& plot, Point size) {
-    Session& s = lab.session;
-    const Field* field = s.lesson().find_field(s.colours.field);
-    const Scene& scene = s.scene();
-    if (!field || scene.grids.empty() || scene.grids[0].values.empty())
-        return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
-    const GridMarks& g = scene.grids[0];
-    const std::vector<Real> values(g.values.begin(), g.values.end());
-    const ColourScale& scale = s.colour_scale();
-    if (!plot.begin(field_title(lab, *field) + "##map", size, {.x = {"x", "m"}, .y = {"y", "m"}})) return;
-    plot.heat_map({.name = field_title(lab, *field),
-                   .unit = std::string(field->unit),
-                   .values = values,
-                   .nx = g.nx,
-                   .ny = g.ny,
-                   .x = {g.lower[0], g.upper[0]},
-                   .y = {g.lower[1], g.upper[1]},
-                   .map = scale.map,
-                   .range = Range{scale.min, scale.max}});
     plot.end();
 }
 

@@ -1,4 +1,4 @@
-#include "session/session.h"
+#include "session/colour_range.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,12 +9,14 @@
 #include <pliant/run/until.h>
 #include <pliant/text/texts.h>
 
-#include "render/palette.h"
 #include "render/picture.h"
 #include "session/autopsy.h"
 #include "session/budget.h"
+#include "session/colour_range.h"
 #include "session/companion.h"
 #include "session/inspector.h"
+#include "session/picture_key.h"
+#include "session/pinned.h"
 #include "session/viewpoint.h"
 
 #include <functional>
@@ -24,41 +26,6 @@
 #include <vector>
 
 namespace pliant::viewer {
-
-// The colours of the picture: a range that stays, and is widened only when the numbers leave it by much.
-struct ColourRange {
-    bool automatic = true;
-    ColourScale scale;
-    void update(const std::vector<Real>& values);
-    void forget() { fresh_ = true; }
-
-private:
-    bool fresh_ = true;  // the next numbers set the range, whatever it was
-};
-
-// All that a picture depends on.
-struct PictureKey {
-    int opened = 0;
-    long revision = 0;
-    int beside_opened = 0;
-    long beside_revision = 0;
-    int pinned = 0;
-    std::string field{};
-    int component = -1;
-    bool arrows = true, labels = true, smooth = true, difference = false, change = false;
-    Compare compare = Compare::now;
-    std::string stage{};
-    bool operator==(const PictureKey&) const = default;
-};
-
-// What is kept of a run to see another one against.
-struct Pinned {
-    Scene ghost;
-    Recorder recorder;
-    std::vector<Real> settings;  // in the order of the parameters
-    Index step;
-    Real time;  // s
-};
 
 class Session {
 public:

@@ -1,10 +1,10 @@
 #include "typeset/phrases.h"
 
-#include <pliant/formula/unicode.h>
 #include <pliant/formula/unit.h>
 
+#include "typeset/words_of_formulas.h"
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -13,128 +13,7 @@
 namespace pliant::viewer {
 namespace {
 
-constexpr std::array<std::string_view, 19> signs{"=", "≈", "≤", "≥", "<", ">", "+", "−", "·", "×",
-                                                 "/", "←", "→", "∝", "≠", "±", ":", "≪", "≫"};
-constexpr std::array<std::string_view, 16> names{"sin", "cos", "tan", "asin", "acos", "atan", "exp",  "ln",
-                                                 "log", "min", "max", "det",  "tr",   "div",  "sinh", "tanh"};
 constexpr std::size_t longest_group = 12;  // words between two parentheses of one formula
-
-template <class List>
-bool is_one_of(std::string_view text, const List& list) {
-    return std::ranges::find(list, text) != list.end();
-}
-
-// A word of the sentence without the punctuation around it.
-struct Token {
-    std::size_t begin, end;            // in the sentence
-    std::size_t core_begin, core_end;  // without punctuation
-    std::size_t closed;                // without commas and the like, but with parentheses that other words opened
-
-    bool bare_before() const { return core_begin == begin; }
-    bool bare_behind() const { return core_end == end; }
-};
-
-bool latin(char32_t c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-// How many parentheses stay open behind the text; −1 when one is closed that was not opened.
-int open_behind(std::string_view text) {
-    int depth = 0;
-    for (const char c : text) {
-        if (c == '(' || c == '[' || c == '{') ++depth;
-        if ((c == ')' || c == ']' || c == '}') && --depth < 0) return -1;
-    }
-    return depth;
-}
-
-std::vector<Token> tokens_of(std::string_view text) {
-    std::vector<Token> all;
-    for (std::size_t at = 0; at < text.size();) {
-        if (text[at] == ' ' || text[at] == '\n') {
-            ++at;
-            continue;
-        }
-        Token t{at, std::min(text.find_first_of(" \n", at), text.size()), 0, 0, 0};
-        t.core_begin = t.begin, t.core_end = t.end;
-        const auto core = [&] { return text.substr(t.core_begin, t.core_end - t.core_begin); };
-        while (core().size() > 1 && std::string_view(".,;:!?\"").find(core().back()) != std::string_view::npos) --t.core_end;
-        t.closed = t.core_end;
-        while (core().size() > 1 && core().back() == ')' && open_behind(core()) < 0) --t.core_end;
-        while (core().size() > 1 && std::string_view(".,;:!?\"").find(core().back()) != std::string_view::npos) --t.core_end;
-        if (core().size() > 1 && (core().front() == '"')) ++t.core_begin;
-        all.push_back(t);
-        at = t.end;
-    }
-    return all;
-}
-
-bool is_number(std::string_view core) {
-    bool digit = false;
-    for (std::size_t at = 0; at < core.size();) {
-        const CodePoint c = code_point(core, at);
-        const bool fraction = (c.letter >= 0xbc && c.letter <= 0xbe) || (c.letter >= 0x2150 && c.letter <= 0x215f);
-        digit = digit || is_digit(c.letter) || fraction;
-        const bool sign = c.letter == U'−' || c.letter == '-' || c.letter == '.' || c.letter == U'⁻';
-        if (!is_digit(c.letter) && !fraction && !sign && raised_digit(c.letter) < 0) return false;
-        at += c.bytes;
-    }
-    return digit;
-}
-
-// Letters of mathematics alone: Greek, signs, accents that combine, primes, indices.
-bool is_mathematical(char32_t c) {
-    return (c >= 0x370 && c < 0x400) || (c >= 0x2200 && c < 0x2300 && c != U'−' && c != U'∞') || (c >= 0x300 && c <= 0x308) ||
-           c == U'′' || c == U'″' || c == U'‖' || c == U'⟨' || c == U'⟩' || c == U'ũ' || c == U'û' || c == U'ẋ' || c == U'ẍ' ||
-           !lowered(c).empty();
-}
-
-// A run of letters that is a word: three of them or more, not the name of a function, and no short index.
-bool has_word(std::string_view core) {
-    constexpr std::size_t longest_index = 6;
-    for (std::size_t at = 0; at < core.size();) {
-        std::size_t end = at;
-        while (end < core.size() && latin(static_cast<unsigned char>(core[end]))) ++end;
-        const bool index = at > 0 && core[at - 1] == '_' && end - at <= longest_index;
-        if (end - at > 2 && !index && !is_one_of(core.substr(at, end - at), names)) return true;
-        at = std::max(end, at + 1);
-    }
-    return false;
-}
-
-bool is_symbol(std::string_view core) {
-    if (core.empty() || is_number(core) || is_prefixed_unit(core) || has_word(core)) return false;
-    bool letter = false, mathematical = false;
-    char32_t before = 0;
-    for (std::size_t at = 0; at < core.size();) {
-        const CodePoint c = code_point(core, at);
-        letter = letter || is_letter(c.letter) || is_mathematical(c.letter);
-        mathematical = mathematical || is_mathematical(c.letter) || c.letter == '^' || c.letter == '=' || c.letter == '_' ||
-                       c.letter == '|' || (c.letter == '/' && before != 0) || (!raised(c.letter).empty() && before != 0);
-        before = c.letter;
-        at += c.bytes;
-    }
-    if (mathematical) return letter;
-    // "x", "dx", "2u", "−k", "f(x)".
-    const std::size_t from = core.find_first_not_of("0123456789.");
-    if (from == std::string_view::npos) return false;
-    const std::string_view rest = core.substr(core.substr(from).starts_with("−") ? from + 3 : from);
-    const bool applied = rest.size() > 3 && latin(static_cast<unsigned char>(rest[0])) && rest[1] == '(' && rest.back() == ')';
-    if (rest.size() == 1 && latin(static_cast<unsigned char>(rest[0])))
-        return from > 0 ? rest != "D" : rest != "a" && rest != "A" && rest != "B" && rest != "I";
-    if (rest.size() == 2 && rest[0] == 'd' && from == 0) return rest[1] >= 'A' && rest[1] <= 'Z';
-    return applied;
-}
-
-// A letter or two that are a symbol where a sign stands beside them.
-bool may_be_symbol(std::string_view core) {
-    return core.size() < 3 && std::ranges::all_of(core, [](char c) { return latin(static_cast<unsigned char>(c)); }) &&
-           !is_prefixed_unit(core) && (core.size() == 1 || (core[1] >= 'A' && core[1] <= 'Z'));
-}
-
-// What may stand behind a number and is no symbol then.
-bool is_unit_of_number(std::string_view core) {
-    constexpr std::array<std::string_view, 3> others{"g", "%", "°"};
-    return is_prefixed_unit(core) || is_one_of(core, others);
-}
 
 class PhraseReader {
 public:
@@ -171,7 +50,7 @@ private:
         return t.core_begin + (opens_sentence_ && *opens_sentence_ == i ? 1 : 0);
     }
     bool sign_at(std::size_t i) const {
-        return i < tokens_.size() && tokens_[i].bare_before() && tokens_[i].bare_behind() && is_one_of(core(i), signs);
+        return i < tokens_.size() && tokens_[i].bare_before() && tokens_[i].bare_behind() && is_sign_word(core(i));
     }
 
     // The end of the tokens from i on whose parentheses close again, as one; none when they do not.
@@ -197,6 +76,11 @@ private:
         return false;
     }
 
+    // "per m", "in N".
+    bool names_unit(std::size_t i) const {
+        return core(i).size() == 1 && is_prefixed_unit(core(i)) && i > 0 && (core(i - 1) == "per" || core(i - 1) == "in");
+    }
+
     // One factor; `inside`: a formula has begun before it.
     std::optional<std::size_t> factor(std::size_t i, bool inside, bool beside_sign) {
         if (i >= tokens_.size()) return std::nullopt;
@@ -211,8 +95,9 @@ private:
             tokens_[*end - 1].core_end = tokens_[*end - 1].closed;
             return ++symbols_, end;
         }
+        if (names_unit(i)) return std::nullopt;
         if (is_symbol(word) || (beside_sign && may_be_symbol(word))) return ++symbols_, i + 1;
-        if (is_one_of(word, names) && tokens_[i].bare_behind()) return factor(i + 1, true, beside_sign);
+        if (is_function_name(word) && tokens_[i].bare_behind()) return factor(i + 1, true, beside_sign);
         return std::nullopt;
     }
 
@@ -223,12 +108,22 @@ private:
         bool number = false;
         if (is_number(core(at))) {
             number = true, ++at;
-            if (at < tokens_.size() && tokens_[at - 1].bare_behind() && is_unit_of_number(core(at))) return at + 1;
+            const auto unit_at = [&](std::size_t k) {
+                return k < tokens_.size() && tokens_[k - 1].bare_behind() && tokens_[k].bare_before() &&
+                       is_unit_of_number(core(k));
+            };
+            if (unit_at(at)) {
+                while (unit_at(at)) ++at;
+                return at;
+            }
         }
         for (;;) {
             if (at > i && (!tokens_[at - 1].bare_behind() || at >= tokens_.size() || !tokens_[at].bare_before())) break;
-            const bool beside_sign = sign_at(at + 1) || (at > 0 && sign_at(at - 1));
-            const auto next = factor(at, inside || at > i, beside_sign);
+            const bool begun = inside || at > i;
+            const bool beside_symbol =
+                core(at).size() == 2 && at + 1 < tokens_.size() && tokens_[at].bare_behind() && is_symbol(core(at + 1));
+            const bool beside_sign = sign_at(at + 1) || (begun && at > 0 && sign_at(at - 1)) || beside_symbol;
+            const auto next = factor(at, begun, beside_sign);
             if (!next) break;
             at = *next;
         }

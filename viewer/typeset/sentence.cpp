@@ -6,6 +6,7 @@
 #include "typeset/phrases.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -52,14 +53,38 @@ MathBox set_line(std::string text, const MathMetrics& metrics, float size) {
     return line;
 }
 
-// With its formulas between two $ and without blanks at which a line could end, where they have room in one.
+// A formula in parts that each begin with a relation, but for the first.
+std::vector<std::string> parts_of(const std::string& formula) {
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    for (std::size_t at = formula.find(' '); at != std::string::npos; at = formula.find(' ', at + 1)) {
+        const bool relation = std::ranges::any_of(std::array{" = ", " ≈ ", " ≤ ", " ≥ ", " < ", " > "}, [&](std::string_view r) {
+            return std::string_view(formula).substr(at).starts_with(r);
+        });
+        if (!relation) continue;
+        parts.push_back(formula.substr(from, at - from));
+        from = at + 1;
+    }
+    parts.push_back(formula.substr(from));
+    return parts;
+}
+
+// With its formulas between two $ and without blanks at which a line could end, where they have room in one; else in parts.
 std::string marked(std::string_view text, const MathMetrics& metrics, float size, float width) {
+    const auto fits = [&](const std::string& formula) {
+        return width <= 0 || set_phrase({formula, true}, metrics, size).width <= width;
+    };
     std::string all;
-    for (Phrase& phrase : phrases_of(text)) {
-        const bool whole = phrase.formula && (width <= 0 || set_phrase(phrase, metrics, size).width <= width);
-        std::ranges::replace(phrase.text, '$', kept_dollar);
-        if (whole) std::ranges::replace(phrase.text, ' ', kept_blank);
-        all += whole ? "$" + phrase.text + "$" : phrase.text;
+    for (const Phrase& phrase : phrases_of(text)) {
+        std::vector<std::string> parts{phrase.text};
+        if (phrase.formula && !fits(phrase.text)) parts = parts_of(phrase.text);
+        for (std::string& part : parts) {
+            if (&part != &parts.front()) all += ' ';
+            const bool whole = phrase.formula && fits(part);
+            std::ranges::replace(part, '$', kept_dollar);
+            if (whole) std::ranges::replace(part, ' ', kept_blank);
+            all += whole ? "$" + part + "$" : part;
+        }
     }
     return all;
 }

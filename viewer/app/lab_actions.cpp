@@ -1,0 +1,150 @@
+// What the keys and the menus do.
+#include "app/lab.h"
+#include "app/summary.h"
+#include "panels/focus.h"
+
+namespace pliant::viewer {
+
+void Lab::perform(Action action) {
+    if (!perform_on_run(action) && !perform_on_walkthrough(action) && !perform_on_view(action)) perform_on_files(action);
+}
+
+// True when the action was one of these.
+bool Lab::perform_on_run(Action action) {
+    Session& s = state_.session;
+    switch (action) {
+        case Action::play:
+            return s.toggle_play(), true;
+        case Action::step:
+            return s.step(), true;
+        case Action::step_back:
+            return s.step_back(), true;
+        case Action::stage:
+            return s.step_stage(), true;
+        case Action::stage_back:
+            return s.stage_back(), true;
+        case Action::pass:
+            return s.step_pass(), true;
+        case Action::pass_back:
+            return s.pass_back(), true;
+        case Action::why_back:
+            if (s.inspector.asked.size() > 1) s.ask_back();
+            return true;
+        case Action::pin:
+            return s.toggle_pin(), true;
+        case Action::beside:
+            return s.toggle_companion(), true;
+        case Action::address_a:
+        case Action::address_b:
+            return s.address(action == Action::address_b), true;
+        case Action::difference:
+            return s.show_difference(!s.shows_difference()), true;
+        case Action::reset:
+            return s.reset(), true;
+        case Action::previous_lesson:
+            return s.open_next(-1), true;
+        case Action::next_lesson:
+            return s.open_next(1), true;
+        case Action::undo:
+            return s.undo(), true;
+        case Action::defaults:
+            return s.restore_defaults(), true;
+        default:
+            return false;
+    }
+}
+
+bool Lab::perform_on_walkthrough(Action action) {
+    Session& s = state_.session;
+    switch (action) {
+        case Action::walkthrough_next:
+            return s.walkthrough ? s.walkthrough_next() : s.start_walkthrough(), true;
+        case Action::walkthrough_back:
+            return s.walkthrough_back(), true;
+        case Action::deck:
+            return in_deck() ? set_layout(Layout::lab) : open_deck(), true;
+        case Action::leave_deck:
+            return set_layout(Layout::lab), true;
+        case Action::reset_slide:
+            return s.reset_slide(), true;
+        case Action::first_slide:
+            return s.go_to_slide(0), true;
+        case Action::last_slide:
+            return s.go_to_slide(s.walkthrough->walkthrough().slides.size() - 1), true;
+        case Action::unlock:
+            return s.toggle_lock(), true;
+        case Action::notes:
+            state_.notes_shown = !state_.notes_shown;
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool Lab::perform_on_view(Action action) {
+    Session& s = state_.session;
+    switch (action) {
+        case Action::find:
+            return set_layout(Layout::lab), state_.lesson_list.focus = true;
+        case Action::hide_panels:
+            return set_layout(state_.layout == Layout::lab ? Layout::slide : Layout::lab), true;
+        case Action::menu:
+            return set_layout(Layout::lab), state_.focus_menu = true;
+        case Action::stops:
+            return set_layout(Layout::lab), state_.timeline.open_breaks = true;
+        case Action::compare:
+            return s.compare(static_cast<Compare>((static_cast<int>(s.inspector.compare) + 1) % 5)), true;
+        case Action::inspect:
+            return set_layout(Layout::lab), state_.side_wanted = SideTab::inspect, state_.inspector.focus = true;
+        case Action::claims:
+            return set_layout(Layout::lab), state_.side_wanted = SideTab::claims,
+                                            state_.claims.reveal = state_.claims.focus = true;
+        case Action::atlas:
+            return set_layout(Layout::lab), state_.side_wanted = SideTab::atlas, state_.atlas.focus = true;
+        case Action::help:
+            state_.help_shown = !state_.help_shown;
+            return true;
+        case Action::extreme:
+            s.extreme = !s.extreme;
+            return true;
+        case Action::arrows:
+            s.show_arrows = !s.show_arrows;
+            return true;
+        case Action::theme:
+            return set_theme(state_.theme == Theme::dark ? Theme::projector : Theme::dark), true;
+        case Action::larger:
+            return set_scale(state_.scale + 0.25f), true;
+        case Action::smaller:
+            return set_scale(state_.scale - 0.25f), true;
+        case Action::cost:
+            state_.plots.cost_shown = !state_.plots.cost_shown;
+            return true;
+        case Action::frame:
+            return s.frame_afresh(), true;
+        default:
+            return perform_for_ear_and_hand(action);
+    }
+}
+
+// What helps without a mouse, and without seeing the picture or its colours.
+bool Lab::perform_for_ear_and_hand(Action action) {
+    switch (action) {
+        case Action::dismiss:
+            state_.summary.text.empty() ? state_.session.dismiss() : state_.summary.text.clear();
+            return true;
+        case Action::summary:
+            state_.summary.text = state_.summary.text.empty() ? summary_of(state_) : "";
+            if (!state_.summary.text.empty() && state_.speak) state_.speak(state_.summary.text);
+            return true;
+        case Action::patterns:
+            state_.session.patterns = !state_.session.patterns;
+            return true;
+        case Action::next_panel:
+        case Action::previous_panel:
+            return focus_panel(action == Action::next_panel ? 1 : -1), true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,19 @@
+// A run that was pinned.
+#pragma once
+#include <pliant/lesson/scene.h>
+#include <pliant/run/recorder.h>
+
+#include <vector>
+
+namespace pliant::viewer {
+
+// What is kept of a run to see another one against.
+struct Pinned {
+    Scene ghost;
+    Recorder recorder;
+    std::vector<Real> settings;  // in the order of the parameters
+    Index step;
+    Real time;  // s
+};
+
+}  // namespace pliant::viewer
