@@ -108,7 +108,7 @@ void draw_slide_title(PanelContext& lab) {
     const float width = ImGui::CalcTextSize(progress.c_str()).x, right = ImGui::GetContentRegionMax().x - width;
     ImGui::PopFont();
     ImGui::PushFont(lab.fonts.huge);
-    fitted_text(player.slide().title, right - ImGui::GetCursorPosX() - lab.px(20));
+    fitted_sentence(lab, player.slide().title, right - ImGui::GetCursorPosX() - lab.px(20));
     ImGui::PopFont();
     ImGui::SameLine(right);
     ImGui::PushFont(lab.fonts.large);

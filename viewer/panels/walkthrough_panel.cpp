@@ -110,7 +110,7 @@ void draw_walkthrough(PanelContext& lab) {
     const auto extension = lab.session.extension();
     ImGui::TextDisabled("%s", extension ? "Go on from here" : player.walkthrough().title.c_str());
     ImGui::PushFont(lab.fonts.large);
-    ImGui::TextWrapped("%s", player.slide().title.c_str());
+    sentence_item(lab, player.slide().title);
     ImGui::PopFont();
     ImGui::Spacing();
     for (const Block& b : player.slide().blocks) draw_block(lab, b, player);
