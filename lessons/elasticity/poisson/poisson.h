@@ -100,6 +100,7 @@ struct PoissonLesson final : Lesson {
 
     // --- why a number is what it is ---
     std::optional<Explanation> why_number(const Question& q) const;
+    Input number_of_steps() const { return Input::constant("N", static_cast<Real>(steps()), "", "number of steps"); }
     Explanation why_increment(Index node, int component) const, why_volume(Index element) const;
     Explanation why_bent(Index node, int component) const;
 

@@ -4,11 +4,6 @@
 #include "kits/tensors/tensor_why.h"
 
 namespace pliant::poisson {
-namespace {
-
-Input number_of_steps(Index steps) { return Input::constant("N", static_cast<Real>(steps), "", "number of steps"); }
-
-}  // namespace
 
 // A stretch that is over changes nothing.
 std::optional<Explanation> PoissonLesson::why_number(const Question& q) const {
@@ -21,7 +16,7 @@ std::optional<Explanation> PoissonLesson::why_number(const Question& q) const {
             "u′ = u + Δu",
             {Input::before("u", "displacement", q.index, q.component), Input::now("Δu", "increment", q.index, q.component)}};
     if (!cube_->pulled(q.index, q.component)) return fixed_value("Δx = 0: only the far face is pulled");
-    return Explanation{"Δx = s L / N", {Input::of(axial_strain, "s"), length, number_of_steps(steps())}};
+    return Explanation{"Δx = s L / N", {Input::of(axial_strain, "s"), length, number_of_steps()}};
 }
 
 Explanation PoissonLesson::why_increment(Index node, int component) const {
