@@ -3,9 +3,12 @@
 #pragma once
 #include <pliant/document/share.h>
 #include <pliant/document/walkthrough.h>
+#include <pliant/formula/formula.h>
 
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace pliant::test {
 
@@ -43,6 +46,29 @@ inline bool fuzz_walkthrough(std::string_view bytes) {
     try {
         promise(!parse_walkthrough(bytes, "walkthrough.md").slides.empty(), "a walkthrough has slides");
     } catch (const Error&) {
+        return false;
+    }
+    return true;
+}
+
+// A formula of some symbols, a family and a function.
+inline bool fuzz_formula(std::string_view bytes) {
+    const std::vector<FormulaSymbol> symbols{{"x", Unit("m")}, {"x_i", Unit("m"), true}, {"a", Unit()}, {"ε̄", Unit()}};
+    const std::vector<Real> many{1, -2, 3};
+    const Real one = 0.5;
+    const std::vector<FormulaNumbers> numbers{{&one}, {many.data(), many.size()}, {&one}, {&one}};
+    try {
+        const Formula f(std::string(bytes), symbols, {{"f", Unit(), [](std::span<const Real> v) { return v[0]; }}});
+        std::string text(bytes), kept = std::string(f.left()) + std::string(f.right()) + std::string(f.remark());
+        std::erase(text, ' '), std::erase(kept, ' ');
+        if (const std::size_t equals = text.find('='); equals != text.npos) text.erase(equals, 1);
+        promise(kept == text, "both sides and the remark are all of the text");
+        promise(f.gradient(numbers).size() == 6, "every number has a slope");
+        promise(!f.with_numbers(numbers, std::vector<std::string>{"m", "m", "", ""}).empty(), "numbers are put in");
+        promise(!f.latex().empty(), "it is written in LaTeX");
+        f.check_units();
+    } catch (const BadFormula& e) {
+        promise(std::string_view(e.what()).find("cannot be read at letter") != std::string_view::npos, "the place is told");
         return false;
     }
     return true;

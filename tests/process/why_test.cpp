@@ -56,6 +56,15 @@ TEST_CASE("why goes inside a step, asks probes, and takes components", "[process
     CHECK(json_of({"why", "moduli", "--field", "measured_modulus"})["value"].get<double>() > 0);
 }
 
+TEST_CASE("why says which slopes are differences: of what a function without a formula takes", "[process]") {
+    const Json a = json_of({"why", "moduli", "--field", "strain_energy"});
+    CHECK(a["unit_check"] == "ok");
+    CHECK(!input_of(a, "λ").contains("sensitivity_by"));
+    REQUIRE(a["inputs"].size() > 3);
+    CHECK(a["inputs"][2]["sensitivity_by"] == "differences");
+    CHECK(contains(a["substituted"].get<std::string>(), "kPa · "));
+}
+
 TEST_CASE("why in words shows the formula with its numbers", "[process]") {
     const std::string text = output_of({"why", "mass_spring", "--steps", "10", "--field", "tension", "--index", "3"});
     CHECK(contains(text, "tension[3]"));

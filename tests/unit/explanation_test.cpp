@@ -121,7 +121,8 @@ TEST_CASE("a named function stands in the formula by its name") {
     CHECK(a.trouble == "");
     CHECK(a.evaluated == 30);
     CHECK(a.substituted == "y = 2 · 3 N/m · 5 m");
-    CHECK(a.by_differences);
+    CHECK(!a.inputs[0].by_differences);
+    CHECK(a.inputs[1].by_differences);
     CHECK_THAT(a.inputs[1].sensitivity, Catch::Matchers::WithinRel(6 * 0.6 * 3, 1e-5));
     const Answer alone = answer_of(given("y = f(x)", {{"x", 3, "m", "x"}, {"x", 4, "m", "x"}}).by("f", "m", length));
     CHECK(alone.substituted == "y = f(3 m, 4 m)");
@@ -143,6 +144,20 @@ TEST_CASE("a formula that cannot be read says where it stands and what is wrong 
     CHECK_THAT(trouble(given("y = Σ x z", {{"x_1", 1, "", "x"}, {"x_2", 1, "", "x"}, {"z_1", 1, "", "z"}})),
                ContainsSubstring("of 2 and of 1"));
     CHECK_THAT(answer_of(given("y = x", {{"x", 1, "m"}})).unit_check, ContainsSubstring("m on the right"));
+}
+
+TEST_CASE("an answer with a formula that cannot be read says so, and is never a blank") {
+    const Answer bad = answer_of(given("y = a + zz", {{"a", 1}}));
+    CHECK(has_trouble(bad));
+    CHECK_THAT(why_text(bad), Catch::Matchers::ContainsSubstring("y = a + zz\n") &&
+                                  Catch::Matchers::ContainsSubstring("cannot be evaluated") &&
+                                  Catch::Matchers::ContainsSubstring("explanation_test.cpp:"));
+    CHECK_THAT(why_json(bad, 1),
+               Catch::Matchers::ContainsSubstring("\"error\": \"") && Catch::Matchers::ContainsSubstring("no symbol 'zz'"));
+    Answer above = answer_of(given("z = y", {{"y", 2}}));
+    CHECK(!has_trouble(above));
+    above.inputs[0].trouble = bad.trouble;
+    CHECK(has_trouble(above));
 }
 
 TEST_CASE("a sum of nothing is 0") { CHECK(put_in(sum_of("f = Σ_j f_j", "f_j", {}).formula, {}) == "f = 0: nothing is added"); }

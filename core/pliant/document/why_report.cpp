@@ -52,7 +52,7 @@ Json json_of(const Answer& a, int depth) {
     for (const Answer& input : a.inputs) {
         j["inputs"].push_back(json_of(input, depth - 1));
         j["inputs"].back()["sensitivity"] = input.sensitivity;
-        if (a.by_differences) j["inputs"].back()["sensitivity_by"] = "differences";
+        if (input.by_differences) j["inputs"].back()["sensitivity_by"] = "differences";
     }
     return j;
 }

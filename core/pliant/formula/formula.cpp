@@ -97,8 +97,13 @@ bool Formula::has_units() const {
     return std::ranges::all_of(symbols_, [](const FormulaSymbol& s) { return s.unit.has_value(); });
 }
 
-bool Formula::has_functions() const {
-    return std::ranges::any_of(nodes_, [](const FormulaNode& n) { return n.operation == Operation::named; });
+bool Formula::by_differences(int symbol) const {
+    const auto takes = [&](const FormulaNode& n) {
+        return (n.operation == Operation::symbol || n.operation == Operation::family) && n.symbol == symbol;
+    };
+    for (auto n = nodes_.begin(); n != nodes_.end(); ++n)
+        if (n->operation == Operation::named && std::any_of(nodes_.begin() + n->first, n, takes)) return true;
+    return false;
 }
 
 namespace {

@@ -54,7 +54,7 @@ struct FormulaNode {
     std::size_t begin = 0, end = 0;  // where it stands in the text, in bytes
     bool grouped = false;            // in parentheses of its own
     bool of_degrees = false;         // a number in degrees, "180°"; a call of sine or its like that takes degrees
-    int first = 0;                   // of what runs over a family: its first node
+    int first = 0;                   // of what runs over a family, and of a named function: its first node
     int repeated_for = -1;           // which node evaluates it for each member of its families; −1: none
 };
 
@@ -113,8 +113,8 @@ public:
     // differences, of very many numbers by those of a sample. A largest changes with the member that wins.
     std::vector<Real> gradient(std::span<const FormulaNumbers> numbers) const;
     std::vector<Real> gradient(std::span<const Real> values) const;
-    // Does a named function stand in it, whose derivatives are differences?
-    bool has_functions() const;
+    // Does a named function take the symbol, so that its derivative is a difference?
+    bool by_differences(int symbol) const;
 
     // What is found out about the unit of the right side.
     struct UnitCheck {

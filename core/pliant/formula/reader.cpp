@@ -284,7 +284,7 @@ int FormulaReader::call(int named) {
     const std::size_t begin = at_;
     at_ += f_.functions_[static_cast<std::size_t>(named)].name.size();
     take('(');
-    const int bars = std::exchange(bars_, 0);
+    const int bars = std::exchange(bars_, 0), first = node_count();
     std::vector<int> of;
     do {
         skip_blanks();
@@ -306,6 +306,7 @@ int FormulaReader::call(int named) {
     if (!take(')')) refuse("the parenthesis of a function is not closed");
     const int node = add(Operation::named, std::move(of), begin);
     f_.nodes_.back().symbol = named;
+    f_.nodes_.back().first = first;
     return node;
 }
 

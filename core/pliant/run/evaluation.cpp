@@ -132,7 +132,9 @@ void evaluate_formula(Answer& a, const Explanation& e) {
     const Slots slots = slots_of(a, e);
     const Formula formula = read(slots, e);
     a.evaluated = formula.evaluate(slots.values());
-    a.by_differences = formula.has_functions();
+    for (std::size_t s = 0; s < slots.inputs.size(); ++s)
+        for (const std::size_t input : slots.inputs[s])
+            a.inputs[input].by_differences = formula.by_differences(static_cast<int>(s));
     take_sensitivities(a, gradient_of(formula, slots, a));
     a.substituted = with_numbers(formula, slots);
     a.latex = formula.latex();

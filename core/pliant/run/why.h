@@ -44,7 +44,7 @@ struct Answer {
     std::string unit_check{};     // "ok", or what differs between the sides; "" where units or formula are not known
     bool wrong_unit = false;      // as the slide has it, on purpose
     std::string trouble{};        // why its formula cannot be read, and where it stands in the sources; "" where it can
-    bool by_differences = false;  // what its inputs matter passes through a function that is differentiated so
+    bool by_differences = false;  // of an input: a function without a formula takes it, whose slope is a difference
     bool can_ask = false;         // has inputs that are not listed here for want of depth
 };
 
