@@ -108,6 +108,8 @@ TEST_CASE("sums write a few of their terms") {
     CHECK(put_in("y = mean x", family("x", {1, 2, 0}, "m")) == "y = (1 m + 2 m) / 3");
     CHECK(put_in("y = max_i |x_i|", family("x_i", {1, -2})) == "y = max(|1|, |-2|)");
     CHECK(put_in("y = Σ_i (x_i − mean x_i)²", family("x_i", {1, 3}, "m")) == "y = (1 m − 2 m)² + (3 m − 2 m)²");
+    CHECK(put_in("y = Σ_i (x_i − 1) (x_i − 2) (x_i − 3)", family("x_i", {4, 5, 6, 7, 8})) ==
+          "y = (4 − 1) · (4 − 2) · (4 − 3) + (5 − 1) · (5 − 2) · (5 − 3) + … (5 terms)");
     std::vector<Given> pairs = family("w", {2, -4});
     for (const Given& g : family("q", {3, -5})) pairs.push_back(g);
     CHECK(put_in("y = Σ w q", pairs) == "y = 2 · 3 − 4 · (-5)");

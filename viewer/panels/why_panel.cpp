@@ -36,7 +36,7 @@ void formula_block(PanelContext& lab, const Answer& a) {
     formula_item(lab.fonts.mathematics, a.formula, size, width);
     if (!a.trouble.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
-        sentence_item(lab, "This formula cannot be evaluated. " + a.trouble);
+        sentence_item(lab, "This formula cannot be evaluated. " + a.trouble.substr(0, a.trouble.find('\n')));
         ImGui::PopStyleColor();
         return;
     }

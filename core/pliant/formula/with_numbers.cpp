@@ -128,8 +128,12 @@ private:
     }
 
     // ---- families ----
-    static constexpr std::size_t most = 8;
-    static std::size_t shown_of(std::size_t count) { return count > most ? most - 2 : count; }
+    // Of terms that are long themselves fewer.
+    static std::size_t shown_of(std::size_t count, bool long_terms = false) {
+        const std::size_t most = long_terms ? 4 : 8;
+        return count > most ? most - 2 : count;
+    }
+    static bool is_long(int k, const FormulaNode& n) { return k - n.first > 8; }
 
     // Those that are not 0, or all where that leaves none.
     std::vector<std::size_t> telling(int k, const FormulaNode& n) {
@@ -152,7 +156,7 @@ private:
     Printed added(int k, const FormulaNode& n, const std::vector<std::size_t>& members, std::string_view what) {
         if (members.empty()) return {"0"};
         std::string text;
-        const std::size_t shown = shown_of(members.size());
+        const std::size_t shown = shown_of(members.size(), is_long(k, n));
         Binding binding = Binding::sum;
         for (std::size_t i = 0; i < shown; ++i) {
             const Printed one = member(k, n, members[i], true);
@@ -178,7 +182,7 @@ private:
             Binding::product};
     }
     std::string members(int k, const FormulaNode& n) {
-        const std::size_t count = sweep_.members(k), shown = shown_of(count);
+        const std::size_t count = sweep_.members(k), shown = shown_of(count, is_long(k, n));
         std::string text;
         for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + member(k, n, i, true).text;
         if (shown < count) text += fmt::format(", … ({} numbers)", count);
