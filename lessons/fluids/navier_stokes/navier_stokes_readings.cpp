@@ -131,15 +131,13 @@ void NavierStokes::declare_probes() {
                 return {"v = v_face   (the face nearest to the mark)", {Input::now("v_face", "v_on_faces", wake_face_)}};
             })
             .when(watched),
-        probe_of(
-            "strouhal", "St", "", "D/(U T), where T is the mean of the latest periods (at most 4) of the velocity in the wake",
-            [this] { return scene().obstacle * size / (inflow * *wake_.period()); },
-            [this]() -> Explanation {
-                const Input diameter = Input::constant("d", scene().obstacle, "", "diameter of the disc in units of L");
-                return {"St = D / (U T)",
-                        {part("D = d L", {diameter, size}), inflow,
-                         Input::constant("T", *wake_.period(), "s", "mean of the latest periods of the wake's v")}};
-            })
+        probe_of("strouhal", "St", "",
+                 "D/(U T), where T is the mean of the latest periods (at most 4) of the velocity in the wake")
+            .formula(
+                *this, "St = D / (U T)",
+                {part("D = d L",
+                      {Input::live("d", "", "diameter of the disc in units of L", [this] { return scene().obstacle; }), size}),
+                 inflow, Input::live("T", "s", "mean of the latest periods of the wake's v", [this] { return *wake_.period(); })})
             .when([this] { return scene().readings.wake && wake_.period() && inflow != 0; }),
         probe_of("smoke_volume", "", "m²", "of all smoke, per metre of depth", [this] {
             return smoke_.sum() * dx() * dx();

@@ -55,11 +55,6 @@ std::optional<Real> measured_frequency(const IntegrationLesson& l) {
     return std::atan2(std::sqrt(-discriminant), half) / l.dt;
 }
 
-std::optional<Real> artificial_damping(const IntegrationLesson& l) {
-    if (!l.measures_map() || l.zeta >= 1 || l.growth_per_step() == 0) return std::nullopt;
-    return -std::log(l.growth_per_step()) / (l.omega * l.dt) - l.zeta;
-}
-
 // Of what swings with one period: not of a pair, nor of a pendulum that goes over the top or is damped.
 std::optional<Real> exact_period(const IntegrationLesson& l) {
     if (l.omega == 0 || l.is(SwingingKind::stiff_pair)) return std::nullopt;
@@ -152,12 +147,10 @@ void IntegrationLesson::declare_probes() {
                  "of the latest swings, from one rise through 0 to the next; of a pendulum it grows with the amplitude",
                  [this] { return rhythm_.period(); })
             .exactly([this](Real) { return rhythm_.period() ? exact_period(*this) : std::nullopt; }),
-        probe_of(
-            "artificial_damping", "ζ_a", "", "damping ratio that the scheme adds to the true one; below 0 it feeds the motion",
-            [this] { return artificial_damping(*this); },
-            [this]() -> Explanation {
-                return {"ζ_a = − ln(ρ) / (ω Δt) − ζ", {Input::now("ρ", "growth_theory", 0), omega, dt, zeta}};
-            }),
+        probe_of("artificial_damping", "ζ_a", "",
+                 "damping ratio that the scheme adds to the true one; below 0 it feeds the motion")
+            .formula(*this, "ζ_a = − ln(ρ) / (ω Δt) − ζ", {Input::now("ρ", "growth_theory", 0), omega, dt, zeta})
+            .when([this] { return measures_map() && zeta < 1; }),
         probe_of("force_evaluations", "", "",
                  "of the latest step; an implicit scheme evaluates the force, and its slope, once in each Newton iteration",
                  [this] { return counts_[1]; }),
