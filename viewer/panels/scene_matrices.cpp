@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace pliant::viewer {
@@ -42,7 +43,7 @@ std::string entry_text(Real x, int decimals) {
     if (!std::isfinite(x)) return "–";
     const std::string text = fmt::format("{:.{}f}", x, decimals);
     // No minus sign on what is 0 to the digits shown; a plain 0 shows where nothing is.
-    if (std::stod(text) == 0) return x == 0 ? "0" : text.substr(text.front() == '-');
+    if (std::strtod(text.c_str(), nullptr) == 0) return x == 0 ? "0" : text.substr(text.front() == '-');
     return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace pliant {
@@ -65,7 +66,9 @@ std::string format_quantity(Real value, std::string_view unit, int digits) {
     if (value == 0) value = 0;  // no minus sign on zero
     const auto known = std::ranges::find(prefixable, unit, &Prefixable::unit);
     if (known != prefixable.end() && value != 0) {
-        const int third = static_cast<int>(std::floor(std::log10(std::abs(value)) / 3 + 1e-12)) * 3;
+        // Of the number as it will be read: 0.99999 m/s is 1 m/s, not 1000 mm/s.
+        const Real read = std::strtod(fmt::format("{:.{}e}", std::abs(value), std::max(0, digits - 1)).c_str(), nullptr);
+        const int third = static_cast<int>(std::floor(std::log10(read) / 3 + 1e-12)) * 3;
         const int exponent = std::clamp(third, known->smallest, known->largest);
         const auto prefix = std::ranges::find(prefixes, exponent, &Prefix::exponent);
         return fmt::format("{} {}{}", plain(value * std::pow(10.0, -exponent), digits), prefix->symbol, unit);
@@ -76,11 +79,12 @@ std::string format_quantity(Real value, std::string_view unit, int digits) {
 std::string format_exact(Real value) { return fmt::format("{}", value); }
 
 Real rounded_down(Real value, int digits) {
-    if (value == 0 || !std::isfinite(value)) return value;
+    // A number below the normal ones has fewer digits than it can be rounded to.
+    if (!std::isnormal(value)) return value;
     const int last = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;
     // A number that has no more digits than these is kept, however its division rounds.
     const Real whole = std::floor(value / std::pow(10.0, last) * (1 + std::copysign(1e-14, value)));
-    return std::stod(fmt::format("{:.0f}e{}", whole, last));
+    return std::strtod(fmt::format("{:.0f}e{}", whole, last).c_str(), nullptr);
 }
 
 std::string unit_or_dimensionless(std::string_view unit) { return unit.empty() ? "dimensionless" : fmt::format("in {}", unit); }
