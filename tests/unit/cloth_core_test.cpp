@@ -240,6 +240,15 @@ TEST_CASE("cloth: nodes rest on the sphere, stick or slide by Coulomb's law, and
     CHECK_THAT(pressed[0], WithinRel(2 * 2 / 0.1, 1e-12));
     CHECK(x(1, 1) == 1.2);  // outside
     CHECK(x(1, 2) == 0.5);  // fixed nodes touch nothing
+    CHECK((touches[0].rubbed && !touches[0].centred));
+
+    // A node in the very centre leaves it upwards; one that only rests there rubs against nothing.
+    Points<3> middle = Points<3>::Zero(3, 3), still = Points<3>::Zero(3, 3);
+    VecX pressed_there = VecX::Zero(3);
+    std::vector<SphereTouch> there;
+    CHECK(resolve_sphere_contact(ball, inertia, 0.1, held, middle, still, pressed_there, there) == 2);
+    CHECK(middle.col(0) == Vec<3>(0, 1, 0));
+    CHECK((there[0].centred && !there[0].rubbed));
 
     NodalTerms<3> terms;
     rest_on_sphere(ball, inertia, 0.1, x, v, pressed, 1e4, terms);

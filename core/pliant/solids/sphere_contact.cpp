@@ -50,8 +50,8 @@ Index resolve_sphere_contact(const Sphere& sphere, const DiagonalMass& mass, Rea
         touch.inside = distance < sphere.radius && !mass.fixed(3 * n);
         if (!touch.any()) continue;
         ++touching;
-        // A node in the very centre leaves it upwards.
-        const Vec<3> normal = distance > 0 ? Vec<3>(from_centre / distance) : Vec<3>::UnitY();
+        touch.centred = distance == 0;
+        const Vec<3> normal = touch.centred ? Vec<3>::UnitY() : Vec<3>(from_centre / distance);
         if (touch.inside) x.col(n) = sphere.centre + sphere.radius * normal;
         const Real impact = std::max(-normal.dot(v.col(n)), Real(0));
         v.col(n) += impact * normal;
@@ -59,7 +59,8 @@ Index resolve_sphere_contact(const Sphere& sphere, const DiagonalMass& mass, Rea
         pressed[n] = mass.mass()[3 * n] * impact / dt;
         const Vec<3> along = v.col(n) - normal.dot(v.col(n)) * normal;
         const Real speed = along.norm();
-        if (speed > 0) v.col(n) -= std::min(Real(1), sphere.friction * impact / speed) * along;
+        touch.rubbed = speed > 0;
+        if (touch.rubbed) v.col(n) -= std::min(Real(1), sphere.friction * impact / speed) * along;
     }
     return touching;
 }

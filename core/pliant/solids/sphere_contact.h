@@ -29,6 +29,8 @@ void rest_on_sphere(const Sphere& sphere, const DiagonalMass& mass, Real dt, Poi
 // What the stage after a step does with a node. held: a plane presses it; inside: it is inside, and is put onto the surface.
 struct SphereTouch {
     bool held = false, inside = false;
+    bool centred = false;  // it was in the very centre, where no direction leads out: it leaves upwards
+    bool rubbed = false;   // friction took from its speed along the surface
     bool any() const { return held || inside; }
 };
 

@@ -64,6 +64,12 @@ Input from_middle(const ClothLesson& l, Index node) {
     return part("r = √((x_x − c_x)² + (x_y − c_y)² + (x_z − c_z)²)", std::move(ends));
 }
 std::array<Input, 3> directions(const ClothLesson& l, Index node) {
+    if (l.touches_[static_cast<std::size_t>(node)].centred) {
+        const auto upwards = [](int c) {
+            return Input::constant(of_axis("n", c), c == 1 ? 1 : 0, "", "a node in the very centre leaves it upwards");
+        };
+        return {upwards(0), upwards(1), upwards(2)};
+    }
     const Input r = from_middle(l, node);
     const auto along = [&](int c) {
         return part(fmt::format("n_{0} = (x_{0} − c_{0}) / r", axis_name(c)),
@@ -167,7 +173,7 @@ std::optional<Explanation> ClothLesson::why_contact(const Question& q) const {
             {sphere_radius, directions(*this, q.index)[component],
              Input::constant(of_axis("c", q.component), sphere().centre[q.component], "m", "middle of the sphere")}};
     }
-    if (!touch.held) return why_rubbed(*this, q.index, q.component);
+    if (touch.rubbed) return why_rubbed(*this, q.index, q.component);
     return Explanation{fmt::format("v′ = v_{0} + w n_{0}", axis_name(q.component)),
                        {Input::before(of_axis("v", q.component), "velocity", q.index, q.component), meeting_speed(*this, q.index),
                         directions(*this, q.index)[component]}};
