@@ -37,6 +37,7 @@ TEST_CASE("a long run takes no more memory and no more points in a frame than a 
     s.open(find_lesson(integrating), {{"time_step", "1e-5"}});
     s.inspector.pin(s.runner(), s.lesson().fields.front(), 0, -1);
     lab.state().plots.lesson = s.entry().info.id;
+    lab.state().plots.picked = true;
     lab.state().plots.chosen = {s.inspector.pins[0].title, std::string(s.lesson().error_probe())};
     for (const bool costs : {false, true}) {
         CAPTURE(costs);

@@ -16,15 +16,21 @@ namespace {
 
 constexpr std::string_view along = "along", heat_map = "map";
 
+std::vector<std::string_view> plots_of_scene(const Lesson& lesson) {
+    std::vector<std::string_view> names = lesson.first_plots();
+    if (!names.empty()) return names;
+    for (const Probe& probe : lesson.probes)
+        if (names.size() < 2) names.push_back(probe.name);
+    return names;
+}
+
+// The plots are those of the scene until a person chooses.
 void choose_first(PanelContext& lab, PlotPanelState& panel) {
-    PlotPanelState& p = panel;
-    if (p.lesson == lab.session.entry().info.id) return;
-    p.lesson = lab.session.entry().info.id;
-    p.memory.clear();
-    p.chosen.clear();
-    for (const std::string_view name : lab.session.lesson().first_plots()) p.chosen.emplace_back(name);
-    for (const Probe& probe : lab.session.lesson().probes)
-        if (lab.session.lesson().first_plots().empty() && p.chosen.size() < 2) p.chosen.emplace_back(probe.name);
+    const std::string_view lesson = lab.session.entry().info.id;
+    if (panel.lesson != lesson) panel.lesson = lesson, panel.picked = false, panel.memory.clear();
+    if (panel.picked) return;
+    const auto names = plots_of_scene(lab.session.lesson());
+    if (!std::ranges::equal(panel.chosen, names)) panel.chosen.assign(names.begin(), names.end());
 }
 
 // Where the run stands, when that is not the end of what was recorded.
@@ -122,6 +128,7 @@ void toggle(PlotPanelState& panel, std::string_view name, const std::string& lab
     const auto found = std::ranges::find(chosen, name);
     bool on = found != chosen.end();
     if (!ImGui::Checkbox((label + "##" + std::string(name)).c_str(), &on)) return;
+    panel.picked = true;
     on ? chosen.push_back(std::string(name)) : void(chosen.erase(found));
 }
 
@@ -174,6 +181,13 @@ std::size_t rows_of_plots(const PanelContext& lab, std::size_t count, float leas
     return std::clamp<std::size_t>(static_cast<std::size_t>(std::max(room + spacing, 0.f) / (least + spacing)), 1, count);
 }
 
+void say_empty(const PlotPanelState& panel) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", panel.chosen.empty() ? "No plot is chosen."
+                                                   : "None of the chosen plots belongs to this scene: choose others above.");
+    ImGui::PopTextWrapPos();
+}
+
 void table_below(PanelContext& lab) {
     if (companion_table_height(lab) > 0) draw_companion_table(lab);
 }
@@ -193,7 +207,7 @@ void draw_plots(PanelContext& lab, PlotPanelState& panel) {
     Plot plot(panel.memory, style_of_plots(lab), panel.hooks);
     if (panel.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
     std::vector<std::string> shown = shown_plots(lab, panel);
-    if (shown.empty()) return table_below(lab);
+    if (shown.empty()) return say_empty(panel), table_below(lab);
     ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None,
                       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoBackground);
     const float spacing = ImGui::GetStyle().ItemSpacing.y,

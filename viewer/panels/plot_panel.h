@@ -20,6 +20,7 @@ struct PlotPanelState {
     PlotHooks hooks{};
     std::string lesson{};               // that the choice below belongs to
     std::vector<std::string> chosen{};  // names of probes and lines, "along" for the field along a line, "map" for the heat map
+    bool picked = false;                // the person has chosen; until then they are those of the scene
     int run = 0;                        // that the ranges belong to
     int axis = 0;                       // of the field along a line
     std::array<Real, 2> across{0.5, 0.5};
