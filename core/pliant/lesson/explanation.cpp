@@ -64,13 +64,13 @@ Input Input::in(std::string family_symbol) const {
 }
 
 std::string FormulaText::place() const {
-    std::string_view file = where_.file_name();
+    std::string_view file = file_;
     for (const std::string_view folder : {"lessons/", "core/", "viewer/", "tests/", "docs/"})
         if (const std::size_t at = file.rfind(folder); at != file.npos && at > 0) {
             file.remove_prefix(at);
             break;
         }
-    return fmt::format("{}:{}", file, where_.line());
+    return fmt::format("{}:{}", file, line_);
 }
 
 Explanation Explanation::by(std::string name, std::string unit, std::function<Real(Values)> value) && {

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,13 +28,15 @@ class FormulaText : public std::string {
 public:
     FormulaText() = default;
     template <std::convertible_to<std::string> Text>
-    FormulaText(Text&& text, std::source_location where = std::source_location::current())
-        : std::string(std::forward<Text>(text)), where_(where) {}
+    FormulaText(Text&& text, const char* file = __builtin_FILE(), unsigned line = __builtin_LINE())
+        : std::string(std::forward<Text>(text)), file_(file), line_(line) {}
     // "lessons/mesh/rod/rod_why.cpp:77"
     std::string place() const;
 
 private:
-    std::source_location where_{};
+    // As std::source_location has them, which not every compiler of today knows.
+    const char* file_ = "";
+    unsigned line_ = 0;
 };
 
 using Values = std::span<const Real>;
