@@ -143,7 +143,7 @@ std::vector<Measured> key_numbers(const Runner& runner) {
     std::vector<Measured> all;
     for (const Probe& p : runner.lesson().probes)
         if (const auto value = runner.value(p)) all.push_back({&p, *value, p.exact ? runner.exact(p) : std::nullopt});
-    std::ranges::stable_partition(all, [](const Measured& m) { return m.exact.has_value(); });
+    std::stable_partition(all.begin(), all.end(), [](const Measured& m) { return m.exact.has_value(); });
     const auto known =
         static_cast<std::size_t>(std::ranges::count_if(all, [](const Measured& m) { return m.exact.has_value(); }));
     all.resize(std::min(all.size(), std::clamp(known, fewest_results, most_results)));
