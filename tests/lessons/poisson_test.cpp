@@ -98,7 +98,7 @@ TEST_CASE("poisson: Cook's membrane locks as an independent package finds", "[po
                                            {"0.499", 5.549, 6.334},
                                            {"0.4999", 5.247, 5.365}}) {
         INFO(nu);
-        const auto at = [nu](const char* cells) {
+        const auto at = [nu = nu](const char* cells) {
             return run_cube({{"scene", "bending"}, {"poisson_ratio", nu}, {"membrane_cells", cells}});
         };
         CHECK_THAT(value(at("4"), "deflection"), WithinRel(coarse, 1e-3));
