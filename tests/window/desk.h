@@ -149,12 +149,18 @@ public:
         release();
     }
 
-    // The place at these fractions of a control's width and height.
+    // The place at these fractions of a control's width and height, once it stays where it is: what is new in a panel may move
+    // for some frames.
     Spot on(const std::string& control, double across = 0.5, double down = 0.5) const {
         INFO("control " << control);
-        REQUIRE(becomes([&](const Json& s) { return s["controls"].contains(control); }));
-        const Json controls = state()["controls"];
-        const Json& r = controls[control];
+        Json r;
+        REQUIRE(becomes([&](const Json& s) {
+            const Json now = s["controls"].contains(control) ? s["controls"][control] : Json();
+            const bool stays = !now.is_null() && now == r;
+            if (!stays && !now.is_null()) wait_frames_after(s["frame"], 2);
+            r = now;
+            return stays;
+        }));
         return {static_cast<int>(r[0].get<double>() + across * r[2].get<double>()),
                 static_cast<int>(r[1].get<double>() + down * r[3].get<double>())};
     }
