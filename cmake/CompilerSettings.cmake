@@ -56,7 +56,8 @@ if(NOT MSVC)
   endif()
 endif()
 
-# What computes little of its own: what a lesson declares, says and draws, the lab, the tests. It compiles a quarter sooner so.
+# What computes little of its own: what a lesson declares, says and draws, what runs and writes it, the lab, the tests. It compiles a
+# quarter sooner so, with a precompiled header of the same level.
 add_library(pliant_light_settings INTERFACE)
 target_link_libraries(pliant_light_settings INTERFACE pliant_settings)
 if(NOT MSVC)
