@@ -152,8 +152,8 @@ Real Lab::next_change() const {
     const LabState& l = state_;
     const bool moves = l.session.under_way() || (!l.session.camera && l.session.viewpoint.moving()) ||
                        (l.plots.cost_shown && l.live_error.catching_up(l.session.runner()));
-    const bool ordered =
-        unsettled_ > 0 || restyle_ || capture_ || plot_to_save_ || animation_ || !l.wanted.empty() || !l.wanted_files.empty();
+    const bool ordered = unsettled_ > 0 || restyle_ || capture_ || plot_to_save_ || animation_ || !l.wanted.empty() ||
+                         !l.wanted_scenes.empty() || !l.wanted_files.empty();
     if (moves || ordered) return 0;
     return std::min(gui_.next_blink(),
                     l.claims.book.busy() || l.atlas.atlas.busy() ? progress_seconds : std::numeric_limits<Real>::infinity());
@@ -161,6 +161,7 @@ Real Lab::next_change() const {
 
 void Lab::do_what_is_wanted() {
     for (const Action action : std::exchange(state_.wanted, {})) perform(action);
+    for (const SceneFile& scene : std::exchange(state_.wanted_scenes, {})) open_scene(scene);
     for (const std::string& path : std::exchange(state_.wanted_files, {})) drop_file(path);
     if (!state_.animation.path.empty()) start_animation();
 }

@@ -27,6 +27,7 @@ public:
     explicit Lab(Context& context, std::string_view lesson = "mesh/mass_spring");
 
     LabState& state() { return state_; }
+    const LabState& state() const { return state_; }
     Session& session() { return state_.session; }
 
     // Takes effect with the next frame.
@@ -40,6 +41,10 @@ public:
     void perform(Action action);
     // As a scene file dropped on the window: what is wrong with it becomes a message.
     void drop_file(const std::string& path);
+    // All that is shown as a scene, and a scene that is opened in its place. What is wrong with a scene throws Refused; while a
+    // frame is drawn the scene is opened behind it, and an error becomes a message.
+    SceneFile scene_file() const;
+    void open_scene(const SceneFile& scene);
     // Opens a scene file and remembers it. Throws Refused.
     void open_file(const std::string& path);
     // Writes the scene to a file and remembers it. Throws Refused.

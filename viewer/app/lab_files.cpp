@@ -65,17 +65,21 @@ void Lab::perform_on_files(Action action) {
 
 // ------------------------------------------------------------------------------------------------------------- scenes
 
+SceneFile Lab::scene_file() const { return state_.session.scene_file(); }
+
+void Lab::open_scene(const SceneFile& scene) { state_.session.open_scene(scene); }
+
 void Lab::open_file(const std::string& path) {
     const SceneFile scene = read_scene(path);
     Runner::check(find_lesson(scene.lesson), scene.parameters, scene.events);
     state_.session.later([this, scene, path] {
-        state_.session.open_scene(scene);
+        open_scene(scene);
         remember(path);
     });
 }
 
 void Lab::save_file(const std::string& path) {
-    write_file(path, scene_text(state_.session.scene_file()));
+    write_file(path, scene_text(scene_file()));
     remember(path);
 }
 
@@ -103,7 +107,7 @@ void Lab::drop_file(const std::string& path) {
 
 void Lab::quick_save() {
     const std::string name = lesson_file(state_.session, ".scene.json");
-    write_and_tell(name, [&] { write_file(name, scene_text(state_.session.scene_file())); });
+    write_and_tell(name, [&] { write_file(name, scene_text(scene_file())); });
 }
 
 void Lab::ask_to_open() {
@@ -122,7 +126,7 @@ void Lab::ask_to_save() {
 void Lab::copy_share() {
     Session& s = state_.session;
     try {
-        const std::string text = share_text(s.scene_file());
+        const std::string text = share_text(scene_file());
         ImGui::SetClipboardText(text.c_str());
         s.say(Told::info,
               fmt::format("Copied: {} letters that hold this scene. Whoever pastes them into Pliant (Ctrl Shift V) opens it.",
@@ -137,7 +141,7 @@ void Lab::paste_share() {
     try {
         const char* text = ImGui::GetClipboardText();
         if (!text || !*text) throw Refused("the clipboard holds no text: copy a share string first");
-        s.open_scene(read_share(text));
+        open_scene(read_share(text));
     } catch (const Error& e) {
         s.say(Told::refused, e.what());
     }

@@ -125,7 +125,7 @@ std::vector<TourStop> stops_of(const LessonEntry& entry) {
 // Runs one scene of the tour; its picture is also that of a run which diverges, at its last good state.
 std::string visit(Lab& lab, Context& context, const TourStop& stop, const std::filesystem::path& folder) {
     Session& s = lab.session();
-    s.open_scene(stop.scene);
+    lab.open_scene(stop.scene);
     try {
         s.run(s.runner().is_static() ? Until::at_rest() : Until::after_steps(s.entry().info.demo_steps));
     } catch (const Diverged& e) {
@@ -199,7 +199,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     lab.state().layout = layout;
     lab.state().scene.hints_shown = false;
     Session& s = lab.session();
-    s.open_scene(scene);
+    lab.open_scene(scene);
     if (!picture.beside.empty()) s.open_companion(assignments_from(picture.beside, "--beside"));
     s.patterns = picture.patterns;
     if (!picture.claim.empty()) show_claim(lab.state(), picture.claim);

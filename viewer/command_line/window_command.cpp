@@ -27,7 +27,7 @@ void check_first(const WindowOptions& o, const std::string& lesson) {
 void open_first(Lab& lab, const WindowOptions& o) {
     Session& s = lab.session();
     if (is_share(o.scene_path))
-        s.open_scene(read_share(o.scene_path));
+        lab.open_scene(read_share(o.scene_path));
     else if (!o.scene_path.empty())
         lab.open_file(o.scene_path);
     s.playing = !o.deck;

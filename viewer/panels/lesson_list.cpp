@@ -47,7 +47,7 @@ void preset_menu(PanelContext& lab) {
     if (ImGui::BeginCombo("##presets", "presets …")) {
         for (const std::string& name : names)
             if (ImGui::Selectable(words(name).c_str())) {
-                lab.session.open_scene(preset(lab.session.entry(), name));
+                lab.wanted_scenes.push_back(preset(lab.session.entry(), name));
                 break;
             }
         ImGui::EndCombo();

@@ -67,8 +67,9 @@ struct PanelContext {
     std::optional<SideTab> side_wanted{};  // that comes to the front
     FileChoice files{};
     AnimationOrder animation{};
-    std::vector<Action> wanted{};      // what the lab itself has to do, asked for by a panel: done at the end of the frame
-    std::optional<Rectangle> focus{};  // the control that the keys act on, when it shows
+    std::vector<Action> wanted{};            // what the lab itself has to do, asked for by a panel: done at the end of the frame
+    std::vector<SceneFile> wanted_scenes{};  // to be opened, likewise
+    std::optional<Rectangle> focus{};        // the control that the keys act on, when it shows
 
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls{};
