@@ -1,5 +1,5 @@
 // Who may include whom: math <- continuum, mesh, time <- solids, particles, fluids <- lessons, and viewer apart from them. What a
-// lesson declares, what runs it, what is written about it and the studies (text <- lesson <- run <- document <- study) know no
+// lesson declares, what runs it, what is written about it and the studies (text <- lesson <- run <- document <- study <- lecture) know no
 // solver, and no solver knows them. The folders of the viewer stand above each other, and its session draws nothing. Read from
 // the #include lines of the sources.
 #include <fmt/format.h>
@@ -36,10 +36,11 @@ const std::map<std::string, Names> allowed_folders{
     {"core/pliant/run", {"math", "text", "formula", "lesson"}},
     {"core/pliant/document", {"math", "text", "formula", "lesson", "run"}},
     {"core/pliant/study", {"math", "text", "formula", "lesson", "run", "document"}},
+    {"core/pliant/lecture", {"math", "text", "formula", "lesson", "run", "document", "study"}},
     {"lessons",
      {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "text", "formula", "lesson", "run", "document",
       "study"}},
-    {"viewer", {"math", "text", "formula", "lesson", "run", "document", "study"}},
+    {"viewer", {"math", "text", "formula", "lesson", "run", "document", "study", "lecture"}},
 };
 
 // The folders of the viewer from the lowest to the highest, and which of the lower ones each may use.

@@ -46,7 +46,7 @@ private:
 
 std::vector<Extension> parse_extensions(const LessonEntry& entry, std::string_view text, std::string_view path) {
     const SceneBlockReader reader(entry, path);
-    Walkthrough all = parse_walkthrough(text, path, true);
+    Walkthrough all = parse_walkthrough(text, path, ExtraBlock::scene);
     std::vector<Extension> extensions;
     for (Slide& slide : all.slides) {
         const auto scene = std::ranges::find(slide.blocks, BlockKind::scene, &Block::kind);

@@ -29,8 +29,8 @@
 
 namespace pliant {
 
-// scene: of extensions alone (extensions.h).
-enum class BlockKind { text, formula, ask, actions, expect, answer, notes, controls, scene };
+// scene: of extensions alone (extensions.h). show: of lectures alone (lecture/lecture.h).
+enum class BlockKind { text, formula, ask, actions, expect, answer, notes, controls, scene, show };
 
 struct Block {
     BlockKind kind;
@@ -43,6 +43,7 @@ struct Block {
 struct Slide {
     std::string title;
     std::vector<Block> blocks;
+    int line = 0;  // of its title in the file, from 1
     bool has(BlockKind kind) const;
     // What the lecturer should know; "" when nothing is noted.
     std::string notes() const;
@@ -56,8 +57,11 @@ struct Walkthrough {
     std::vector<Slide> slides;
 };
 
-// Throws Refused naming file and line. with_scenes: the slides are extensions, which have a ```scene block.
-Walkthrough parse_walkthrough(std::string_view text, std::string_view path, bool with_scenes = false);
+// Which further block the slides may have: a ```scene as extensions, or a ```show as lectures.
+enum class ExtraBlock { none, scene, show };
+
+// Throws Refused naming file and line.
+Walkthrough parse_walkthrough(std::string_view text, std::string_view path, ExtraBlock extra = ExtraBlock::none);
 // The walkthrough of a lesson; throws Refused when it has none.
 Walkthrough walkthrough_of(const LessonEntry& entry);
 

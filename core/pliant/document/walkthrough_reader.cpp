@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <span>
 #include <sstream>
 
 namespace pliant {
@@ -40,7 +39,8 @@ struct Fence {
     std::string_view name;
     BlockKind kind;
 };
-constexpr std::array<Fence, 8> fences{{{"scene", BlockKind::scene},
+constexpr std::array<Fence, 9> fences{{{"scene", BlockKind::scene},
+                                       {"show", BlockKind::show},
                                        {"formula", BlockKind::formula},
                                        {"ask", BlockKind::ask},
                                        {"do", BlockKind::actions},
@@ -49,21 +49,35 @@ constexpr std::array<Fence, 8> fences{{{"scene", BlockKind::scene},
                                        {"notes", BlockKind::notes},
                                        {"controls", BlockKind::controls}}};
 
-// Without the scene, which only extensions have, unless with_scenes.
-std::span<const Fence> fences_of(bool with_scenes) { return std::span(fences).subspan(with_scenes ? 0 : 1); }
+}  // namespace
 
-std::string known_fences(bool with_scenes) {
+std::optional<BlockKind> block_kind(std::string_view name) {
+    const auto found = std::ranges::find(fences, name, &Fence::name);
+    return found == fences.end() ? std::nullopt : std::optional(found->kind);
+}
+
+std::string_view name_of(BlockKind kind) {
+    const auto found = std::ranges::find(fences, kind, &Fence::kind);
+    return found == fences.end() ? "text" : found->name;
+}
+
+namespace {
+
+bool fits(BlockKind kind, ExtraBlock extra) {
+    return kind == BlockKind::scene ? extra == ExtraBlock::scene : kind == BlockKind::show ? extra == ExtraBlock::show : true;
+}
+
+std::string known_fences(ExtraBlock extra) {
     std::vector<std::string_view> names;
-    for (const Fence& f : fences_of(with_scenes)) names.push_back(f.name);
+    for (const Fence& f : fences)
+        if (fits(f.kind, extra)) names.push_back(f.name);
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
 // Reads the file line by line into slides and blocks.
 class Reader {
 public:
-    Reader(std::string_view text, std::string_view path, bool with_scenes) : text_(text), with_scenes_(with_scenes) {
-        result_.path = path;
-    }
+    Reader(std::string_view text, std::string_view path, ExtraBlock extra) : text_(text), extra_(extra) { result_.path = path; }
 
     Walkthrough read() {
         std::istringstream in{std::string(text_)};
@@ -83,7 +97,7 @@ private:
             refuse(fmt::format("a NUL byte stands in column {}: this is no text, or it was damaged", at + 1));
         if (line.starts_with("```")) return fence(trimmed(line.substr(3)));
         if (inside_) return block().lines.push_back(line);
-        if (line.starts_with("## ")) return result_.slides.push_back({trimmed(line.substr(3)), {}});
+        if (line.starts_with("## ")) return result_.slides.push_back({trimmed(line.substr(3)), {}, number_});
         if (line.starts_with("# ")) return void(result_.title = trimmed(line.substr(2)));
         const std::string text = trimmed(line);
         if (result_.slides.empty()) return introduce(text);
@@ -113,10 +127,9 @@ private:
             return;
         }
         if (result_.slides.empty()) refuse("a block stands before the first slide ('## Title')");
-        const auto known = fences_of(with_scenes_);
-        const auto found = std::ranges::find(known, name, &Fence::name);
-        if (found == known.end()) refuse(fmt::format("unknown block '{}'; known: {}", name, known_fences(with_scenes_)));
-        result_.slides.back().blocks.push_back({found->kind, {}, number_ + 1});
+        const auto kind = block_kind(name);
+        if (!kind || !fits(*kind, extra_)) refuse(fmt::format("unknown block '{}'; known: {}", name, known_fences(extra_)));
+        result_.slides.back().blocks.push_back({*kind, {}, number_ + 1});
         inside_ = true;
         paragraph_ended_ = true;
     }
@@ -124,7 +137,7 @@ private:
     Block& block() { return result_.slides.back().blocks.back(); }
 
     std::string_view text_;
-    bool with_scenes_;
+    ExtraBlock extra_;
     Walkthrough result_;
     int number_ = 0;
     bool inside_ = false, paragraph_ended_ = true;
@@ -158,8 +171,8 @@ bool Slide::allows(std::string_view key) const {
     return std::ranges::any_of(blocks, [&](const Block& b) { return b.kind == BlockKind::controls && has_word(b, key); });
 }
 
-Walkthrough parse_walkthrough(std::string_view text, std::string_view path, bool with_scenes) {
-    return Reader(text, path, with_scenes).read();
+Walkthrough parse_walkthrough(std::string_view text, std::string_view path, ExtraBlock extra) {
+    return Reader(text, path, extra).read();
 }
 
 Walkthrough walkthrough_of(const LessonEntry& entry) {

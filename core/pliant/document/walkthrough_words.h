@@ -1,12 +1,18 @@
-// How the lines of a walkthrough fall into words.
+// How the blocks of a walkthrough are called, and how its lines fall into words.
 #pragma once
+#include <pliant/document/walkthrough.h>
 #include <pliant/run/runner.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pliant {
+
+// By the name of its fence: "ask", "do"; empty when no block is called so.
+std::optional<BlockKind> block_kind(std::string_view name);
+std::string_view name_of(BlockKind kind);
 
 // Split at blanks.
 std::vector<std::string> words_of_line(const std::string& line);
