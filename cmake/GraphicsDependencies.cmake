@@ -1,5 +1,6 @@
 # What the lab and its pictures are built from.
 #   CLI11::CLI11 PNG::PNG GIF::GIF
+#   pliant_haru          libharu, which writes PDF files
 #   pliant_glad          the functions of OpenGL 3.3 core, <glad/gl.h>, generated here
 #   pliant_imgui         Dear ImGui 1.90.1 with its GLFW and OpenGL 3 backends, <imgui.h>, <backends/...>
 #   pliant_gl_platforms  what can make a GL context on this machine; defines PLIANT_HAVE_GLFW, PLIANT_HAVE_OSMESA and
@@ -34,6 +35,11 @@ function(pliant_find_plain target header library)
     target_link_libraries(${target} INTERFACE ${${target}_LIBRARY})
   endif()
 endfunction()
+
+pliant_find_plain(pliant_haru hpdf.h hpdf)
+if(NOT TARGET pliant_haru)
+  message(FATAL_ERROR "libharu is missing, which writes PDF files: install libhpdf-dev (Debian), libharu-devel (Fedora) or libharu (Homebrew)")
+endif()
 
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   find_package(glfw3 3.3 CONFIG QUIET)

@@ -60,7 +60,7 @@ const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h", "fcnt
 const Names screen_libraries{"GLFW", "GL", "GLES3", "EGL", "glad", "backends", "imgui.h", "imgui_internal.h"};
 const Names viewer_libraries{"Eigen",   "fmt",       "nlohmann", "CLI",        "GLFW",         "GL",
                              "GLES3",   "EGL",       "glad",     "backends",   "imgui.h",      "imgui_internal.h",
-                             "png.h",   "gif_lib.h", "zlib.h",   "emscripten", "emscripten.h", "unistd.h",
+                             "png.h",   "gif_lib.h", "hpdf.h", "zlib.h",   "emscripten", "emscripten.h", "unistd.h",
                              "dlfcn.h", "fcntl.h",   "signal.h"};
 
 // "core/pliant/solids" of core/solids/springs.h, "lessons" of anything there.

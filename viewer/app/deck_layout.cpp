@@ -1,6 +1,7 @@
 #include "app/deck_layout.h"
 
 #include "app/lab.h"
+#include "app/lecture_slide.h"
 #include "panels/colour_bar.h"
 #include "panels/deck_panel.h"
 #include "panels/headline.h"
@@ -58,6 +59,10 @@ DeckPlaces deck_places(const LabState& lab, float width, float height) {
     p.title = {0, 0, width, head};
     p.notes = {0, head + body, width, notes};
     p.words = {0, head, left, body};
+    if (shown_by_slide(lab) != ShownBySlide::run) {
+        place_without_run(lab, p, {0, head, width, body});
+        return p;
+    }
     const float sliders = std::min(slide_parameters_height(lab), body * most_for_sliders);
     const Rectangle room{left, head, width - left, body};
     if (sliders > 0 && sliders_fit_below_words(lab, p.words, sliders)) {
@@ -100,6 +105,13 @@ void Lab::deck_layout(float width, float height) {
         draw_slide_notes(s);
     }
     ImGui::PopStyleVar();
+    if (shown_by_slide(s) != ShownBySlide::run) {
+        if (places.other.height > 0) {
+            const FixedPanel panel("Shown by slide", places.other, ImGuiWindowFlags_NoBackground);
+            draw_shown_by_slide(s);
+        }
+        return ImGui::PopStyleVar();
+    }
     // A slide with other sliders leaves the picture another place: it is framed for that.
     if (places.picture.width != deck_picture_.width || places.picture.height != deck_picture_.height) s.session.camera.reset();
     deck_picture_ = places.picture;

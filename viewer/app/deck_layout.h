@@ -6,7 +6,8 @@ namespace pliant::viewer {
 
 struct DeckPlaces {
     Rectangle title, words, parameters, picture, plots, numbers, notes;  // of no height: not shown
-    bool plots_in_row = false;                                           // below the picture rather than beside it
+    Rectangle other;            // what a slide of a lecture shows in the place of a run: a picture, a claim or a map
+    bool plots_in_row = false;  // below the picture rather than beside it
 };
 
 // The words stand at the left. The picture gets the room in which its scene is seen largest: with the plots at the right or in a

@@ -1,5 +1,7 @@
 #include "app/lab.h"
 
+#include "app/lecture_slide.h"
+
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
 
@@ -52,6 +54,19 @@ void Lab::open_deck() {
         if (!state_.session.walkthrough) state_.session.start_walkthrough();
         if (state_.session.walkthrough) set_layout(Layout::deck);
     });
+}
+
+void Lab::open_lecture(Lecture lecture, std::size_t slide) {
+    state_.session.later([this, lecture, slide] {
+        state_.session.open_lecture(lecture, slide);
+        set_layout(Layout::deck);
+    });
+}
+
+void Lab::follow_lecture() {
+    const Session& s = state_.session;
+    const std::pair here{s.lecture() ? s.open_count() : -1, s.slide_number()};
+    if (std::exchange(lecture_slide_, here) != here) begin_lecture_slide(state_);
 }
 
 namespace {
@@ -122,6 +137,7 @@ void Lab::build_frame(Real dt) {
     release_keys(in_deck());
     state_.claims.book.update();
     state_.atlas.atlas.follow(state_.session);
+    follow_lecture();
     const Session& s = state_.session;
     if (!state_.files.asking() && !state_.animation.asking)
         handle_keys({.walkthrough = state_.session.walkthrough.has_value(),

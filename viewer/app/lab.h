@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace pliant::viewer {
 
@@ -37,6 +38,8 @@ public:
     // The walkthrough of the lesson in the deck, from its first slide unless it plays already. Stays where it is, with a message,
     // when the lesson has none.
     void open_deck();
+    // Shows a lecture in the deck, from this slide on, counted from 0.
+    void open_lecture(Lecture lecture, std::size_t slide = 0);
     bool in_deck() const { return state_.layout == Layout::deck && state_.session.walkthrough; }
     void perform(Action action);
     // As a scene file dropped on the window: what is wrong with it becomes a message.
@@ -83,6 +86,7 @@ private:
 
     void restyle();
     void clear_window();
+    void follow_lecture();
     void work(std::function<void()> job);
     bool finished() { return !worker_ || worker_->finished(pace_.patience_ms); }
     void move_run(Real dt);
@@ -132,7 +136,8 @@ private:
     std::optional<Capture> capture_;
     std::optional<Animation> animation_;
     std::string animation_path_;
-    int file_opening_ = 0;  // the session's count of openings that state_.file belongs to
+    std::pair<int, std::size_t> lecture_slide_{-1, 0};  // that has come up: the session's count of openings, and its number
+    int file_opening_ = 0;                              // the session's count of openings that state_.file belongs to
     bool restyle_ = true, fonts_loaded_ = false, borders_made_ = false;
     bool run_moved_ = false;  // for the frame that comes
     int unsettled_ = 0;       // frames until ImGui shows all of what has changed

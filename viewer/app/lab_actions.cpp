@@ -1,5 +1,6 @@
 // What the keys and the menus do.
 #include "app/lab.h"
+#include "app/lecture_slide.h"
 #include "app/summary.h"
 #include "panels/focus.h"
 
@@ -58,6 +59,7 @@ bool Lab::perform_on_walkthrough(Action action) {
     Session& s = state_.session;
     switch (action) {
         case Action::walkthrough_next:
+            if (show_more_of_slide(state_)) return true;
             return s.walkthrough ? s.walkthrough_next() : s.start_walkthrough(), true;
         case Action::walkthrough_back:
             return s.walkthrough_back(), true;
@@ -70,7 +72,7 @@ bool Lab::perform_on_walkthrough(Action action) {
         case Action::first_slide:
             return s.go_to_slide(0), true;
         case Action::last_slide:
-            return s.go_to_slide(s.walkthrough->walkthrough().slides.size() - 1), true;
+            return s.go_to_slide(s.slide_count() - 1), true;
         case Action::unlock:
             return s.toggle_lock(), true;
         case Action::notes:

@@ -10,6 +10,7 @@
 #include "panels/parameter_panel.h"
 #include "panels/plot_panel.h"
 #include "panels/scene_panel.h"
+#include "panels/slide_picture.h"
 #include "panels/stage_bar.h"
 #include "panels/summary_panel.h"
 #include "panels/timeline.h"
@@ -35,6 +36,7 @@ struct LabState : PanelContext {
     AtlasPanelState atlas{};
     SummaryPanelState summary{};
     FileDialogState file_dialog{};
+    SlidePictureState slide_pictures{};
 
     PanelSizes sizes{};
     float border_grip = 0;  // where the border that is dragged was taken, px from its middle

@@ -123,7 +123,9 @@ std::string state_json(const LabState& lab) {
     if (lab.focus) j["focus"] = focus_json(lab);
     j["layout"] = name_of(lab.layout);
     const auto& walkthrough = lab.session.walkthrough;
-    j["slide"] = walkthrough ? walkthrough->slide_number() + 1 : 0;
+    j["slide"] = walkthrough ? lab.session.slide_number() + 1 : 0;
+    j["slides"] = lab.session.slide_count();
+    j["lecture"] = lab.session.lecture() ? lab.session.lecture()->path : "";
     j["extension"] = lab.session.extension() ? *lab.session.extension() + 1 : 0;
     j["revealed"] = walkthrough && walkthrough->revealed();
     j["unlocked"] = lab.session.unlocked;

@@ -79,8 +79,8 @@ std::string summary_of(const LabState& lab) {
     text += claim_sentences(lab);
     text += atlas_sentences(lab);
     if (s.walkthrough)
-        text += fmt::format("Walkthrough, slide {} of {}: {}.\n", s.walkthrough->slide_number() + 1,
-                            s.walkthrough->walkthrough().slides.size(), without_marks(s.walkthrough->slide().title));
+        text += fmt::format("Walkthrough, slide {} of {}: {}.\n", s.slide_number() + 1, s.slide_count(),
+                            without_marks(s.walkthrough->slide().title));
     if (s.autopsy())
         text += s.autopsy()->text() + "\n";
     else if (s.message())

@@ -151,6 +151,28 @@ void add_walkthrough_command(CLI::App& app, WindowOptions& o, WalkthroughOptions
     });
 }
 
+void add_lecture_command(CLI::App& app, WindowOptions& o, LectureOptions& l, std::function<int()>& action) {
+    CLI::App* command = app.add_subcommand("lecture", "a lecture in one file: slides of several lessons, one after the other");
+    command->add_option("file", l.path, "the lecture, .json or .md")->required();
+    CLI::Option* checks =
+        command->add_flag("--check", l.check, "play every slide, and exit with 1 when an expectation is missed");
+    CLI::Option* present = command->add_flag("--present", l.present, "show it in a window")->excludes(checks);
+    CLI::Option* out = command->add_option(
+        "--out", l.folder, "the folder for slide_01.png and so on, lecture.pdf and handout.html; made where it is missing");
+    out->excludes(checks)->excludes(present);
+    command->add_flag("--questions", l.questions, "with --out: the slides without their answers")->needs(out);
+    add_number(*command, "--slide", o.slide, "with --present: the slide to begin with, from 1; where it was left when not given")
+        ->needs(present);
+    CLI::Option_group* look = command->add_option_group("window", "with --present; size, theme and scale with --out as well");
+    add_window_options(*look, o);
+    for (CLI::Option* option : look->get_options())
+        if (!of_pictures(*option)) option->needs(present);
+    command->callback([&o, &l, &action] {
+        o.lecture = l.present ? l.path : "";
+        action = [&o, &l] { return lecture(l, o); };
+    });
+}
+
 [[noreturn]] void refuse_empty(const std::string& option, const std::string& meaning) {
     throw Refused(fmt::format("{} is empty ({}): give a value, or leave it out", option, meaning));
 }
@@ -197,6 +219,7 @@ int dispatch(int argc, const char* const* argv) {
     ClaimsOptions claims_options;
     StudyOptions study_options;
     WalkthroughOptions walkthrough_options;
+    LectureOptions lecture_options;
     std::string lesson, folder = "out/tour", sources;
     std::vector<std::string> stops;
     bool json = false, markdown = false, strict = false;
@@ -258,6 +281,7 @@ int dispatch(int argc, const char* const* argv) {
     tour_command->callback([&] { action = [&] { return tour(folder, stops, strict); }; });
 
     add_walkthrough_command(app, window_options, walkthrough_options, action);
+    add_lecture_command(app, window_options, lecture_options, action);
 
     refuse_empty_values(app);
     check_values(argc, argv);

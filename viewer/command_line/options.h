@@ -51,11 +51,20 @@ struct WindowOptions {
     float ui_scale = 0;                                                    // 0: as it was last, or as the screen asks
     long frames = 0;                                                       // stop after so many; 0: when closed
     bool no_settings = false;
-    bool deck = false;            // opens the walkthrough of the lesson, paused
-    bool notes = false;           // writes the notes of each slide to standard output
-    std::string slides_folder{};  // of pictures of the slides; "" for none
-    bool questions = false;       // these go without the answers
-    bool strict = false;          // what the scene or the walkthrough sets without effect is refused
+    bool deck = false;             // opens the walkthrough of the lesson, paused
+    bool notes = false;            // writes the notes of each slide to standard output
+    std::string slides_folder{};   // of pictures of the slides; "" for none
+    bool questions = false;        // these go without the answers
+    bool strict = false;           // what the scene or the walkthrough sets without effect is refused
+    std::string lecture{};         // the file to show in the deck; "" for none
+    std::optional<Index> slide{};  // of it, from 1; where it was left when not given
+};
+
+// `pliant lecture F`.
+struct LectureOptions {
+    std::string path, folder;  // of pictures, PDF file and handout; "" for none
+    bool check = false, present = false;
+    bool questions = false;  // pictures go without the answers
 };
 
 // The scene that lesson, scene file, preset and settings describe together; later ones win. Throws Refused.
@@ -116,6 +125,8 @@ struct WalkthroughOptions {
 };
 int walkthrough(const std::string& lesson, const WalkthroughOptions& options);
 int window(const WindowOptions& options);
+// Its outline, its check, its window or its pictures. Throws CheckFailed and Refused.
+int lecture(const LectureOptions& lecture, const WindowOptions& window);
 // A PNG file of every slide of the walkthrough.
 int slides(const WindowOptions& options);
 

@@ -24,13 +24,22 @@ void check_first(const WindowOptions& o, const std::string& lesson) {
     if (o.deck) tell_unused(unused_settings(entry, walkthrough_of(entry)), o.strict);
 }
 
+void open_lecture_of(Lab& lab, const WindowOptions& o) {
+    Lecture lecture = read_lecture(o.lecture);
+    const auto count = static_cast<Index>(lecture.slides.size());
+    if (o.slide && (*o.slide < 1 || *o.slide > count))
+        throw Refused("--slide", static_cast<Real>(*o.slide), "", fmt::format("a number from 1 to {}", count));
+    lab.open_lecture(std::move(lecture), static_cast<std::size_t>(o.slide.value_or(1) - 1));
+}
+
 void open_first(Lab& lab, const WindowOptions& o) {
     Session& s = lab.session();
     if (is_share(o.scene_path))
         lab.open_scene(read_share(o.scene_path));
     else if (!o.scene_path.empty())
         lab.open_file(o.scene_path);
-    s.playing = !o.deck;
+    s.playing = !o.deck && o.lecture.empty();
+    if (!o.lecture.empty()) return open_lecture_of(lab, o);
     if (!o.deck) return;
     walkthrough_of(s.entry());  // refused, rather than a message, when there is none
     lab.open_deck();

@@ -245,4 +245,12 @@ void draw_claims(PanelContext& lab, ClaimsPanelState& panel) {
     ImGui::EndChild();
 }
 
+void draw_claim_card(PanelContext& lab, ClaimsPanelState& panel, const Claim& claim) {
+    ImGui::PushID(claim.id.data(), claim.id.data() + claim.id.size());
+    words_here(claim.statement);
+    ImGui::Spacing();
+    body(lab, panel, claim);
+    ImGui::PopID();
+}
+
 }  // namespace pliant::viewer

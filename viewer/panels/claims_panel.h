@@ -11,5 +11,7 @@ struct ClaimsPanelState {
 };
 
 void draw_claims(PanelContext& lab, ClaimsPanelState& panel);
+// The card of one claim alone, for a slide: its question, its measurement, what came out.
+void draw_claim_card(PanelContext& lab, ClaimsPanelState& panel, const Claim& claim);
 
 }  // namespace pliant::viewer

@@ -102,7 +102,7 @@ int columns(std::size_t count) { return count > 2 ? 2 : 1; }
 
 void draw_slide_title(PanelContext& lab) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
-    const std::size_t number = player.slide_number() + 1, count = player.walkthrough().slides.size();
+    const std::size_t number = lab.session.slide_number() + 1, count = lab.session.slide_count();
     const std::string progress = fmt::format("{}{} / {}", lab.session.unlocked ? "unlocked   " : "", number, count);
     ImGui::PushFont(lab.fonts.large);
     const float width = ImGui::CalcTextSize(progress.c_str()).x, right = ImGui::GetContentRegionMax().x - width;

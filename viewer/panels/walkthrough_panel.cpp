@@ -59,6 +59,7 @@ void draw_block(PanelContext& lab, const Block& block, const WalkthroughPlayer& 
         case BlockKind::notes:
         case BlockKind::controls:
         case BlockKind::scene:
+        case BlockKind::show:
             break;
     }
 }
@@ -137,7 +138,7 @@ void draw_walkthrough(PanelContext& lab) {
     if (extension)
         ImGui::TextDisabled("%zu of %zu", *extension + 1, lab.session.extensions().size());
     else
-        ImGui::TextDisabled("%zu of %zu", player.slide_number() + 1, player.walkthrough().slides.size());
+        ImGui::TextDisabled("%zu of %zu", lab.session.slide_number() + 1, lab.session.slide_count());
     if (end) lab.session.end_walkthrough();
 }
 

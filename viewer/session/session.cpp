@@ -43,6 +43,8 @@ void Session::open(const LessonEntry& entry, const Runner::Assignments& assignme
     undo_.clear();
     dismiss();
     walkthrough.reset();
+    lecture_.reset();
+    extension_.reset();
     unlocked = false;
     playing = false;
     frame_afresh();

@@ -4,6 +4,7 @@
 #include <pliant/document/extensions.h>
 #include <pliant/document/scene_file.h>
 #include <pliant/document/walkthrough.h>
+#include <pliant/lecture/lecture.h>
 #include <pliant/run/recorder.h>
 #include <pliant/run/runner.h>
 #include <pliant/run/until.h>
@@ -193,6 +194,17 @@ public:
     void open_extension(std::size_t n);                                                               // from 0
     std::optional<std::size_t> extension() const { return walkthrough ? extension_ : std::nullopt; }  // that is open
 
+    // --- lecture ---
+    // Each slide of a lecture is a walkthrough of that slide alone, in the scene that it brings. Opening anything else ends it.
+    void open_lecture(Lecture lecture, std::size_t slide = 0);
+    void end_lecture();
+    const Lecture* lecture() const { return lecture_ ? &lecture_->lecture : nullptr; }
+    const LectureSlide* lecture_slide() const;  // that is shown; null without a lecture
+    // Of the lecture or else of the walkthrough; without any 0.
+    std::size_t slide_number() const;  // from 0
+    std::size_t slide_count() const;
+    const Slide* slide_after() const;  // null behind the last one
+
     // --- messages ---
     struct Message {
         enum class Kind { info, refused, diverged } kind;
@@ -255,6 +267,15 @@ private:
         std::optional<PictureKey> key{};
         KeptPicture picture{};
     };
+    struct LectureShow {
+        Lecture lecture;
+        std::size_t slide;
+    };
+    void show_lecture_slide(std::size_t n);
+    void enter(const Lecture& lecture, const LectureSlide& slide);
+    void present(Walkthrough words);
+    void lecture_next();
+    void lecture_back();
     const KeptPicture& kept(Keeping& keeping, const std::function<bool(Scene&)>& draw);
 
     bool holding_ = false;
@@ -283,6 +304,7 @@ private:
     Keeping now_, before_, beside_;
     long pictures_drawn_ = 0;
     int pin_count_ = 0, companion_count_ = 0;
+    std::optional<LectureShow> lecture_{};
     std::optional<std::size_t> extension_{};
     mutable std::string_view extensions_of_{};  // the lesson of those that are kept
     mutable std::vector<Extension> extensions_{};

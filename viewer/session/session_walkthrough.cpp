@@ -28,6 +28,7 @@ void Session::start_walkthrough() {
 void Session::end_walkthrough() {
     if (put_off([this] { end_walkthrough(); })) return;
     walkthrough.reset();
+    lecture_.reset();
     unlocked = false;
 }
 
@@ -87,6 +88,7 @@ void Session::move_walkthrough(const std::function<void()>& move) {
 
 void Session::walkthrough_next() {
     if (put_off([this] { walkthrough_next(); })) return;
+    if (lecture_) return lecture_next();
     move_walkthrough([this] {
         if (!walkthrough->next()) say(Message::Kind::info, extension_ ? "This was its answer." : "This was the last slide.");
     });
@@ -94,12 +96,14 @@ void Session::walkthrough_next() {
 
 void Session::walkthrough_back() {
     if (put_off([this] { walkthrough_back(); })) return;
+    if (lecture_) return lecture_back();
     if (walkthrough && walkthrough->slide_number() == 0 && !walkthrough->revealed()) return;
     go_to_slide(walkthrough->revealed() ? walkthrough->slide_number() : walkthrough->slide_number() - 1);
 }
 
 void Session::go_to_slide(std::size_t n) {
     if (put_off([this, n] { go_to_slide(n); })) return;
+    if (lecture_) return show_lecture_slide(n);
     if (const auto opened = extension()) return open_extension(*opened);
     move_walkthrough([this, n] {
         colours = lesson().first_colours();
@@ -111,7 +115,7 @@ void Session::go_to_slide(std::size_t n) {
 
 void Session::reset_slide() {
     if (put_off([this] { reset_slide(); })) return;
-    if (walkthrough) go_to_slide(walkthrough->slide_number());
+    if (walkthrough) go_to_slide(slide_number());
 }
 
 }  // namespace pliant::viewer

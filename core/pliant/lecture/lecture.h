@@ -98,4 +98,12 @@ Walkthrough walkthrough_of(const Lecture& lecture, const LectureSlide& slide);
 // its trouble and for actions that are refused, and Diverged.
 std::vector<ExpectationResult> played(const Lecture& lecture, std::size_t slide);
 
+// The scene of a slide as it comes up, to be shared: of a deck, what its walkthrough has done up to there. Empty when it shows
+// no lesson. Throws Refused and Diverged.
+std::optional<SceneFile> scene_to_share(const Lecture& lecture, std::size_t slide);
+
+// A page for those who listened: of each slide its words, its picture (a file beside the page, "" for none), its question and
+// answer, and its scene as a share string. HTML, which also prints well; without the lecturer's notes.
+std::string handout_html(const Lecture& lecture, const std::vector<std::string>& pictures);
+
 }  // namespace pliant

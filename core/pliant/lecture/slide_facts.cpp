@@ -115,8 +115,7 @@ private:
             SceneFile scene{.lesson = std::string(entry.info.id), .parameters = {}};
             if (const SlideFact* p = fact("preset")) scene = at(*p, [&] { return preset(entry, only_value(*p)); });
             if (const SlideFact* s = fact("set")) at(*s, [&] { set(scene, settings(*s)); });
-            if (const SlideFact* s = fact("field"))
-                at(*s, [&] { scene.view.emplace().field = entry.make()->field(only_value(*s)).name; });
+            if (const SlideFact* s = fact("field")) at(*s, [&] { show(scene, entry, only_value(*s)); });
             made_.scene = std::move(scene);
         } else if (const SlideFact* g = fact("scene")) {
             made_.scene = at(*g, [&] { return scene_said(*g); });
@@ -124,6 +123,10 @@ private:
         if (!made_.scene) return;
         const SlideFact& f = *(fact("lesson") ? fact("lesson") : fact("scene"));
         at(f, [&] { Runner::check(find_lesson(made_.scene->lesson), made_.scene->parameters, made_.scene->events); });
+    }
+    static void show(SceneFile& scene, const LessonEntry& entry, const std::string& field) {
+        const Runner runner(entry, scene.parameters, 0);
+        scene.view.emplace().field = runner.lesson().field(field).name;
     }
     // Later ones win, and all are checked at once.
     static void set(SceneFile& scene, const Runner::Assignments& more) {

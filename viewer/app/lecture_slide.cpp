@@ -1,0 +1,87 @@
+#include "app/lecture_slide.h"
+
+#include "panels/deck_panel.h"
+
+#include <algorithm>
+
+namespace pliant::viewer {
+namespace {
+
+bool has_words(const LectureSlide& s) {
+    return std::ranges::any_of(s.slide.blocks, [](const Block& b) {
+        return b.kind == BlockKind::text || b.kind == BlockKind::formula || b.kind == BlockKind::ask ||
+               b.kind == BlockKind::answer;
+    });
+}
+
+constexpr float words_beside = 0.36f, words_alone = 0.76f;  // of the width
+
+}  // namespace
+
+ShownBySlide shown_by_slide(const LabState& lab) {
+    const LectureSlide* s = lab.session.lecture_slide();
+    if (!s) return ShownBySlide::run;
+    if (!s->trouble.empty()) return ShownBySlide::words;
+    if (!s->claim.empty()) return ShownBySlide::claim;
+    if (s->atlas) return ShownBySlide::atlas;
+    if (!s->picture.empty()) return ShownBySlide::picture;
+    return s->lesson().empty() ? ShownBySlide::words : ShownBySlide::run;
+}
+
+void place_without_run(const LabState& lab, DeckPlaces& p, const Rectangle& room) {
+    const ShownBySlide shown = shown_by_slide(lab);
+    if (shown == ShownBySlide::words) {
+        const float width = words_alone * room.width;
+        p.words = {(room.width - width) / 2, room.y + 0.06f * room.height, width, 0.94f * room.height};
+        return;
+    }
+    const bool words = has_words(*lab.session.lecture_slide());
+    const float left = words ? words_beside * room.width : 0;
+    p.words = words ? Rectangle{0, room.y, left, room.height} : Rectangle{};
+    p.other = {left, room.y, room.width - left, room.height};
+}
+
+void draw_shown_by_slide(LabState& lab) {
+    const LectureSlide& s = *lab.session.lecture_slide();
+    switch (shown_by_slide(lab)) {
+        case ShownBySlide::claim:
+            ImGui::PushFont(lab.fonts.medium);
+            draw_claim_card(lab, lab.claims, find_claim(s.claim));
+            return ImGui::PopFont();
+        case ShownBySlide::atlas:
+            return draw_atlas(lab, lab.atlas);
+        case ShownBySlide::picture:
+            return draw_slide_picture(lab, lab.slide_pictures, s.picture);
+        case ShownBySlide::words:
+        case ShownBySlide::run:
+            return;
+    }
+}
+
+void begin_lecture_slide(LabState& lab) {
+    const LectureSlide* s = lab.session.lecture_slide();
+    if (!s || !s->trouble.empty()) return;
+    if (!s->claim.empty()) lab.claims.book.unfold(find_claim(s->claim));
+    if (s->atlas) {
+        lab.atlas.atlas.follow(lab.session);
+        lab.atlas.atlas.across = s->atlas->first.key, lab.atlas.atlas.up = s->atlas->second.key;
+    }
+}
+
+bool show_more_of_slide(LabState& lab) {
+    const LectureSlide* s = lab.session.lecture_slide();
+    if (!s || !s->trouble.empty()) return false;
+    if (!s->claim.empty()) {
+        const Claim& claim = find_claim(s->claim);
+        const ClaimBook::Phase phase = lab.claims.book.phase(claim);
+        if (phase != ClaimBook::Phase::asked && phase != ClaimBook::Phase::predicted) return false;
+        lab.claims.book.measure(claim);
+        return true;
+    }
+    Atlas& atlas = lab.atlas.atlas;
+    if (!s->atlas || atlas.busy() || atlas.map()) return false;
+    start_atlas(lab, lab.atlas);
+    return true;
+}
+
+}  // namespace pliant::viewer
