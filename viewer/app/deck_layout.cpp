@@ -55,7 +55,7 @@ DeckPlaces with_plots_below(DeckPlaces p, const LabState& lab, const Rectangle& 
 DeckPlaces deck_places(const LabState& lab, float width, float height) {
     DeckPlaces p;
     const float head = lab.px(64), notes = lab.notes_shown ? std::min(slide_notes_height(lab, width), height / 4) : 0,
-                body = height - head - notes, left = width * words_part;
+                body = height - head - notes, left = slide_has_words(lab) ? width * words_part : 0;
     p.title = {0, 0, width, head};
     p.notes = {0, head + body, width, notes};
     p.words = {0, head, left, body};
@@ -88,7 +88,7 @@ void Lab::deck_layout(float width, float height) {
         const FixedPanel panel("Slide title", places.title, flags);
         draw_slide_title(s);
     }
-    {
+    if (places.words.width > 0) {
         const FixedPanel panel("Slide words", places.words, flags);
         draw_slide_words(s);
     }

@@ -7,8 +7,8 @@
 namespace pliant::viewer {
 namespace {
 
-bool has_words(const LectureSlide& s) {
-    return std::ranges::any_of(s.slide.blocks, [](const Block& b) {
+bool has_words(const Slide& s) {
+    return std::ranges::any_of(s.blocks, [](const Block& b) {
         return b.kind == BlockKind::text || b.kind == BlockKind::formula || b.kind == BlockKind::ask ||
                b.kind == BlockKind::answer;
     });
@@ -28,6 +28,8 @@ ShownBySlide shown_by_slide(const LabState& lab) {
     return s->lesson().empty() ? ShownBySlide::words : ShownBySlide::run;
 }
 
+bool slide_has_words(const LabState& lab) { return has_words(lab.session.walkthrough->slide()); }
+
 void place_without_run(const LabState& lab, DeckPlaces& p, const Rectangle& room) {
     const ShownBySlide shown = shown_by_slide(lab);
     if (shown == ShownBySlide::words) {
@@ -35,7 +37,7 @@ void place_without_run(const LabState& lab, DeckPlaces& p, const Rectangle& room
         p.words = {(room.width - width) / 2, room.y + 0.06f * room.height, width, 0.94f * room.height};
         return;
     }
-    const bool words = has_words(*lab.session.lecture_slide());
+    const bool words = slide_has_words(lab);
     const float left = words ? words_beside * room.width : 0;
     p.words = words ? Rectangle{0, room.y, left, room.height} : Rectangle{};
     p.other = {left, room.y, room.width - left, room.height};
@@ -45,9 +47,7 @@ void draw_shown_by_slide(LabState& lab) {
     const LectureSlide& s = *lab.session.lecture_slide();
     switch (shown_by_slide(lab)) {
         case ShownBySlide::claim:
-            ImGui::PushFont(lab.fonts.medium);
-            draw_claim_card(lab, lab.claims, find_claim(s.claim));
-            return ImGui::PopFont();
+            return draw_claim_slide(lab, lab.claims, find_claim(s.claim));
         case ShownBySlide::atlas:
             return draw_atlas(lab, lab.atlas);
         case ShownBySlide::picture:

@@ -7,6 +7,8 @@ namespace pliant::viewer {
 enum class ShownBySlide { run, words, picture, claim, atlas };
 // Of the slide that is shown; a walkthrough shows runs.
 ShownBySlide shown_by_slide(const LabState& lab);
+// Has the slide words to be set beside what it shows?
+bool slide_has_words(const LabState& lab);
 
 // The words, and what stands beside them, in the room below the title.
 void place_without_run(const LabState& lab, DeckPlaces& places, const Rectangle& room);

@@ -245,11 +245,27 @@ void draw_claims(PanelContext& lab, ClaimsPanelState& panel) {
     ImGui::EndChild();
 }
 
-void draw_claim_card(PanelContext& lab, ClaimsPanelState& panel, const Claim& claim) {
-    ImGui::PushID(claim.id.data(), claim.id.data() + claim.id.size());
-    words_here(claim.statement);
+void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+    ImGui::PushID(c.id.data(), c.id.data() + c.id.size());
+    ImGui::PushFont(lab.fonts.larger);
+    words_here(c.statement);
+    ImGui::PopFont();
     ImGui::Spacing();
-    body(lab, panel, claim);
+    ImGui::TextDisabled("%s", c.source.c_str());
+    ImGui::PushFont(lab.fonts.large);
+    question(lab, panel, c);
+    ImGui::PopFont();
+    ImGui::Spacing();
+    const Phase phase = panel.book.phase(c);
+    if (phase == Phase::measuring || phase == Phase::waiting) {
+        tell_progress_of(lab, panel, c);
+    } else if (panel.book.result(c)) {
+        ImGui::PushFont(lab.fonts.medium);
+        outcome(lab, panel, c);
+        ImGui::PopFont();
+    } else {
+        words_here("Next makes the experiment: " + c.experiment);
+    }
     ImGui::PopID();
 }
 

@@ -11,7 +11,7 @@ struct ClaimsPanelState {
 };
 
 void draw_claims(PanelContext& lab, ClaimsPanelState& panel);
-// The card of one claim alone, for a slide: its question, its measurement, what came out.
-void draw_claim_card(PanelContext& lab, ClaimsPanelState& panel, const Claim& claim);
+// One claim alone in large type, for a slide: its question, and what came out once it has been measured.
+void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& claim);
 
 }  // namespace pliant::viewer

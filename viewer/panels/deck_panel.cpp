@@ -63,7 +63,9 @@ struct Setting {
 };
 
 std::vector<Setting> settings(const PanelContext& lab) {
+    const LectureSlide* s = lab.session.lecture_slide();
     std::vector<Setting> all;
+    if (s && s->lesson().empty()) all.push_back({lab.fonts.huge, true});  // words alone
     for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
         for (const bool introduction : {true, false}) all.push_back({font, introduction});
     return all;
@@ -89,6 +91,7 @@ std::vector<Paragraph> fitting_words(const PanelContext& lab, ImVec2 room) {
 
 std::vector<const Parameter*> shown_parameters(const PanelContext& lab) {
     const Session& s = lab.session;
+    if (s.lecture() && !s.walkthrough->slide().has(BlockKind::controls)) return {};  // a lecture names those that it wants
     const bool chosen = s.walkthrough->slide().has(BlockKind::controls) && !s.unlocked;
     std::vector<const Parameter*> shown;
     for (const Parameter* p : s.lesson().parameters)

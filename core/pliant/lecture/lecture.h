@@ -85,7 +85,9 @@ struct Lecture {
 // A slide that names what is not there, or a scene that is refused, gets its trouble told; the others go on. Throws Refused, as
 // "path:line:column: ..." or "path:line: ...", for a text that is no lecture.
 Lecture parse_lecture(std::string_view text, std::string_view path);
+// A file, or one of the lectures that come with Pliant by its name, "soft_bodies". Throws Refused with what there is.
 Lecture read_lecture(const std::string& path);
+std::vector<std::string> lecture_names();  // of those that come with Pliant
 
 // The text of the lecture with a slide added at its end, as JSON or as Markdown, whichever the text is; a new lecture for an
 // empty text. Everything else stays as it was written, but for blanks of JSON. Throws as parse_lecture.

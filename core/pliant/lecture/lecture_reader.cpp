@@ -3,6 +3,7 @@
 #include <pliant/lecture/slide_facts.h>
 #include <pliant/text/file.h>
 #include <pliant/text/suggest.h>
+#include <pliant/text/texts.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -174,6 +175,21 @@ Lecture parse_lecture(std::string_view text, std::string_view path) {
     return is_json(text) ? JsonLecture(text, path).read() : markdown_lecture(text, path);
 }
 
-Lecture read_lecture(const std::string& path) { return parse_lecture(read_file(path), path); }
+std::vector<std::string> lecture_names() {
+    std::vector<std::string> names;
+    for (const std::string_view path : texts_in("lectures")) names.push_back(std::filesystem::path(path).stem().string());
+    return names;
+}
+
+Lecture read_lecture(const std::string& path) {
+    std::error_code error;
+    for (const std::string_view text : texts_in("lectures"))
+        if (std::filesystem::path(text).stem() == path && !std::filesystem::exists(path, error))
+            return parse_lecture(find_text(text), text);
+    if (path.find_first_of("/.") == std::string::npos && !std::filesystem::exists(path, error))
+        throw Refused(fmt::format("no lecture is called '{}'{}; with Pliant come {}, any other is the path of a file", path,
+                                  did_you_mean(path, lecture_names()), fmt::join(lecture_names(), ", ")));
+    return parse_lecture(read_file(path), path);
+}
 
 }  // namespace pliant

@@ -10,8 +10,6 @@ std::map<std::string_view, std::string_view>& all_texts() {
     return texts;
 }
 
-std::string preset_folder(std::string_view lesson_id) { return std::string(lesson_id) + "/presets/"; }
-
 }  // namespace
 
 TextRegistration::TextRegistration(std::vector<std::pair<std::string_view, std::string_view>> texts) {
@@ -31,17 +29,27 @@ std::vector<std::string_view> texts_called(std::string_view name) {
     return paths;
 }
 
-std::vector<std::string> preset_names(std::string_view lesson_id) {
-    const std::string folder = preset_folder(lesson_id);
-    std::vector<std::string> names;
+std::vector<std::string_view> texts_in(std::string_view folder) {
+    const std::string begin = std::string(folder) + "/";
+    std::vector<std::string_view> paths;
     for (const auto& [path, text] : all_texts())
-        if (path.starts_with(folder) && path.ends_with(".json"))
-            names.emplace_back(path.substr(folder.size(), path.size() - folder.size() - std::string_view(".json").size()));
+        if (path.starts_with(begin)) paths.push_back(path);
+    return paths;
+}
+
+std::vector<std::string> preset_names(std::string_view lesson_id) {
+    constexpr std::string_view ending = ".json";
+    std::vector<std::string> names;
+    for (const std::string_view path : texts_in(std::string(lesson_id) + "/presets"))
+        if (path.ends_with(ending)) {
+            const std::string_view name = path.substr(path.rfind('/') + 1);
+            names.emplace_back(name.substr(0, name.size() - ending.size()));
+        }
     return names;
 }
 
 std::string_view preset_text(std::string_view lesson_id, std::string_view name) {
-    return find_text(preset_folder(lesson_id) + std::string(name) + ".json");
+    return find_text(std::string(lesson_id) + "/presets/" + std::string(name) + ".json");
 }
 
 }  // namespace pliant

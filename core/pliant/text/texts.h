@@ -17,6 +17,9 @@ std::string_view find_text(std::string_view path);
 // The paths of all texts of this name, "claims.md", sorted.
 std::vector<std::string_view> texts_called(std::string_view name);
 
+// The paths of all texts in this folder, "lectures", sorted.
+std::vector<std::string_view> texts_in(std::string_view folder);
+
 // The names of the presets of a lesson: its files presets/NAME.json.
 std::vector<std::string> preset_names(std::string_view lesson_id);
 std::string_view preset_text(std::string_view lesson_id, std::string_view name);
