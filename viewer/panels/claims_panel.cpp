@@ -198,6 +198,26 @@ void outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
     }
 }
 
+// For the last row: the figure, the verdict and what was found.
+void large_outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+    const ClaimResult& r = *panel.book.result(c);
+    ImGui::PushFont(lab.fonts.large);
+    if (const auto right = panel.book.was_right(c))
+        marked_word({*right ? "✓" : "✗", *right ? "Your prediction was right." : "Your prediction was wrong.",
+                     *right ? good_colour : bad_colour});
+    if (r.finding) {
+        marked_word(mark_of(panel.book, c));
+        ImGui::SameLine(0, lab.px(24));
+        ImGui::TextUnformatted(figure_text(r).c_str());
+    }
+    ImGui::PopFont();
+    ImGui::TextDisabled("%s; criterion %s", c.figure.c_str(), c.criterion.c_str());
+    ImGui::PushFont(lab.fonts.large);
+    words_here(r.finding ? r.finding->text : r.failure);
+    if (r.finding && !r.finding->condition.empty()) words_here(r.finding->condition);
+    ImGui::PopFont();
+}
+
 void body(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
     quiet_words(lab, panel.book.all ? fmt::format("{} · {}", c.source, c.lesson) : std::string(c.source));
     question(lab, panel, c);
@@ -260,9 +280,7 @@ void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c
     if (phase == Phase::measuring || phase == Phase::waiting) {
         tell_progress_of(lab, panel, c);
     } else if (panel.book.result(c)) {
-        ImGui::PushFont(lab.fonts.medium);
-        outcome(lab, panel, c);
-        ImGui::PopFont();
+        large_outcome(lab, panel, c);
     } else {
         words_here("Next makes the experiment: " + c.experiment);
     }

@@ -15,7 +15,12 @@ struct Paragraph {
     unsigned colour;
 };
 
-float gap(const PanelContext& lab) { return lab.px(9); }
+bool words_alone(const PanelContext& lab) {
+    const LectureSlide* s = lab.session.lecture_slide();
+    return s && s->lesson().empty();
+}
+
+float gap(const PanelContext& lab) { return lab.px(words_alone(lab) ? 20 : 9); }
 
 // In the largest type in which it needs no more lines than it has equations.
 Paragraph formula(const PanelContext& lab, const std::string& line, float width) {
@@ -63,9 +68,8 @@ struct Setting {
 };
 
 std::vector<Setting> settings(const PanelContext& lab) {
-    const LectureSlide* s = lab.session.lecture_slide();
     std::vector<Setting> all;
-    if (s && s->lesson().empty()) all.push_back({lab.fonts.huge, true});  // words alone
+    if (words_alone(lab)) all.push_back({lab.fonts.huge, true});
     for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
         for (const bool introduction : {true, false}) all.push_back({font, introduction});
     return all;

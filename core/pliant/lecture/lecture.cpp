@@ -1,4 +1,5 @@
 // What a lecture tells of itself, and its slides played headless.
+#include <pliant/document/walkthrough_words.h>
 #include <pliant/lecture/lecture.h>
 #include <pliant/study/claims_report.h>
 
@@ -20,8 +21,27 @@ Real Lecture::minutes() const {
     return sum;
 }
 
-Walkthrough walkthrough_of(const Lecture& lecture, const LectureSlide& slide) {
-    return {.path = lecture.path, .title = lecture.title, .introduction = {}, .slides = {slide.slide}};
+namespace {
+
+constexpr std::string_view of_second_run = "B ";
+
+// The expectations of one of the two runs. A line of the other is left blank, so that places stay what they are.
+Slide slide_of_run(Slide slide, bool second) {
+    for (Block& b : slide.blocks) {
+        if (b.kind != BlockKind::expect) continue;
+        for (std::string& line : b.lines) {
+            line = trimmed(line);
+            const bool of_second = line.starts_with(of_second_run);
+            line = of_second != second ? "" : of_second ? line.substr(of_second_run.size()) : line;
+        }
+    }
+    return slide;
+}
+
+}  // namespace
+
+Walkthrough walkthrough_of(const Lecture& lecture, const LectureSlide& slide, bool second_run) {
+    return {.path = lecture.path, .title = lecture.title, .introduction = {}, .slides = {slide_of_run(slide.slide, second_run)}};
 }
 
 namespace {
@@ -35,12 +55,24 @@ std::vector<ExpectationResult> played_deck(const DeckSlide& deck) {
     return player.results();
 }
 
-std::vector<ExpectationResult> played_scene(const Lecture& lecture, const LectureSlide& slide) {
-    Runner runner(find_lesson(slide.scene->lesson), slide.scene->parameters);
+std::vector<ExpectationResult> played_run(const Lecture& lecture, const LectureSlide& slide, bool second) {
+    Runner::Assignments parameters = slide.scene->parameters;
+    if (second) parameters.insert(parameters.end(), slide.beside->begin(), slide.beside->end());
+    Runner runner(find_lesson(slide.scene->lesson), parameters);
     runner.set_events(slide.scene->events);
-    WalkthroughPlayer player(runner, walkthrough_of(lecture, slide));
+    WalkthroughPlayer player(runner, walkthrough_of(lecture, slide, second));
     player.next();
     return player.results();
+}
+
+std::vector<ExpectationResult> played_scene(const Lecture& lecture, const LectureSlide& slide) {
+    auto results = played_run(lecture, slide, false);
+    if (!slide.beside) return results;
+    for (ExpectationResult& r : played_run(lecture, slide, true)) {
+        r.text = std::string(of_second_run) + r.text;
+        results.push_back(std::move(r));
+    }
+    return results;
 }
 
 std::vector<ExpectationResult> played_claim(const LectureSlide& slide) {

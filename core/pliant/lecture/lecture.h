@@ -26,7 +26,8 @@
 //   minutes    that it is to take
 //   lesson     opens it; with `preset` (a name), `set` (parameters), `field` (that colours the picture)
 //   scene      opens a scene: an object as in a scene file, a share string, or the path of a scene file
-//   beside     with one of these: a second run, B, with these parameters set otherwise
+//   beside     with one of these: a second run, B, with these parameters set otherwise; a line of `expect` that begins with "B "
+//              is about it
 //   deck       a lesson, of whose walkthrough it shows `slides` (titles or numbers from 1; all when not given), one after the
 //   other claim      the card of a claim, such as E6 atlas      with a lesson or scene: two knobs, across and up:
 //   "time_step=1e-4:0.1:40:log" picture    the path of a PNG file fill       what fills the screen: picture, plot (or `plot NAME`
@@ -93,8 +94,8 @@ std::vector<std::string> lecture_names();  // of those that come with Pliant
 // empty text. Everything else stays as it was written, but for blanks of JSON. Throws as parse_lecture.
 std::string with_slide_added(std::string_view text, std::string_view path, const LectureSlide& slide);
 
-// The slide alone as a walkthrough, for a player.
-Walkthrough walkthrough_of(const Lecture& lecture, const LectureSlide& slide);
+// The slide alone as a walkthrough, for a player of its run, or of the second one.
+Walkthrough walkthrough_of(const Lecture& lecture, const LectureSlide& slide, bool second_run = false);
 
 // Plays the slide to its end: a scene to its place, its actions, what it expects; of a claim its measurement. Throws Refused with
 // its trouble and for actions that are refused, and Diverged.
