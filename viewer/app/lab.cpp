@@ -1,7 +1,5 @@
 #include "app/lab.h"
 
-#include "app/lecture_slide.h"
-
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
 
@@ -54,19 +52,6 @@ void Lab::open_deck() {
         if (!state_.session.walkthrough) state_.session.start_walkthrough();
         if (state_.session.walkthrough) set_layout(Layout::deck);
     });
-}
-
-void Lab::open_lecture(Lecture lecture, std::size_t slide) {
-    state_.session.later([this, lecture, slide] {
-        state_.session.open_lecture(lecture, slide);
-        set_layout(Layout::deck);
-    });
-}
-
-void Lab::follow_lecture() {
-    const Session& s = state_.session;
-    const std::pair here{s.lecture() ? s.open_count() : -1, s.slide_number()};
-    if (std::exchange(lecture_slide_, here) != here) begin_lecture_slide(state_);
 }
 
 namespace {
@@ -179,6 +164,8 @@ void Lab::do_what_is_wanted() {
     for (const Action action : std::exchange(state_.wanted, {})) perform(action);
     for (const SceneFile& scene : std::exchange(state_.wanted_scenes, {})) open_scene(scene);
     for (const std::string& path : std::exchange(state_.wanted_files, {})) drop_file(path);
+    if (const std::string lecture = std::exchange(state_.wanted_lecture, ""); !lecture.empty())
+        open_lecture(read_lecture(lecture));
     if (!state_.animation.path.empty()) start_animation();
 }
 

@@ -48,7 +48,7 @@ public:
     // frame is drawn the scene is opened behind it, and an error becomes a message.
     SceneFile scene_file() const;
     void open_scene(const SceneFile& scene);
-    // Opens a scene file and remembers it. Throws Refused.
+    // Opens a scene file and remembers it, or a lecture. Throws Refused.
     void open_file(const std::string& path);
     // Writes the scene to a file and remembers it. Throws Refused.
     void save_file(const std::string& path);
@@ -86,7 +86,6 @@ private:
 
     void restyle();
     void clear_window();
-    void follow_lecture();
     void work(std::function<void()> job);
     bool finished() { return !worker_ || worker_->finished(pace_.patience_ms); }
     void move_run(Real dt);
@@ -107,6 +106,14 @@ private:
     void perform_on_files(Action action);
     void do_what_is_wanted();
     void after_frame();
+
+    // --- lectures: lab_lecture.cpp ---
+    void follow_lecture();
+    bool perform_on_lecture(Action action);
+    void ask_for_lecture();
+    void open_lecture_file(const std::string& path);
+    LectureSlide slide_to_add(Action action) const;
+    void add_to_lecture(const LectureSlide& slide);
 
     // --- files: lab_files.cpp ---
     void ask_to_open();

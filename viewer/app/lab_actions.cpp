@@ -7,7 +7,8 @@
 namespace pliant::viewer {
 
 void Lab::perform(Action action) {
-    if (!perform_on_run(action) && !perform_on_walkthrough(action) && !perform_on_view(action)) perform_on_files(action);
+    if (!perform_on_run(action) && !perform_on_walkthrough(action) && !perform_on_lecture(action) && !perform_on_view(action))
+        perform_on_files(action);
 }
 
 // True when the action was one of these.

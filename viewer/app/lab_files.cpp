@@ -70,7 +70,9 @@ SceneFile Lab::scene_file() const { return state_.session.scene_file(); }
 void Lab::open_scene(const SceneFile& scene) { state_.session.open_scene(scene); }
 
 void Lab::open_file(const std::string& path) {
-    const SceneFile scene = read_scene(path);
+    const std::string text = read_file(path);
+    if (looks_like_lecture(text)) return open_lecture_file(path);
+    const SceneFile scene = parse_scene(text, path);
     Runner::check(find_lesson(scene.lesson), scene.parameters, scene.events);
     state_.session.later([this, scene, path] {
         open_scene(scene);

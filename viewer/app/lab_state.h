@@ -43,8 +43,10 @@ struct LabState : PanelContext {
     bool help_shown = false, notes_shown = false;
     bool focus_menu = false;                          // the menus get the keys
     std::vector<std::string> wanted_files{};          // scene files to open, asked for in a menu
+    std::string wanted_lecture{};                     // to open, asked for in a menu; "" for none
     std::vector<std::string> recent{};                // scene files, the latest first
     std::string file{};                               // that the scene came from or was saved in
+    std::string lecture_file{};                       // that slides are added to; "" until it is chosen
     std::function<void(const std::string&)> speak{};  // who else takes the summary (standard output)
     bool resting = false;                             // nothing is drawn until something changes
 };

@@ -65,6 +65,7 @@ void begin_lecture_slide(LabState& lab) {
     if (s->atlas) {
         lab.atlas.atlas.follow(lab.session);
         lab.atlas.atlas.across = s->atlas->first.key, lab.atlas.atlas.up = s->atlas->second.key;
+        lab.atlas.atlas.cells = static_cast<Index>(std::max(s->atlas->first.values.size(), s->atlas->second.values.size()));
     }
 }
 

@@ -108,6 +108,27 @@ void lesson_menu(LabState& lab) {
     extensions_menu(lab);
 }
 
+void lecture_menu(LabState& lab) {
+    const Session& s = lab.session;
+    const bool walks = s.walkthrough && !s.lecture() && !s.extension();
+    item(lab, Action::open_lecture, "Open a lecture…");
+    for (const std::string& name : lecture_names()) {
+        std::string title = words(name);
+        title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+        if (ImGui::MenuItem(title.c_str())) lab.wanted_lecture = name;
+        lab.note_control(fmt::format("menu lecture {}", name));
+        tooltip("A lecture of 45 minutes that comes with Pliant", lab.scale);
+    }
+    ImGui::Separator();
+    item(lab, Action::add_scene, "Add this scene");
+    item(lab, Action::add_slide, "Add this slide", walks);
+    item(lab, Action::add_claim, "Add this claim", lab.side == SideTab::claims && lab.claims.book.unfolded(s.entry().info.id));
+    item(lab, Action::add_map, "Add this map", lab.side == SideTab::atlas && !lab.atlas.atlas.across.empty());
+    ImGui::Separator();
+    item(lab, Action::deck, "Show it", s.lecture() != nullptr);
+    item(lab, Action::end_lecture, "Leave the lecture", s.lecture() != nullptr);
+}
+
 void view_menu(LabState& lab) {
     item(lab, Action::theme, "Projector theme", true, lab.theme == Theme::projector);
     item(lab, Action::larger, "Larger", lab.scale < 3);
@@ -158,6 +179,7 @@ void draw_menu_bar(LabState& lab) {
     menu(lab, "File", file_menu);
     menu(lab, "Edit", edit_menu);
     menu(lab, "Lesson", lesson_menu);
+    menu(lab, "Lecture", lecture_menu);
     menu(lab, "Run", run_menu);
     menu(lab, "View", view_menu);
     menu(lab, "Help", help_menu);

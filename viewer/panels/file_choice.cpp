@@ -102,8 +102,10 @@ void FileChoice::accept() {
         complaint_ = fmt::format("There is no file {} in {}.", path.filename().string(), parent.string());
         return;
     }
+    const bool there = fs::exists(path, ignored);
+    if (purpose_ == Purpose::add && there) return finish(path);
     if (!path.filename().string().ends_with(ending_)) path += ending_, name += ending_;
-    replacing_ = fs::exists(path, ignored);
+    replacing_ = purpose_ == Purpose::save && fs::exists(path, ignored);
     if (!replacing_) finish(path);
 }
 

@@ -9,7 +9,8 @@ namespace pliant::viewer {
 
 class FileChoice {
 public:
-    enum class Purpose { open, save };
+    // add: to a file that may be there already, which is not replaced.
+    enum class Purpose { open, save, add };
     // Does the work with the path; an Error that it throws is told in the dialog, which stays.
     using Chosen = std::function<void(const std::string& path)>;
     struct Entry {

@@ -65,7 +65,13 @@ enum class Action {
     summary,
     patterns,
     next_panel,
-    previous_panel
+    previous_panel,
+    open_lecture,
+    end_lecture,
+    add_scene,
+    add_slide,
+    add_claim,
+    add_map
 };
 
 // Where a key has its meaning; over a message, or a summary, it has that one alone. The deck is the layout for a lecture, while a

@@ -198,6 +198,8 @@ public:
     // Each slide of a lecture is a walkthrough of that slide alone, in the scene that it brings. Opening anything else ends it.
     void open_lecture(Lecture lecture, std::size_t slide = 0);
     void end_lecture();
+    // The same lecture, after its file was written again; nothing when another one, or none, is shown.
+    void renew_lecture(const Lecture& lecture);
     const Lecture* lecture() const { return lecture_ ? &lecture_->lecture : nullptr; }
     const LectureSlide* lecture_slide() const;  // that is shown; null without a lecture
     // Of the lecture or else of the walkthrough; without any 0.

@@ -38,6 +38,11 @@ void Session::end_lecture() {
     end_walkthrough();
 }
 
+void Session::renew_lecture(const Lecture& lecture) {
+    if (lecture_ && lecture_->lecture.path == lecture.path && lecture.slides.size() > lecture_->slide)
+        lecture_->lecture = lecture;
+}
+
 const LectureSlide* Session::lecture_slide() const { return lecture_ ? &lecture_->lecture.slides[lecture_->slide] : nullptr; }
 
 std::size_t Session::slide_number() const { return lecture_ ? lecture_->slide : walkthrough ? walkthrough->slide_number() : 0; }

@@ -88,6 +88,8 @@ struct Lecture {
 Lecture parse_lecture(std::string_view text, std::string_view path);
 // A file, or one of the lectures that come with Pliant by its name, "soft_bodies". Throws Refused with what there is.
 Lecture read_lecture(const std::string& path);
+// Is it a lecture rather than a scene, by its beginning? What is wrong in it comes out when it is read.
+bool looks_like_lecture(std::string_view text);
 std::vector<std::string> lecture_names();  // of those that come with Pliant
 
 // The text of the lecture with a slide added at its end, as JSON or as Markdown, whichever the text is; a new lecture for an

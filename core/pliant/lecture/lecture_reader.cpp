@@ -175,6 +175,8 @@ Lecture parse_lecture(std::string_view text, std::string_view path) {
     return is_json(text) ? JsonLecture(text, path).read() : markdown_lecture(text, path);
 }
 
+bool looks_like_lecture(std::string_view text) { return !is_json(text) || text.find("\"pliant_lecture\"") != text.npos; }
+
 std::vector<std::string> lecture_names() {
     std::vector<std::string> names;
     for (const std::string_view path : texts_in("lectures")) names.push_back(std::filesystem::path(path).stem().string());
