@@ -4,6 +4,7 @@
 #include <pliant/document/share.h>
 #include <pliant/document/walkthrough.h>
 #include <pliant/formula/formula.h>
+#include <pliant/lecture/lecture.h>
 
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,23 @@ inline bool fuzz_walkthrough(std::string_view bytes) {
         return false;
     }
     return true;
+}
+
+// True when every slide can be shown.
+inline bool fuzz_lecture(std::string_view bytes) {
+    try {
+        const Lecture lecture = parse_lecture(bytes, "lecture");
+        promise(!lecture.slides.empty(), "a lecture has slides");
+        bool whole = true;
+        for (const LectureSlide& s : lecture.slides) {
+            promise(!s.slide.title.empty(), "a slide has a title");
+            whole = whole && s.trouble.empty();
+        }
+        handout_html(lecture, {});
+        return whole;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 // A formula of some symbols, a family and a function.

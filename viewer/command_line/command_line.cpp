@@ -122,6 +122,12 @@ void add_study_command(CLI::App& app, RunOptions& run, StudyOptions& o, std::fun
 // What the pictures of slides and the window of a deck have in common.
 bool of_pictures(const CLI::Option& o) { return o.check_name("--size") || o.check_name("--theme") || o.check_name("--ui-scale"); }
 
+// Size, theme and the like where nothing is drawn.
+void refuse_look_of_nothing(const CLI::Option_group& look, bool draws) {
+    for (const CLI::Option* option : look.get_options())
+        if (option->count() > 0 && !draws) throw Refused(fmt::format("{} is for --present or --out", option->get_name()));
+}
+
 void add_walkthrough_command(CLI::App& app, WindowOptions& o, WalkthroughOptions& headless, std::function<int()>& action) {
     CLI::App* command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
     command->add_option("lesson", o.lesson, lesson_help)->required();
@@ -141,9 +147,7 @@ void add_walkthrough_command(CLI::App& app, WindowOptions& o, WalkthroughOptions
         if (!of_pictures(*option)) option->needs(present);
     command->callback([&o, &headless, &action, look, present, out] {
         const bool pictures = out->count() > 0;
-        for (const CLI::Option* option : look->get_options())
-            if (option->count() > 0 && !pictures && present->count() == 0)
-                throw Refused(fmt::format("{} is for --present or --out", option->get_name()));
+        refuse_look_of_nothing(*look, pictures || present->count() > 0);
         headless.notes = o.notes, headless.strict = o.strict;
         action = [&o, &headless, pictures] {
             return pictures ? slides(o) : o.deck ? window(o) : walkthrough(o.lesson, headless);
@@ -167,7 +171,8 @@ void add_lecture_command(CLI::App& app, WindowOptions& o, LectureOptions& l, std
     add_window_options(*look, o);
     for (CLI::Option* option : look->get_options())
         if (!of_pictures(*option)) option->needs(present);
-    command->callback([&o, &l, &action] {
+    command->callback([&o, &l, &action, look] {
+        refuse_look_of_nothing(*look, l.present || !l.folder.empty());
         o.lecture = l.present ? l.path : "";
         action = [&o, &l] { return lecture(l, o); };
     });

@@ -17,6 +17,8 @@
 namespace pliant::viewer {
 namespace {
 
+std::string counted(int count, std::string_view one) { return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s"); }
+
 std::string minutes_text(Real minutes) { return minutes > 0 ? fmt::format("{:g} min", minutes) : ""; }
 
 std::string shown_by(const LectureSlide& s) {
@@ -35,8 +37,7 @@ void print_outline(const Lecture& lecture) {
         print(fmt::format("{:3}  {:>7}  {}: {}\n", n + 1, minutes_text(s.minutes), s.slide.title, shown_by(s)));
         if (!s.trouble.empty()) print(fmt::format("              {}\n", s.trouble));
     }
-    print(fmt::format("\n{} slide{}, {:g} min planned\n", lecture.slides.size(), lecture.slides.size() == 1 ? "" : "s",
-                      lecture.minutes()));
+    print(fmt::format("\n{}, {:g} min planned\n", counted(static_cast<int>(lecture.slides.size()), "slide"), lecture.minutes()));
 }
 
 struct Checked {
@@ -52,7 +53,7 @@ void check_slide(const Lecture& lecture, std::size_t n, Checked& all) {
             ++(r.met ? all.met : all.missed);
             if (r.met) continue;
             verdict = "misses what it expects";
-            all.misses += fmt::format("\n{}:{}: {} ({})", lecture.path, s.line, r.text, r.measured);
+            all.misses += fmt::format("\n{}:{}: {} ({})", lecture.path, s.deck ? s.line : r.line, r.text, r.measured);
         }
     } catch (const Diverged& e) {
         ++all.missed, verdict = "diverges";
@@ -67,8 +68,8 @@ void check_slide(const Lecture& lecture, std::size_t n, Checked& all) {
 int check(const Lecture& lecture) {
     Checked all;
     for (std::size_t n = 0; n < lecture.slides.size(); ++n) check_slide(lecture, n, all);
-    print(fmt::format("\n{} slides: {} expectations met, {} missed; {} cannot be shown\n", lecture.slides.size(), all.met,
-                      all.missed, all.refused));
+    print(fmt::format("\n{}: {} met, {} missed; {} cannot be shown\n", counted(static_cast<int>(lecture.slides.size()), "slide"),
+                      counted(all.met, "expectation"), all.missed, all.refused));
     if (all.refused) throw Refused(fmt::format("the lecture names what is not there:{}{}", all.troubles, all.misses));
     if (all.missed) throw CheckFailed("the lecture misses what it expects:" + all.misses);
     return 0;
