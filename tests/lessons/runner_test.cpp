@@ -255,6 +255,28 @@ TEST_CASE("runner: stepping back past a change brings back what was before it, a
     CHECK_FALSE(runner.step_back());
 }
 
+TEST_CASE("runner: a step back inside a step keeps the stages that are done; a step has one number everywhere") {
+    Runner runner(looping);  // a, then b three times and c, twice over: 9 passes
+    runner.step(), runner.step();
+    CHECK(place_words(runner.place()) == "step 2");
+    for (int pass = 0; pass < 3; ++pass) runner.step_pass();
+    CHECK(runner.place() == Place{2, 3});
+    CHECK(place_words(runner.place()) == "step 3, 3 passes done");
+    REQUIRE(runner.step_back());
+    CHECK(runner.place() == Place{1, 3});
+    CHECK(runner.passes_in_stage() == 2);
+    REQUIRE(runner.step_back());
+    CHECK(runner.place() == Place{0, 3});
+    REQUIRE(runner.step_back());
+    CHECK(runner.place() == Place{});
+    CHECK_FALSE(runner.step_back());
+    // By stages: what was done before stays.
+    runner.step_pass(), runner.step_pass();
+    CHECK(place_words(runner.place()) == "step 1, 2 passes done");
+    REQUIRE(runner.stage_back());
+    CHECK(runner.place() == Place{0, 1});
+}
+
 TEST_CASE("runner: the ring of stored states keeps its cap") {
     Runner small(chain(), {}, 20000);
     for (int i = 0; i < 200; ++i) small.step();

@@ -46,6 +46,7 @@ public:
         if (from_start) return Fix{"x₀ = 0.1 m, factor 2", {{"start", "0.1"}, {"factor", "2"}}};
         return Fix{"factor 1", {{"factor", "1"}}};
     }
+    std::vector<Fix> other_fixes(const Failure&) const override { return {Fix{"factor ½", {{"factor", "0.5"}}}}; }
     void draw(Scene& scene) const override { scene.points.push_back({.at = {position(0, 0)}, .pick = {.pickable = true}}); }
 
 private:
@@ -102,6 +103,19 @@ TEST_CASE("a fix of a blow-up starts again, since what is left is torn, and is u
     session.undo();
     CHECK(wanted(session, "factor") == 10);
     CHECK_FALSE(session.can_undo());
+}
+
+TEST_CASE("each fix that is recommended can be taken", "[session][autopsy]") {
+    Session session = growing({{"factor", "10"}});
+    play(session);
+    REQUIRE(session.autopsy());
+    REQUIRE(session.autopsy()->fixes() == 2);
+    CHECK_THAT(session.autopsy()->text(), ContainsSubstring("To mend it: factor 1, or factor ½"));
+    session.mend(1);
+    CHECK(wanted(session, "factor") == 0.5);
+    CHECK(session.runner().place() == Place{});
+    session.undo();
+    CHECK(wanted(session, "factor") == 10);
 }
 
 TEST_CASE("a fix that rebuilds restarts, with all its parameters as one step of undo", "[session][autopsy]") {

@@ -90,7 +90,8 @@ TEST_CASE("signs are keys on a US, a German and a French keyboard") {
     const std::vector<std::pair<Press, Action>> presses{
         // US
         {{.key = ImGuiKey_Period, .character = '.'}, Action::step},
-        {{.key = ImGuiKey_Comma, .character = ','}, Action::step_back},
+        {{.key = ImGuiKey_Comma, .character = ','}, Action::stage_back},
+        {{.key = ImGuiKey_Comma, .shift = true, .character = '<'}, Action::step_back},
         {{.key = ImGuiKey_Slash, .character = '/'}, Action::stage},
         {{.key = ImGuiKey_Semicolon, .character = ';'}, Action::pass},
         {{.key = ImGuiKey_Apostrophe, .character = '\''}, Action::pass_back},
@@ -98,7 +99,7 @@ TEST_CASE("signs are keys on a US, a German and a French keyboard") {
         {{.key = ImGuiKey_RightBracket, .character = ']'}, Action::next_lesson},
         // German: / is Shift 7, ; Shift comma, ' Shift #, the brackets AltGr 8 and 9
         {{.key = ImGuiKey_Period, .character = '.'}, Action::step},
-        {{.key = ImGuiKey_Comma, .character = ','}, Action::step_back},
+        {{.key = ImGuiKey_Comma, .character = ','}, Action::stage_back},
         {{.key = ImGuiKey_7, .shift = true, .character = '/'}, Action::stage},
         {{.key = ImGuiKey_Comma, .shift = true, .character = ';'}, Action::pass},
         {{.key = ImGuiKey_Backslash, .shift = true, .character = '\''}, Action::pass_back},
@@ -108,7 +109,7 @@ TEST_CASE("signs are keys on a US, a German and a French keyboard") {
         {{.key = ImGuiKey_9, .alt_gr = true, .ctrl = true, .character = ']'}, Action::next_lesson},
         // French: . is Shift ;, / Shift :, ' the key 4, the brackets AltGr 5 and )
         {{.key = ImGuiKey_Semicolon, .shift = true, .character = '.'}, Action::step},
-        {{.key = ImGuiKey_Comma, .character = ','}, Action::step_back},
+        {{.key = ImGuiKey_Comma, .character = ','}, Action::stage_back},
         {{.key = ImGuiKey_Period, .shift = true, .character = '/'}, Action::stage},
         {{.key = ImGuiKey_Semicolon, .character = ';'}, Action::pass},
         {{.key = ImGuiKey_Apostrophe, .character = '\''}, Action::pass_back},

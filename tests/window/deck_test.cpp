@@ -59,6 +59,30 @@ TEST_CASE("in the deck a slider that the slide allows moves, and Backspace puts 
     CHECK(desk.state()["step"] == 0);
 }
 
+TEST_CASE("in the deck the arrows and Space are its own behind a click on a slider, too", "[window][deck]") {
+    need_screen_and_mouse();
+    Desk desk({"walkthrough", "mesh/mass_spring", "--present"});
+    for (int presses = 0; presses < 8; ++presses) desk.key("Right");
+    REQUIRE(at(desk, 5, false));
+    desk.click(desk.on("time_step", 0.3));
+    desk.key("Right");
+    CHECK(at(desk, 5, true));
+    CHECK(desk.parameter("time_step") == 5e-4);
+    desk.key("space");
+    CHECK(desk.becomes("playing", true));
+    desk.key("space");
+    CHECK(desk.becomes("playing", false));
+    desk.key("Right");
+    CHECK(at(desk, 6, false));
+    desk.type("]");
+    CHECK(desk.stays("lesson", "mesh/mass_spring"));
+    CHECK(desk.becomes([](const Json& s) { return s["message"].get<std::string>().find("Escape") != std::string::npos; }));
+    desk.key("Escape");  // closes the message
+    CHECK(desk.becomes("message", ""));
+    desk.key("Escape");
+    CHECK(desk.becomes("layout", "lab"));
+}
+
 TEST_CASE("Escape goes to the lab with this run; there a locked slider does not move until L unlocks it", "[window][deck]") {
     need_screen_and_mouse();
     Desk desk(lecture);

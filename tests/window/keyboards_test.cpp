@@ -10,12 +10,13 @@ const std::string with_shift = "50+", with_alt_gr = "108+", with_ctrl = "37+";
 
 // What to press for each sign, and for the letters that other keyboards have elsewhere.
 struct Keyboard {
-    std::string layout, step, step_back, stage, stage_back, pass, pass_back, lesson_before, next_lesson, larger, smaller, undo;
+    std::string layout, step, step_back, stage, comma, stage_back, pass, pass_back, lesson_before, next_lesson, larger, smaller, undo;
 };
 const Keyboard german{"de",
                       "60",
-                      "59",
+                      "94",
                       with_shift + "16",
+                      "59",
                       "58",
                       with_shift + "59",
                       with_shift + "51",
@@ -26,8 +27,9 @@ const Keyboard german{"de",
                       with_ctrl + "29"};
 const Keyboard french{"fr",
                       with_shift + "59",
-                      "58",
+                      "94",
                       with_shift + "60",
+                      "58",
                       "47",
                       "59",
                       "13",
@@ -61,6 +63,10 @@ void try_keys(const Keyboard& keys) {
     desk.key(keys.pass_back);
     CHECK(desk.becomes("passes", passes));
     desk.key(keys.stage_back);
+    CHECK(desk.becomes([&](const Json& s) { return s["passes"] < passes; }));
+    desk.key(keys.stage);
+    CHECK(desk.becomes([&](const Json& s) { return s["passes"] >= passes; }));
+    desk.key(keys.comma);
     CHECK(desk.becomes([&](const Json& s) { return s["passes"] < passes; }));
     desk.key("r");
 

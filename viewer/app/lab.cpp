@@ -50,22 +50,11 @@ void Lab::set_layout(Layout layout) {
 void Lab::open_deck() {
     state_.session.later([this] {
         if (!state_.session.walkthrough) state_.session.start_walkthrough();
-        if (state_.session.walkthrough) set_layout(Layout::deck);
+        if (!state_.session.walkthrough) return;
+        state_.session.compare(Compare::now);  // what a stage changed was looked at in the lab
+        set_layout(Layout::deck);
     });
 }
-
-namespace {
-// What a key of the lab does, it does not do to the focus as well: Tab hides the panels, and in the deck, where Tab goes through
-// the sliders, the arrows turn the slides.
-void release_keys(bool deck) {
-    if (ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive()) return;
-    const auto cancel_on = [](std::initializer_list<ImGuiKey> keys) {
-        if (std::ranges::any_of(keys, [](ImGuiKey k) { return ImGui::IsKeyPressed(k); })) ImGui::NavMoveRequestCancel();
-    };
-    deck ? cancel_on({ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_PageUp, ImGuiKey_PageDown, ImGuiKey_Home, ImGuiKey_End})
-         : cancel_on({ImGuiKey_Tab});
-}
-}  // namespace
 
 void Lab::clear_window() {
     const Size size = context_.framebuffer_size();
@@ -119,7 +108,7 @@ void Lab::build_frame(Real dt) {
     clear_window();
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
-    release_keys(in_deck());
+    deck_keys_.begin_frame(in_deck());
     state_.claims.book.update();
     state_.atlas.atlas.follow(state_.session);
     follow_lecture();
@@ -143,6 +132,7 @@ void Lab::build_frame(Real dt) {
     draw_focus(state_);
     do_what_is_wanted();
     ImGui::PopFont();
+    deck_keys_.end_frame(in_deck());
     gui_.end_frame();
     after_frame();
 }

@@ -1,5 +1,6 @@
 // The lab: one frame of its window, whoever makes the GL context.
 #pragma once
+#include "app/deck_keys.h"
 #include "app/lab_state.h"
 #include "panels/keys.h"
 #include "platform/context.h"
@@ -99,6 +100,7 @@ private:
     void lab_layout(float width, float height);
     void slide_layout(float width, float height);
     void deck_layout(float width, float height);
+    bool perform_on_deck(Action action);
     bool perform_on_run(Action action);
     bool perform_on_walkthrough(Action action);
     bool perform_on_view(Action action);
@@ -139,6 +141,7 @@ private:
     SceneRenderer renderer_;
     LabState state_;
     std::optional<PlotShot> plot_to_save_;
+    DeckKeys deck_keys_;
     Rectangle deck_picture_;  // where the deck's picture was in the last frame
     std::optional<Capture> capture_;
     std::optional<Animation> animation_;

@@ -7,8 +7,32 @@
 namespace pliant::viewer {
 
 void Lab::perform(Action action) {
+    if (in_deck() && perform_on_deck(action)) return;
     if (!perform_on_run(action) && !perform_on_walkthrough(action) && !perform_on_lecture(action) && !perform_on_view(action))
         perform_on_files(action);
+}
+
+// True when the deck has done with it. What plays or turns it takes the keys back from any control.
+bool Lab::perform_on_deck(Action action) {
+    Session& s = state_.session;
+    switch (action) {
+        case Action::play:
+        case Action::walkthrough_next:
+        case Action::walkthrough_back:
+        case Action::reset_slide:
+        case Action::first_slide:
+        case Action::last_slide:
+            return deck_keys_.let_go(), false;
+        case Action::leave_deck:
+            return deck_keys_.let_go();
+        case Action::previous_lesson:
+        case Action::next_lesson:
+            s.say(Session::Message::Kind::info,
+                  "The deck stays with its lesson. Escape goes to the lab, where [ and ] open other lessons.");
+            return true;
+        default:
+            return false;
+    }
 }
 
 // True when the action was one of these.

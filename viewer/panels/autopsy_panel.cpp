@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
+#include <vector>
 
 namespace pliant::viewer {
 namespace {
@@ -20,29 +21,37 @@ void take_focus(PanelContext& lab, ScenePanelState& panel) {
     focus_last_item();
 }
 
-std::string fix_label(const Autopsy& a) { return fmt::format("Set {} and {}", a.fix->label, a.restarts ? "restart" : "go on"); }
+std::string fix_label(const Session& s, const Autopsy& a, std::size_t n) {
+    const std::string act = s.locked_of_fix(n) ? "Unlock, set" : "Set";
+    return fmt::format("{} {} and {}", act, a.fix_at(n).label, a.restarts ? "restart" : "go on");
+}
+
+std::string fix_help(const Session& s, const Autopsy& a, std::size_t n) {
+    std::string help;
+    for (const auto& [key, value] : a.fix_at(n).assign) help += fmt::format("{} = {}\n", words(key), value);
+    if (const Parameter* p = s.locked_of_fix(n)) help += fmt::format("This slide locks {}; a press unlocks all parameters.\n", words(p->info.key));
+    return help + (a.restarts ? "Starts the scene again with it" : "Goes on from the last good state");
+}
 
 // Each returns whether the card is gone.
-bool fix_button(PanelContext& lab, ScenePanelState& panel, const Autopsy& a) {
-    if (!a.fix) return false;
-    const Parameter* locked = lab.session.locked_of_fix();
-    std::string help;
-    for (const auto& [key, value] : a.fix->assign) help += fmt::format("{} = {}\n", key, value);
-    help += locked       ? fmt::format("{} is locked on this slide; L unlocks it", words(locked->info.key))
-            : a.restarts ? "starts the scene again with it"
-                         : "goes on from the last good state";
-    ImGui::BeginDisabled(locked != nullptr);
-    const bool pressed = flowing_button(lab, fix_label(a), "fix", help, true);
-    if (!locked) take_focus(lab, panel);
-    ImGui::EndDisabled();
-    if (pressed) lab.session.mend();
-    return pressed;
+bool fix_buttons(PanelContext& lab, ScenePanelState& panel, const Autopsy& a) {
+    Session& s = lab.session;
+    for (std::size_t n = 0; n < a.fixes(); ++n) {
+        const std::string name = n == 0 ? "fix" : fmt::format("fix {}", n + 1);
+        const bool pressed = flowing_button(lab, fix_label(s, a, n), name, fix_help(s, a, n), n == 0);
+        if (n == 0) take_focus(lab, panel);
+        if (!pressed) continue;
+        if (s.locked_of_fix(n)) s.unlocked = true;
+        s.mend(n);
+        return true;
+    }
+    return false;
 }
 
 bool other_buttons(PanelContext& lab, ScenePanelState& panel, const Autopsy& a) {
     Session& s = lab.session;
-    const bool back = flowing_button(lab, "Step back", "autopsy back", "The step before the last good state (,)", !a.fix);
-    if (!a.fix || s.locked_of_fix()) take_focus(lab, panel);
+    const bool back = flowing_button(lab, "Step back", "autopsy back", "The step before the last good state (<)", !a.fix);
+    if (!a.fix) take_focus(lab, panel);
     if (back) return s.step_back(), true;
     if (a.thing && flowing_button(lab, "Show it", "show it",
                                   fmt::format("Inspect {} {}: its numbers, and why", name_of(a.thing->on), a.thing->index))) {
@@ -55,7 +64,7 @@ bool other_buttons(PanelContext& lab, ScenePanelState& panel, const Autopsy& a) 
     return false;
 }
 
-int lines_of_buttons(const Autopsy& a, float width) {
+int lines_of_buttons(const Session& s, const Autopsy& a, float width) {
     float x = 0;
     int lines = 1;
     const auto add = [&](const std::string& label) {
@@ -63,7 +72,7 @@ int lines_of_buttons(const Autopsy& a, float width) {
         if (x > 0 && x + w > width) ++lines, x = 0;
         x += w + ImGui::GetStyle().ItemSpacing.x;
     };
-    if (a.fix) add(fix_label(a));
+    for (std::size_t n = 0; n < a.fixes(); ++n) add(fix_label(s, a, n));
     add("Step back");
     if (a.thing) add("Show it");
     add("Reset"), add("Dismiss");
@@ -75,11 +84,13 @@ struct Line {
     ImFont* font;
 };
 
-std::array<Line, 3> lines_of(PanelContext& lab, const Autopsy& a, const std::string& facts) {
-    return {{{a.headline, lab.fonts.medium}, {facts, lab.fonts.normal}, {a.limit, lab.fonts.small}}};
+// The reason first, in the largest type.
+std::vector<Line> lines_of(const Autopsy& a, const std::string& facts, ImFont* reason, ImFont* rest) {
+    if (a.limit.empty()) return {{a.headline, reason}, {facts, rest}};
+    return {{a.limit, reason}, {a.headline, rest}, {facts, rest}};
 }
 
-float height_of_words(const std::array<Line, 3>& lines, float width) {
+float height_of_words(const std::vector<Line>& lines, float width) {
     float height = 0;
     for (const Line& l : lines) {
         if (l.text.empty()) continue;
@@ -90,7 +101,7 @@ float height_of_words(const std::array<Line, 3>& lines, float width) {
     return height;
 }
 
-void draw_words(const std::array<Line, 3>& lines) {
+void draw_words(const std::vector<Line>& lines) {
     for (const Line& l : lines) {
         if (l.text.empty()) continue;
         ImGui::PushFont(l.font);
@@ -108,11 +119,14 @@ void draw_autopsy(PanelContext& lab, ScenePanelState& panel, const Rectangle& pi
     const Autopsy a = *lab.session.autopsy();
     const std::string facts = a.where.empty() ? a.against : fmt::format("{}: {}", words(a.where), a.against);
     const float gap = lab.px(10), pad = lab.px(9), width = std::max(picture.width - 2 * gap, lab.px(60)), inner = width - 2 * pad;
-    const auto lines = lines_of(lab, a, facts);
-    const float buttons = static_cast<float>(lines_of_buttons(a, inner)) * ImGui::GetFrameHeightWithSpacing();
-    // A third of the picture at most: what is longer scrolls.
-    const float most = picture.width * picture.height / 3 / width,
-                height = std::min(height_of_words(lines, inner) + buttons + 2 * pad, std::max(most, buttons + 3 * pad));
+    const float buttons = static_cast<float>(lines_of_buttons(lab.session, a, inner)) * ImGui::GetFrameHeightWithSpacing();
+    // A third of the picture at most, in the largest type that it has room for: what is longer still scrolls.
+    const float most = picture.width * picture.height / 3 / width;
+    const Fonts& f = lab.fonts;
+    auto lines = lines_of(a, facts, f.large, f.normal);
+    for (const auto& [reason, rest] : {std::pair{f.medium, f.normal}, {f.medium, f.small}, {f.normal, f.small}})
+        if (height_of_words(lines, inner) + buttons + 2 * pad > most) lines = lines_of(a, facts, reason, rest);
+    const float height = std::min(height_of_words(lines, inner) + buttons + 2 * pad, std::max(most, buttons + 3 * pad));
     ImGui::SetCursorScreenPos({picture.x + gap, picture.y + gap});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(card_colour, 0.96f));
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
@@ -124,7 +138,7 @@ void draw_autopsy(PanelContext& lab, ScenePanelState& panel, const Rectangle& pi
     ImGui::BeginChild("autopsy words", {0, height - buttons - 2 * pad}, ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);
     draw_words(lines);
     ImGui::EndChild();
-    if (!fix_button(lab, panel, a)) other_buttons(lab, panel, a);
+    if (!fix_buttons(lab, panel, a)) other_buttons(lab, panel, a);
     ImGui::EndChild();
     lab.note_control("autopsy");
     ImGui::PopStyleVar();

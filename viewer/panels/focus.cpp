@@ -44,9 +44,30 @@ void focus_last_item() {
     ImGui::GetCurrentContext()->NavDisableHighlight = false;
 }
 
+namespace {
+
+// In a deck, where most keys are those of the slides: what the control that has them takes.
+void say_keys(PanelContext& lab, const ImRect& ring) {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    lab.focus_words = g.IO.WantTextInput ? "Enter takes it, Escape leaves it; then the keys are the deck's again"
+                                         : "Enter acts on this; Space and the arrows are the deck's, Escape lets go";
+    ImGui::PushFont(lab.fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(lab.focus_words.c_str()), room = g.IO.DisplaySize;
+    const float pad = lab.px(5), height = size.y + 2 * pad, width = size.x + 2 * pad;
+    ImVec2 at{std::clamp(ring.Min.x, 0.f, std::max(0.f, room.x - width)), ring.Min.y - height - lab.px(3)};
+    if (at.y < 0) at.y = ring.Max.y + lab.px(3);
+    ImDrawList* draw = ImGui::GetForegroundDrawList();
+    draw->AddRectFilled(at, {at.x + width, at.y + height}, ImGui::GetColorU32(ImGuiCol_NavHighlight), lab.px(4));
+    draw->AddText({at.x + pad, at.y + pad}, packed(palette(lab.theme).background), lab.focus_words.c_str());
+    ImGui::PopFont();
+}
+
+}  // namespace
+
 void draw_focus(PanelContext& lab) {
     ImGuiContext& g = *ImGui::GetCurrentContext();
     lab.focus.reset();
+    lab.focus_words.clear();
     if (!g.NavWindow || g.NavId == 0 || g.NavDisableHighlight || g.NavWindow->Hidden) return;
     ImRect r = ImGui::WindowRectRelToAbs(g.NavWindow, g.NavWindow->NavRectRel[g.NavLayer]);
     if (g.NavLayer == ImGuiNavLayer_Main) r.ClipWith(g.NavWindow->InnerRect);
@@ -56,6 +77,7 @@ void draw_focus(PanelContext& lab) {
     const float line = std::max(3.f, lab.px(3));
     ImGui::GetForegroundDrawList()->AddRect(r.Min, r.Max, packed(palette(lab.theme).background), lab.px(4), 0, 2 * line);
     ImGui::GetForegroundDrawList()->AddRect(r.Min, r.Max, ImGui::GetColorU32(ImGuiCol_NavHighlight), lab.px(4), 0, line);
+    if (lab.layout == Layout::deck && !lab.session.autopsy()) say_keys(lab, r);
 }
 
 }  // namespace pliant::viewer

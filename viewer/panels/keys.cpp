@@ -27,7 +27,8 @@ constexpr KeyBinding twin(Action action, ImGuiKey key, bool shift, bool repeats,
 constexpr std::array bindings{
     KeyBinding{Action::play, ImGuiKey_Space, false, false, "Space", "play or pause"},
     typed(Action::step, '.', true, ".", "one step"),
-    typed(Action::step_back, ',', true, ",", "one step back"),
+    typed(Action::stage_back, ',', true, ",", "one stage back"),
+    typed(Action::step_back, '<', true, "<", "one step back; inside a step, to the same stage of the step before"),
     typed(Action::stage, '/', true, "/", "one stage"),
     KeyBinding{Action::stage_back, ImGuiKey_M, false, true, "M", "one stage back"},
     typed(Action::pass, ';', true, ";", "one pass of an inner loop"),
@@ -98,7 +99,8 @@ constexpr std::array bindings{
     KeyBinding{Action::end_lecture, ImGuiKey_None, false, false, "", "leave the lecture; this run stays"},
     KeyBinding{Action::defaults, ImGuiKey_None, false, false, "", "set every parameter to its default value"},
     twin(Action::step, ImGuiKey_F2, false, true, "F2", "one step"),
-    twin(Action::step_back, ImGuiKey_F2, true, true, "Shift F2", "one step back"),
+    twin(Action::step_back, ImGuiKey_F2, true, true, "Shift F2",
+         "one step back; inside a step, to the same stage of the step before"),
     twin(Action::stage, ImGuiKey_F3, false, true, "F3", "one stage"),
     twin(Action::stage_back, ImGuiKey_F3, true, true, "Shift F3", "one stage back"),
     twin(Action::pass, ImGuiKey_F4, false, true, "F4", "one pass of an inner loop"),
@@ -165,22 +167,27 @@ int times_typed(const KeyBinding& b) {
     return static_cast<int>(std::count(characters.begin(), characters.end(), static_cast<ImWchar>(b.character)));
 }
 
-bool key_pressed(const KeyBinding& b) {
+// Keys that play and turn the slides of a deck, whatever control was clicked before; only a text that is typed has them first.
+bool presents(const KeyBinding& b, const KeyContext& context) {
+    return context.deck && (b.where == Where::in_deck || b.action == Action::play);
+}
+
+bool key_pressed(const KeyBinding& b, const KeyContext& context) {
     const ImGuiIO& io = ImGui::GetIO();
     if (b.key == ImGuiKey_None || io.KeyAlt) return false;
     if (held(io.KeyCtrl, ImGuiKey_LeftCtrl, ImGuiKey_RightCtrl) != b.ctrl) return false;
     if (shift_tells(b) && held(io.KeyShift, ImGuiKey_LeftShift, ImGuiKey_RightShift) != b.shift) return false;
     // Space acts on the control that has the visible focus, if one has.
-    if (b.key == ImGuiKey_Space && io.NavVisible) return false;
+    if (b.key == ImGuiKey_Space && io.NavVisible && !context.deck) return false;
     // A control that was taken hold of by keys has the arrows, and Escape lets go of it.
-    if ((b.where == Where::in_deck || b.where == Where::over_a_message) && ImGui::IsAnyItemActive()) return false;
+    if (b.where == Where::over_a_message && ImGui::IsAnyItemActive() && !presents(b, context)) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);
 }
 }  // namespace
 
-int presses(const KeyBinding& b) {
+int presses(const KeyBinding& b, const KeyContext& context) {
     if (ImGui::GetIO().WantTextInput) return 0;
-    return b.character ? times_typed(b) : static_cast<int>(key_pressed(b));
+    return b.character ? times_typed(b) : static_cast<int>(key_pressed(b, context));
 }
 
 std::vector<KeyRow> key_rows() {

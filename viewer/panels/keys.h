@@ -99,7 +99,7 @@ std::span<const KeyBinding> key_bindings();
 const KeyBinding& binding(Action action);
 
 // How often the key was pressed in this frame; never while a text is being typed.
-int presses(const KeyBinding& binding);
+int presses(const KeyBinding& binding, const KeyContext& context = {});
 
 // All keys and what the mouse does, for the help and the documentation: keys with one meaning stand together, ". or F2".
 struct KeyRow {
@@ -116,7 +116,7 @@ void handle_keys(const KeyContext& context, const auto& perform) {
     int taken = 0;
     for (const KeyBinding& b : key_bindings()) {
         if (!context.suits(b.where) || (taken != 0 && b.key == taken)) continue;
-        const int times = presses(b);
+        const int times = presses(b, context);
         if (times > 0 && b.where == Where::over_a_message) taken = b.key;
         for (int i = 0; i < times; ++i) perform(b.action);
     }

@@ -70,6 +70,7 @@ struct PanelContext {
     std::vector<Action> wanted{};            // what the lab itself has to do, asked for by a panel: done at the end of the frame
     std::vector<SceneFile> wanted_scenes{};  // to be opened, likewise
     std::optional<Rectangle> focus{};        // the control that the keys act on, when it shows
+    std::string focus_words{};               // what is said of it: in a deck, what its keys are
 
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls{};

@@ -56,11 +56,13 @@ std::string inside_text(const Session& s) {
 void draw_status_line(PanelContext& lab) {
     const Session& s = lab.session;
     const Runner& r = s.runner();
+    const bool under_way = r.inside_step() && !s.shows_last_step();
+    const std::string place = fmt::format("step {}", r.place().step + (under_way ? 1 : 0));
     if (r.is_static()) {
-        ImGui::Text("static   step %lld", static_cast<long long>(r.place().step));
+        ImGui::Text("static   %s", place.c_str());
     } else {
-        ImGui::Text("t = %s   step %lld   Δt = %s", format_quantity(r.time(), "s").c_str(),
-                    static_cast<long long>(r.place().step), format_quantity(r.time_step(), "s", 3).c_str());
+        ImGui::Text("t = %s   %s   Δt = %s", format_quantity(r.time(), "s").c_str(), place.c_str(),
+                    format_quantity(r.time_step(), "s", 3).c_str());
         ImGui::SameLine(0, lab.px(14));
         const std::string inside = inside_text(s);
         if (!inside.empty())

@@ -136,7 +136,7 @@ void scrubber(PanelContext& lab, float width) {
     ImGui::SetNextItemWidth(width);
     ImGui::BeginDisabled(first == last);
     const bool inside = runner.inside_step() && !s.shows_last_step();
-    const std::string format = inside ? fmt::format("step %lld + {} passes", runner.place().passes) : "step %lld";
+    const std::string format = inside ? place_words(runner.place()) : "step %lld";
     bool moved = false;
     // The number stands over the grab, which is wide where few steps are stored.
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImGui::GetColorU32(ImGuiCol_SliderGrab, 0.4f));

@@ -131,7 +131,7 @@ void draw_walkthrough(PanelContext& lab) {
     lab.note_control("walkthrough end");
     tooltip("Ends the walkthrough and unlocks the parameters; the run stays.", lab.scale);
     ImGui::SameLine();
-    if (ImGui::Button("Deck##walkthrough")) lab.layout = Layout::deck, lab.session.camera.reset();
+    if (ImGui::Button("Deck##walkthrough")) lab.wanted.push_back(Action::deck);
     lab.note_control("walkthrough deck");
     tooltip("Shows the slide in large type beside the picture, for a lecture (D).", lab.scale);
     ImGui::SameLine();

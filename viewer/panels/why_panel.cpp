@@ -93,7 +93,7 @@ void inputs_of(PanelContext& lab, const Answer& a, std::optional<Inspector::Aske
                 inputs_of(lab, in, next);
                 ImGui::TreePop();
             }
-        } else if (in.can_ask || in.kind == Answer::Kind::state) {
+        } else if (!in.together && (in.can_ask || in.kind == Answer::Kind::state || in.kind == Answer::Kind::computed)) {
             if (ImGui::Selectable("##ask", false, 0, {0, sentence_box(lab, text).height()}))
                 next = {.field = in.field, .index = in.index, .component = in.component, .when = in.when};
             lab.note_control(fmt::format("ask {}", in.symbol));
@@ -104,7 +104,7 @@ void inputs_of(PanelContext& lab, const Answer& a, std::optional<Inspector::Aske
                     lab.scale);
         } else {
             ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
-            sentence_item(lab, fmt::format("{}   {}", text, origin_of(in)));
+            sentence_item(lab, fmt::format("{}   {}", text, in.together ? "solved together" : origin_of(in)));
             ImGui::PopStyleColor();
         }
         ImGui::PopID();
@@ -138,6 +138,7 @@ void draw_why(PanelContext& lab) {
         ImGui::TextDisabled("%s", origin_of(a).c_str());
     }
     formula_block(lab, a);
+    if (const std::string solve = words_of_solve(a, s.lesson()); !solve.empty()) sentence_item(lab, solve);
     std::optional<Inspector::Asked> next;
     inputs_of(lab, a, next);
     if (next) s.ask(*next);

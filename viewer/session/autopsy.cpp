@@ -44,7 +44,7 @@ std::string Autopsy::text() const {
     std::string all = headline;
     for (const std::string* part : {&where, &against, &limit})
         if (!part->empty()) all += "\n" + *part;
-    if (fix) all += "\nTo mend it: " + fix->label;
+    for (std::size_t n = 0; n < fixes(); ++n) all += (n == 0 ? "\nTo mend it: " : ", or ") + fix_at(n).label;
     return all;
 }
 
@@ -63,6 +63,7 @@ Autopsy autopsy_of(const Runner& runner, const Failure& f) {
     a.against = against_of(f, field ? field->unit : "");
     a.limit = f.limit;
     take_fix(a, runner.lesson(), runner.lesson().fix(f));
+    if (a.fix) a.others = runner.lesson().other_fixes(f);
     // What is left of a run that blows up is torn before the bound is met: it would blow up again.
     a.restarts = a.fix.has_value();
     return a;

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pliant::viewer {
 
@@ -18,7 +19,10 @@ struct Autopsy {
     std::string field{};         // whose element it is
     std::optional<Thing> thing;  // the element, when one can be picked
     std::optional<Fix> fix;
-    bool restarts = false;  // with the fix the run starts again; else it goes on from where it is
+    std::vector<Fix> others{};  // that would mend it as well
+    bool restarts = false;      // with a fix the run starts again; else it goes on from where it is
+    const Fix& fix_at(std::size_t n) const { return n == 0 ? fix.value() : others.at(n - 1); }
+    std::size_t fixes() const { return fix ? 1 + others.size() : 0; }
     // The words of the card, a line each.
     std::string text() const;
 };

@@ -221,9 +221,9 @@ public:
     const std::optional<Autopsy>& autopsy() const { return autopsy_; }
     void tell(const Diverged& divergence);
     // The parameter of the fix that the slide locks; null when all may be changed.
-    const Parameter* locked_of_fix() const;
-    // Applies the fix, as one step of undo, and plays: on from the last good state, or from the start where it rebuilds.
-    void mend();
+    const Parameter* locked_of_fix(std::size_t which = 0) const;
+    // Applies a fix, as one step of undo, and plays: on from the last good state, or from the start where it rebuilds.
+    void mend(std::size_t which = 0);
     // The element goes to the inspector.
     void pick_failed();
 

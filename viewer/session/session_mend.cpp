@@ -15,19 +15,19 @@ void Session::tell_failed_assumption() {
     autopsy_ = autopsy_of(*runner_, lesson().assumptions[*failed]);
 }
 
-const Parameter* Session::locked_of_fix() const {
-    if (!autopsy_ || !autopsy_->fix) return nullptr;
-    for (const auto& [key, value] : autopsy_->fix->assign)
+const Parameter* Session::locked_of_fix(std::size_t which) const {
+    if (!autopsy_ || which >= autopsy_->fixes()) return nullptr;
+    for (const auto& [key, value] : autopsy_->fix_at(which).assign)
         if (const Parameter& p = lesson().parameter(key); locked(p)) return &p;
     return nullptr;
 }
 
-void Session::mend() {
-    if (put_off([this] { mend(); })) return;
-    if (!autopsy_ || !autopsy_->fix) return;
-    if (const Parameter* p = locked_of_fix(); p && refuse_locked(*p)) return;
+void Session::mend(std::size_t which) {
+    if (put_off([this, which] { mend(which); })) return;
+    if (!autopsy_ || which >= autopsy_->fixes()) return;
+    if (const Parameter* p = locked_of_fix(which); p && refuse_locked(*p)) return;
     Values before, wanted;
-    for (const auto& [key, text] : autopsy_->fix->assign) {
+    for (const auto& [key, text] : autopsy_->fix_at(which).assign) {
         const Parameter& p = lesson().parameter(key);
         before.emplace_back(&p, runner_->wanted(p));
         wanted.emplace_back(&p, p.parse(text));

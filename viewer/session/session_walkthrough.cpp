@@ -78,8 +78,11 @@ void Session::move_walkthrough(const std::function<void()>& move) {
     playing = false;
     dismiss();
     const KeptPicture before = picture();
+    const std::size_t slide = walkthrough->slide_number();
     guarded(move);
     undo_.clear();
+    // Each slide begins with the whole picture, as it is now.
+    if (walkthrough->slide_number() != slide) inspector.stage.clear(), compare(Compare::now);
     show_field_of_slide();
     after_walkthrough();
     const Scene& now = scene();

@@ -12,7 +12,7 @@ namespace {
 std::string place_sentence(const Runner& r) {
     if (r.is_static())
         return fmt::format("Static: {} {} done.\n", r.place().step, r.place().step == 1 ? "solve is" : "solves are");
-    return fmt::format("Step {}, time {}, time step {}.\n", r.place().step, format_quantity(r.time(), "s"),
+    return fmt::format("S{}, time {}, time step {}.\n", place_words(r.place()).substr(1), format_quantity(r.time(), "s"),
                        format_quantity(r.time_step(), "s"));
 }
 

@@ -45,6 +45,8 @@ Json json_of(const Answer& a, int depth) {
     j["formula"] = a.formula;
     j["substituted"] = a.substituted;
     if (!a.trouble.empty()) j["error"] = a.trouble;
+    if (a.together) j["solved_together"] = true;
+    if (a.leftover) j["left_over"] = true;
     if (!a.latex.empty()) j["latex"] = a.latex;
     if (!a.unit_check.empty()) j["unit_check"] = a.unit_check;
     j["inputs"] = Json::array();
@@ -58,6 +60,8 @@ Json json_of(const Answer& a, int depth) {
 }
 
 std::string where_from(const Answer& a) {
+    if (a.together) return "solved together with it";
+    if (a.leftover && a.stage.empty()) return "what the solve has left";
     switch (a.kind) {
         case Answer::Kind::computed:
             return a.stage.empty() ? "by definition" : fmt::format("stage {}", a.stage);
@@ -118,6 +122,17 @@ std::string why_json(const Answer& answer, int depth) { return json_of(answer, d
 std::string why_text(const Answer& answer) {
     std::string text;
     text_of(answer, 0, true, text);
+    return text;
+}
+
+std::string words_of_solve(const Answer& a, const Lesson& lesson) {
+    const Field* field = lesson.find_field(a.field);
+    if (!field || std::ranges::none_of(a.inputs, &Answer::together)) return "";
+    const Index others = field->size() - 1;
+    const auto left = std::ranges::find(a.inputs, true, &Answer::leftover);
+    std::string text = fmt::format("Solved together with {} other {}{}: none of them comes first, the equation holds for all at once.",
+                                   others, name_of(field->on), others == 1 ? "" : "s");
+    if (left != a.inputs.end()) text += fmt::format(" What the solver has left of it is {}: go on from there.", left->symbol);
     return text;
 }
 

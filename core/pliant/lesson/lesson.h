@@ -238,6 +238,8 @@ public:
 
     // What would have prevented a blow-up, with the parameters as they are; empty when nothing is known.
     virtual std::optional<Fix> fix(const Failure&) const { return std::nullopt; }
+    // What else the hint recommends, each a button behind that of fix().
+    virtual std::vector<Fix> other_fixes(const Failure&) const { return {}; }
 
     // Parameters of a finer run of the same scene, to measure errors against where no closed form exists; empty when none makes
     // sense.

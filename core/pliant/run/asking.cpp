@@ -169,6 +169,24 @@ Answer Asking::input(const Input& in, const Request& r) {
     return a;
 }
 
+// A number of the field that is explained, taken as the stage left it, is an unknown of the same solve: to ask for it in turn would
+// lead back here. What else the stage writes tells what is left of the equation.
+void Asking::mark_unknowns(Answer& a, const Explanation& e, const Request& r) const {
+    if (!r.field || r.writers.empty()) return;
+    const auto of_solve = [&](const Answer& in, const Input& declared) {
+        return declared.from == Input::From::now && in.field == r.field->name;
+    };
+    bool any = false;
+    for (std::size_t k = 0; k < e.inputs.size(); ++k)
+        if (of_solve(a.inputs[k], e.inputs[k])) a.inputs[k].together = any = true, a.inputs[k].can_ask = false;
+    if (!any) return;
+    const auto& writes = r.writers.front().stage->writes;
+    for (std::size_t k = 0; k < e.inputs.size(); ++k)
+        if (e.inputs[k].from == Input::From::now && !a.inputs[k].together &&
+            std::ranges::find(writes, a.inputs[k].field) != writes.end())
+            a.inputs[k].leftover = true;
+}
+
 // The numbers of a formula that was declared.
 void Asking::fill(Answer& a, const Explanation& e, const Request& r) {
     a.inputs.reserve(e.inputs.size());
@@ -178,6 +196,7 @@ void Asking::fill(Answer& a, const Explanation& e, const Request& r) {
         fill(child, *in.why, r);
         child.value = child.evaluated;
     }
+    mark_unknowns(a, e, r);
     evaluate(a, e);
 }
 

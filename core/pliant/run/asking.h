@@ -38,6 +38,7 @@ private:
     bool explain_one(Request& r);
     void fill(Answer& a, const Explanation& e, const Request& r);
     Answer input(const Input& in, const Request& r);
+    void mark_unknowns(Answer& a, const Explanation& e, const Request& r) const;
     Real look_up(const Input& in, const Request& r) const;
 
     Runner& runner_;

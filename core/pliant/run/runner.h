@@ -22,6 +22,9 @@ struct Place {
     Index passes = 0;
     auto operator<=>(const Place&) const = default;
 };
+// For people, who count steps from 1: "step 7" is the seventh, that under way or, between two steps, the one that has ended. Every
+// text that names a step means it so.
+std::string place_words(Place place);
 
 // Wall time and counted work of a stage since the last reset.
 struct StageCost {
@@ -88,7 +91,7 @@ public:
     // Restores a stored state and replays to the wanted place; false when it is no longer stored.
     bool pass_back();
     bool stage_back();
-    bool step_back();
+    bool step_back();  // inside a step, to the same stage of the step before
     // Also forward again to what was run before, until something is changed.
     bool go_to(Place place);
     // The furthest place that go_to() can reach.

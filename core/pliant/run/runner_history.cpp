@@ -2,9 +2,16 @@
 #include <pliant/math/watch.h>
 #include <pliant/run/runner.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pliant {
+
+std::string place_words(Place place) {
+    if (place.passes == 0) return fmt::format("step {}", place.step);
+    return fmt::format("step {}, {} {} done", place.step + 1, place.passes, place.passes == 1 ? "pass" : "passes");
+}
 
 void Runner::store_snapshot() {
     Snapshot& s = history_.add(step_);
@@ -91,6 +98,14 @@ bool Runner::stage_back() {
     return go_to({inside ? step_ : step_ - 1, target});
 }
 
-bool Runner::step_back() { return inside_step() ? go_to({step_, 0}) : step_ > 0 && go_to({step_ - 1, 0}); }
+// Inside a step, to the same stage and pass of the step before, as far as that has as many.
+bool Runner::step_back() {
+    if (!inside_step()) return step_ > 0 && go_to({step_ - 1, 0});
+    const std::vector<Execution>& before = executed_before_;
+    if (step_ == 0 || before.empty()) return go_to({step_, 0});
+    const std::size_t done = std::min(executed_.size(), before.size());
+    const Index passes = (done > 0 ? before[done - 1].end : 0) + passes_in_stage();
+    return go_to({step_ - 1, std::min(passes, before.back().end - 1)});
+}
 
 }  // namespace pliant

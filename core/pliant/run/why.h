@@ -45,6 +45,8 @@ struct Answer {
     bool wrong_unit = false;      // as the slide has it, on purpose
     std::string trouble{};        // why its formula cannot be read, and where it stands in the sources; "" where it can
     bool by_differences = false;  // of an input: a function without a formula takes it, whose slope is a difference
+    bool together = false;        // of an input: an unknown of the same solve, found at once with what it is put into
+    bool leftover = false;        // of an input: what that solve has left of the equation
     bool can_ask = false;         // has inputs that are not listed here for want of depth
 };
 
@@ -75,6 +77,8 @@ std::string why_json(const Answer& answer, int depth);
 std::string why_text(const Answer& answer);
 // "The sides differ in their unit: m/s on the left, m on the right."; "" where they do not, or nothing is known of them.
 std::string unit_words(const Answer& answer);
+// "Solved together with 1023 others: ..."; "" of what is not an unknown of a solve.
+std::string words_of_solve(const Answer& answer, const Lesson& lesson);
 // "velocity x of cell 413", "viscosity": what the number is.
 std::string title_of(const Answer& answer, const Lesson& lesson);
 

@@ -46,6 +46,10 @@ struct DiffusionLesson final : Lesson {
         if (is_explicit()) return stable_again();
         return Fix{"r = 1", {{"diffusion_number", "1"}}};
     }
+    std::vector<Fix> other_fixes(const Failure&) const override {
+        if (literal() || !is_explicit()) return {};
+        return {Fix{"the implicit scheme", {{"scheme", "implicit"}}}};
+    }
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return exact(0, 0) ? "error" : "amplitude"; }
     ColourBy first_colours() const override { return {"u"}; }

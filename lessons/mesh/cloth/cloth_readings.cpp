@@ -190,6 +190,11 @@ std::optional<Fix> ClothLesson::fix(const Failure&) const {
     return fix_by(dt, rounded_down(dt / 4, 2));
 }
 
+std::vector<Fix> ClothLesson::other_fixes(const Failure&) const {
+    if (implicit()) return capped() ? std::vector<Fix>{} : std::vector{fix_by(dt, rounded_down(dt / 4, 2))};
+    return {fix_by(dt, rounded_down(std::min(Real(dt), stable_time_step()) / 4, 2))};
+}
+
 // Solved to rounding, in whole parts of the present step.
 std::vector<std::pair<std::string, std::string>> ClothLesson::finer() const {
     return {{"scheme", "implicit_euler"},

@@ -55,6 +55,7 @@ struct MassSpringLesson final : Lesson {
     void pull(const std::optional<Pull>& hand) override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
+    std::vector<Fix> other_fixes(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return telling_probe(); }
     ColourBy first_colours() const override { return {"tension", -1}; }

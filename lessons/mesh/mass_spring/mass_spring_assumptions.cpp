@@ -134,6 +134,12 @@ std::optional<Fix> MassSpringLesson::fix(const Failure&) const {
     return fix_by(dt, rounded_down(dt / 4, 2));
 }
 
+std::vector<Fix> MassSpringLesson::other_fixes(const Failure&) const {
+    if (tested()) return {};
+    if (!implicit()) return {Fix{"implicit Euler", {{"integrator", "implicit_euler"}}}};
+    return newton_cap < 100 ? std::vector{Fix{"100 Newton iterations", {{"newton_iterations", "100"}}}} : std::vector<Fix>{};
+}
+
 // The integrator of second-order energy error, well inside its limit, in whole parts of the present step.
 std::vector<std::pair<std::string, std::string>> MassSpringLesson::finer() const {
     const Real limit = stability_limit(Scheme::semi_implicit_euler, rates());

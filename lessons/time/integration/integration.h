@@ -28,6 +28,7 @@ struct IntegrationLesson final : Lesson {
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
+    std::vector<Fix> other_fixes(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::vector<std::string_view> first_plots() const override {
         if (compare == Compare::all) return {"error_over_step", "error_over_cost", "energy_of_all"};

@@ -114,6 +114,11 @@ std::optional<Fix> IntegrationLesson::fix(const Failure&) const {
     return fix_by(dt, rounded_down(dt / 4, 2));
 }
 
+std::vector<Fix> IntegrationLesson::other_fixes(const Failure&) const {
+    if (implicit()) return {fix_by(dt, rounded_down(dt / 4, 2))};
+    return {Fix{"implicit Euler", {{"scheme", "implicit_euler"}}}};
+}
+
 std::vector<std::pair<std::string, std::string>> IntegrationLesson::finer() const {
     const Real step = omega > 0 ? std::min(Real(dt) / 8, 0.05 / (motion_->fast_rate() * std::max(Real{1}, Real(zeta)))) : dt / 8;
     return {{"scheme", "runge_kutta_4"}, {"time_step", format_exact(dt / std::ceil(dt / step))}};

@@ -1,0 +1,71 @@
+#include "app/deck_keys.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace pliant::viewer {
+namespace {
+
+bool any_pressed(std::initializer_list<ImGuiKey> keys) {
+    return std::ranges::any_of(keys, [](ImGuiKey k) { return ImGui::IsKeyPressed(k); });
+}
+
+bool list_is_open() { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
+
+// What ImGui has begun to do for a key in this frame.
+void take_move_back(bool ring) {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImGui::NavMoveRequestCancel();
+    g.NavInitRequest = false;
+    g.NavDisableHighlight = !ring;
+}
+
+void take_press_back() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    g.NavActivateId = g.NavActivateDownId = g.NavActivatePressedId = 0;
+}
+
+void put_ring_out() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImGui::ClearActiveID();
+    if (list_is_open()) ImGui::ClosePopupToLevel(0, true);
+    g.NavId = 0;
+    g.NavDisableHighlight = true;
+    g.IO.NavVisible = false;
+}
+
+}  // namespace
+
+void DeckKeys::begin_frame(bool deck) {
+    if (ImGui::GetIO().WantTextInput) return;
+    if (!deck) {
+        if (!ImGui::IsAnyItemActive() && any_pressed({ImGuiKey_Tab})) ImGui::NavMoveRequestCancel();
+        return;
+    }
+    if (any_pressed({ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_PageUp, ImGuiKey_PageDown, ImGuiKey_Home, ImGuiKey_End}))
+        take_move_back(ring_);
+    // Up and down choose in a list that is open, and do nothing else.
+    if (!list_is_open() && any_pressed({ImGuiKey_UpArrow, ImGuiKey_DownArrow})) take_move_back(ring_);
+    if (ImGui::IsKeyDown(ImGuiKey_Space)) take_press_back();
+}
+
+void DeckKeys::end_frame(bool deck) {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    const bool was_typing = typing_;
+    typing_ = g.WantTextInputNextFrame > 0 || g.IO.WantTextInput;
+    // Who has typed a number goes on with the deck.
+    if (deck && was_typing && !typing_) put_ring_out();
+    ring_ = g.NavId != 0 && !g.NavDisableHighlight;
+    held_ = typing_ || ring_ || list_is_open();
+}
+
+bool DeckKeys::let_go() {
+    const bool held = held_;
+    put_ring_out();
+    held_ = ring_ = false;
+    return held;
+}
+
+}  // namespace pliant::viewer
