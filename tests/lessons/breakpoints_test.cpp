@@ -59,7 +59,7 @@ TEST_CASE("a run stops when a probe crosses a limit, once") {
     CHECK_THAT(*reason, ContainsSubstring("height < 0.3"));
     CHECK(*runner.lesson().probe("height").value() < 0.3);
     const Index stopped = runner.place().step;
-    runner.step_back();
+    REQUIRE(runner.go_to({stopped, 0}));
     CHECK(*runner.lesson().probe("height").value() >= 0.3);
     runner.step();
     // It holds now, and does not stop the run again while it goes on to hold.

@@ -36,7 +36,7 @@ TEST_CASE("two runs side by side have sliders of their own", "[window]") {
     desk.key("period");
     desk.key("period");
     CHECK(desk.becomes([](const Json& s) { return s["step"] == 2 && s["companion"]["step"] == 2; }));
-    desk.key("comma");
+    desk.key("less");
     CHECK(desk.becomes([](const Json& s) { return s["step"] == 1 && s["companion"]["step"] == 1; }));
 
     desk.key("3");
