@@ -54,7 +54,9 @@ DeckPlaces with_plots_below(DeckPlaces p, const LabState& lab, const Rectangle& 
 
 DeckPlaces deck_places(const LabState& lab, float width, float height) {
     DeckPlaces p;
-    const float head = lab.px(64), notes = lab.notes_shown ? std::min(slide_notes_height(lab, width), height / 4) : 0,
+    // The audience never sees the notes while the lecturer has a window for them.
+    const bool notes_here = lab.notes_shown && !lab.presenter.wanted;
+    const float head = lab.px(64), notes = notes_here ? std::min(slide_notes_height(lab, width), height / 4) : 0,
                 body = height - head - notes, left = slide_has_words(lab) ? width * words_part : 0;
     p.title = {0, 0, width, head};
     p.notes = {0, head + body, width, notes};

@@ -3,6 +3,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
 
+#include "app/presenter_view.h"
 #include "panels/animation_panel.h"
 #include "panels/file_dialog.h"
 #include "panels/focus.h"
@@ -78,6 +79,7 @@ void Lab::prepare() {
 
 bool Lab::frame(Real dt) {
     constexpr int frames_to_settle = 3;
+    lift_black_out();
     if (!finished()) return unsettled_ = frames_to_settle, draw_busy();
     if (!std::exchange(run_moved_, true)) {
         work([this, dt] { move_run(dt); });
@@ -117,7 +119,8 @@ void Lab::build_frame(Real dt) {
         handle_keys({.walkthrough = state_.session.walkthrough.has_value(),
                      .deck = in_deck(),
                      .slide = state_.layout == Layout::slide,
-                     .message = s.message() || s.autopsy() || !state_.summary.text.empty()},
+                     .message = s.message() || s.autopsy() || !state_.summary.text.empty() || state_.help_shown,
+                     .filled = static_cast<bool>(state_.fill)},
                     [this](Action a) { perform(a); });
     forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);
@@ -125,11 +128,14 @@ void Lab::build_frame(Real dt) {
     if (state_.layout == Layout::deck && !state_.session.walkthrough) set_layout(Layout::lab);  // another scene was opened
     draw_layout(display.x, display.y);
     state_.plots.memory.save_all_svg = false;
-    if (state_.help_shown) draw_help(state_.help_shown);
+    draw_help(state_, state_.help, state_.help_shown);
     draw_summary(state_, state_.summary);
     draw_file_dialog(state_, state_.file_dialog);
     draw_animation_panel(state_);
     draw_focus(state_);
+    draw_over_all();
+    if (state_.presenter.wanted) state_.presenter.view = presenter_view(state_);
+    state_.full_screen = context_.full_screen();
     do_what_is_wanted();
     ImGui::PopFont();
     deck_keys_.end_frame(in_deck());

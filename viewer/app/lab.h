@@ -2,6 +2,7 @@
 #pragma once
 #include "app/deck_keys.h"
 #include "app/lab_state.h"
+#include "app/lens.h"
 #include "panels/keys.h"
 #include "platform/context.h"
 #include "platform/gui.h"
@@ -97,10 +98,15 @@ private:
     void take_inputs_of_card();
     void lay_out_card(ImDrawList& draw, const ImVec2& display);
     void draw_layout(float width, float height);
+    void filled_layout(float width, float height);
+    void show_lab();        // with all its panels
+    void lift_black_out();  // where a key or a button was pressed: it does nothing else
+    void draw_over_all();   // lens and black-out
     void lab_layout(float width, float height);
     void slide_layout(float width, float height);
     void deck_layout(float width, float height);
     bool perform_on_deck(Action action);
+    void presenter_layout(float width, float height);
     bool perform_on_run(Action action);
     bool perform_on_walkthrough(Action action);
     bool perform_on_view(Action action);
@@ -142,6 +148,7 @@ private:
     LabState state_;
     std::optional<PlotShot> plot_to_save_;
     DeckKeys deck_keys_;
+    Lens lens_;
     Rectangle deck_picture_;  // where the deck's picture was in the last frame
     std::optional<Capture> capture_;
     std::optional<Animation> animation_;

@@ -83,20 +83,30 @@ bool Lab::perform_on_run(Action action) {
 bool Lab::perform_on_walkthrough(Action action) {
     Session& s = state_.session;
     switch (action) {
+        case Action::black_out:
+            return state_.black = true, true;
+        case Action::presenter:
+            state_.presenter.wanted = !state_.presenter.wanted;
+            return true;
         case Action::walkthrough_next:
             if (show_more_of_slide(state_)) return true;
+            // What fills the screen stays while the slide stays.
+            if (!s.walkthrough || s.walkthrough->revealed()) state_.fill = {};
             return s.walkthrough ? s.walkthrough_next() : s.start_walkthrough(), true;
         case Action::walkthrough_back:
+            if (s.walkthrough && !s.walkthrough->revealed()) state_.fill = {};
             return s.walkthrough_back(), true;
         case Action::deck:
-            return in_deck() ? set_layout(Layout::lab) : open_deck(), true;
+            return in_deck() ? show_lab() : open_deck(), true;
         case Action::leave_deck:
-            return set_layout(Layout::lab), true;
+            return show_lab(), true;
         case Action::reset_slide:
             return s.reset_slide(), true;
         case Action::first_slide:
+            state_.fill = {};
             return s.go_to_slide(0), true;
         case Action::last_slide:
+            state_.fill = {};
             return s.go_to_slide(s.slide_count() - 1), true;
         case Action::unlock:
             return s.toggle_lock(), true;
@@ -108,26 +118,40 @@ bool Lab::perform_on_walkthrough(Action action) {
     }
 }
 
+void Lab::show_lab() {
+    state_.fill = {};
+    set_layout(Layout::lab);
+}
+
 bool Lab::perform_on_view(Action action) {
     Session& s = state_.session;
     switch (action) {
+        case Action::fill:
+            return state_.fill = state_.fill ? Fill{} : state_.pointed_at(), true;
+        case Action::fill_back:
+            return state_.fill = {}, true;
+        case Action::full_screen:
+            return context_.set_full_screen(!context_.full_screen()), true;
+        case Action::lens:
+            state_.lens_shown = !state_.lens_shown;
+            return true;
         case Action::find:
-            return set_layout(Layout::lab), state_.lesson_list.focus = true;
+            return show_lab(), state_.lesson_list.focus = true;
         case Action::hide_panels:
+            state_.fill = {};
             return set_layout(state_.layout == Layout::lab ? Layout::slide : Layout::lab), true;
         case Action::menu:
-            return set_layout(Layout::lab), state_.focus_menu = true;
+            return show_lab(), state_.focus_menu = true;
         case Action::stops:
-            return set_layout(Layout::lab), state_.timeline.open_breaks = true;
+            return show_lab(), state_.timeline.open_breaks = true;
         case Action::compare:
             return s.compare(static_cast<Compare>((static_cast<int>(s.inspector.compare) + 1) % 5)), true;
         case Action::inspect:
-            return set_layout(Layout::lab), state_.side_wanted = SideTab::inspect, state_.inspector.focus = true;
+            return show_lab(), state_.side_wanted = SideTab::inspect, state_.inspector.focus = true;
         case Action::claims:
-            return set_layout(Layout::lab), state_.side_wanted = SideTab::claims,
-                                            state_.claims.reveal = state_.claims.focus = true;
+            return show_lab(), state_.side_wanted = SideTab::claims, state_.claims.reveal = state_.claims.focus = true;
         case Action::atlas:
-            return set_layout(Layout::lab), state_.side_wanted = SideTab::atlas, state_.atlas.focus = true;
+            return show_lab(), state_.side_wanted = SideTab::atlas, state_.atlas.focus = true;
         case Action::help:
             state_.help_shown = !state_.help_shown;
             return true;
@@ -157,6 +181,7 @@ bool Lab::perform_on_view(Action action) {
 bool Lab::perform_for_ear_and_hand(Action action) {
     switch (action) {
         case Action::dismiss:
+            if (state_.help_shown) return state_.help_shown = false, true;
             state_.summary.text.empty() ? state_.session.dismiss() : state_.summary.text.clear();
             return true;
         case Action::summary:

@@ -135,6 +135,7 @@ bool Lab::draw_busy() {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     card.PushClipRect({0, 0}, display);
     lay_out_card(card, display);
+    if (state_.black) card.AddRectFilled({0, 0}, display, IM_COL32_BLACK);
     clear_window();
     gui_.draw_again(card);
     ++busy_frames_;

@@ -11,6 +11,9 @@ namespace pliant::viewer {
 
 void Lab::draw_layout(float width, float height) {
     if (!std::exchange(borders_made_, true)) make_borders();
+    if (state_.fill.what == Filled::plot && !has_plot(state_, state_.fill.plot)) state_.fill = {};
+    if (state_.fill) return filled_layout(width, height);
+    state_.fillable.clear();
     switch (state_.layout) {
         case Layout::lab:
             return lab_layout(width, height);
@@ -18,6 +21,8 @@ void Lab::draw_layout(float width, float height) {
             return slide_layout(width, height);
         case Layout::deck:
             return deck_layout(width, height);
+        case Layout::presenter:
+            return presenter_layout(width, height);
     }
 }
 

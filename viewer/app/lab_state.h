@@ -4,11 +4,13 @@
 #include "panels/atlas_panel.h"
 #include "panels/claims_panel.h"
 #include "panels/file_dialog.h"
+#include "panels/help_panel.h"
 #include "panels/inspector_panel.h"
 #include "panels/lesson_list.h"
 #include "panels/panel_context.h"
 #include "panels/parameter_panel.h"
 #include "panels/plot_panel.h"
+#include "panels/presenter_panel.h"
 #include "panels/scene_panel.h"
 #include "panels/slide_picture.h"
 #include "panels/stage_bar.h"
@@ -17,12 +19,22 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace pliant::viewer {
 
 inline constexpr std::size_t most_recent = 8;
+
+// The window of the lecturer.
+struct PresenterState {
+    bool wanted = false, open = false;
+    PresenterView view{};  // of the last frame while it is wanted
+    bool clock_paused = false;
+    long frames = 0;
+    std::map<std::string, Rectangle> controls{};  // px of its window
+};
 
 struct LabState : PanelContext {
     LessonListState lesson_list{};
@@ -41,6 +53,11 @@ struct LabState : PanelContext {
     PanelSizes sizes{};
     float border_grip = 0;  // where the border that is dragged was taken, px from its middle
     bool help_shown = false, notes_shown = false;
+    HelpPanelState help{};
+    PresenterState presenter{};
+    bool black = false;                               // the screen, until a key or a button is pressed
+    bool lens_shown = false;                          // around the pointer
+    bool full_screen = false;                         // the window
     bool focus_menu = false;                          // the menus get the keys
     std::vector<std::string> wanted_files{};          // scene files to open, asked for in a menu
     std::string wanted_lecture{};                     // to open, asked for in a menu; "" for none

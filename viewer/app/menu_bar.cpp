@@ -105,6 +105,7 @@ void lesson_menu(LabState& lab) {
     ImGui::Separator();
     item(lab, Action::walkthrough_next, lab.session.walkthrough ? "Next of the slide" : "Walkthrough", told);
     item(lab, Action::deck, "Deck", told);
+    item(lab, Action::presenter, "Window of the lecturer", true, lab.presenter.wanted);
     extensions_menu(lab);
 }
 
@@ -129,7 +130,27 @@ void lecture_menu(LabState& lab) {
     item(lab, Action::end_lecture, "Leave the lecture", s.lecture() != nullptr);
 }
 
+// The panels that may, as they were in the last frame.
+void fill_menu(LabState& lab) {
+    std::vector<Fill> offered{{Filled::atlas, ""}};
+    for (const auto& [place, what] : lab.fillable)
+        if (std::ranges::find(offered, what) == offered.end()) offered.insert(offered.end() - 1, what);
+    const bool open = ImGui::BeginMenu("Fill the screen with");
+    lab.note_control("menu Fill the screen with");
+    tooltip("The key X does it with what the mouse is over; X or Escape goes back", lab.scale);
+    if (!open) return;
+    for (const Fill& what : offered) {
+        if (ImGui::MenuItem(label_of(what).c_str())) lab.fill = what;
+        lab.note_control(fmt::format("menu fill {}", text_of(what)));
+    }
+    ImGui::EndMenu();
+}
+
 void view_menu(LabState& lab) {
+    fill_menu(lab);
+    item(lab, Action::full_screen, "Full screen", true, lab.full_screen);
+    item(lab, Action::lens, "Large pointer that enlarges", true, lab.lens_shown);
+    ImGui::Separator();
     item(lab, Action::theme, "Projector theme", true, lab.theme == Theme::projector);
     item(lab, Action::larger, "Larger", lab.scale < 3);
     item(lab, Action::smaller, "Smaller", lab.scale > 1);

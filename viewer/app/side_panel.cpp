@@ -36,7 +36,9 @@ void draw_side(LabState& lab) {
         tooltip(t.help, lab.scale);
         if (!shown) continue;
         lab.side = t.tab;
+        const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
         t.draw();
+        if (t.tab == SideTab::atlas) lab.note_fillable({at.x, at.y, room.x, room.y}, {Filled::atlas, ""});
         ImGui::EndTabItem();
     }
     ImGui::EndTabBar();

@@ -70,6 +70,15 @@ nlohmann::ordered_json atlas_json(const LabState& lab) {
     return j;
 }
 
+nlohmann::ordered_json presenter_json(const PresenterState& p) {
+    if (!p.open) return nullptr;
+    nlohmann::ordered_json j{{"slide", p.view.number},       {"title", p.view.title},          {"notes", p.view.notes},
+                             {"next", p.view.next_press},     {"next_title", p.view.next_title}, {"black", p.view.black},
+                             {"clock_paused", p.clock_paused}, {"frames", p.frames}};
+    for (const auto& [name, c] : p.controls) j["controls"][name] = {c.x, c.y, c.width, c.height};
+    return j;
+}
+
 nlohmann::ordered_json companion_json(const Session& s) {
     if (!s.companion()) return nullptr;
     const Runner& b = s.companion()->runner();
@@ -122,6 +131,11 @@ std::string state_json(const LabState& lab) {
     j["typing"] = ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput;
     if (lab.focus) j["focus"] = focus_json(lab);
     j["layout"] = name_of(lab.layout);
+    j["fill"] = text_of(lab.fill);
+    j["black"] = lab.black;
+    j["lens"] = lab.lens_shown;
+    j["presenter"] = presenter_json(lab.presenter);
+    j["full_screen"] = lab.full_screen;
     const auto& walkthrough = lab.session.walkthrough;
     j["slide"] = walkthrough ? lab.session.slide_number() + 1 : 0;
     j["slides"] = lab.session.slide_count();

@@ -66,15 +66,16 @@ void add_picture_options(CLI::App& command, PictureOptions& o) {
     command.add_option("--size", o.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     add_number(command, "--ui-scale", o.ui_scale, "of type and lines, 1 to 3")->default_str(fmt::format("{}", o.ui_scale));
     command.add_option("--theme", o.theme, "dark or projector")->capture_default_str();
-    command.add_option("--layout", o.layout, "slide (picture, plots, numbers), lab (all panels) or deck (--slide)")
+    command.add_option("--layout", o.layout, "slide (picture, plots, numbers), lab (all panels), deck or presenter (--slide)")
         ->capture_default_str();
-    add_number(command, "--slide", o.slide, "with --layout deck: the slide of the walkthrough, from 1");
-    command.add_flag("--revealed", o.revealed, "with --layout deck: with the answer");
+    add_number(command, "--slide", o.slide, "with --layout deck or presenter: the slide of the walkthrough, from 1");
+    command.add_flag("--revealed", o.revealed, "with --layout deck or presenter: with the answer");
     command.add_option("--beside", o.beside, "KEY=VALUE: a second run, B, with this change, beside the first; may be repeated")
         ->allow_extra_args(false);
     command.add_flag("--difference", o.difference, "with --beside: the difference of the two runs in one picture");
     command.add_option("--claim", o.claim, "with --layout lab: the card of this claim, such as E3, measured");
     command.add_flag("--atlas", o.atlas, "with --layout lab: the stability map of the lesson's first knobs");
+    command.add_option("--fill", o.fill, "what fills the picture: picture, matrix, atlas, or a plot, as in 'plot energy'");
     command.add_option("--backend", o.backend, "any, osmesa or egl")->capture_default_str();
 }
 
@@ -134,6 +135,8 @@ void add_walkthrough_command(CLI::App& app, WindowOptions& o, WalkthroughOptions
     CLI::Option* checks = command->add_flag("--check", headless.check, "exit with 1 when an expectation is missed");
     CLI::Option* present =
         command->add_flag("--present", o.deck, "show it in a window, as a deck for a lecture")->excludes(checks);
+    command->add_flag("--presenter", o.presenter, "with --present: a second window for the lecturer, with notes and clock")
+        ->needs(present);
     command->add_flag("--notes", o.notes, "print the lecturer's notes as well");
     CLI::Option* out = command->add_option("--out", o.slides_folder,
                                            "the folder for slide_01.png and so on, a picture of each "

@@ -88,9 +88,10 @@ Layout layout_from(const std::string& text) {
     if (text == "slide") return Layout::slide;
     if (text == "lab") return Layout::lab;
     if (text == "deck") return Layout::deck;
+    if (text == "presenter") return Layout::presenter;
     throw Refused(
-        fmt::format("--layout {} is not accepted: give slide (picture, plots, numbers), lab (all panels) or deck (a slide of the "
-                    "walkthrough)",
+        fmt::format("--layout {} is not accepted: give slide (picture, plots, numbers), lab (all panels), deck (a slide of the "
+                    "walkthrough) or presenter (the lecturer's page of it)",
                     text));
 }
 

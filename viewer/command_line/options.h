@@ -44,6 +44,7 @@ struct PictureOptions {
     std::string claim;                // whose card the lab shows, measured; "" for none
     bool difference = false;
     bool atlas = false;  // the lab shows the stability map of the first knobs
+    std::string fill;    // what fills the screen; "" for nothing
 };
 
 struct WindowOptions {
@@ -52,6 +53,7 @@ struct WindowOptions {
     long frames = 0;                                                       // stop after so many; 0: when closed
     bool no_settings = false;
     bool deck = false;             // opens the walkthrough of the lesson, paused
+    bool presenter = false;        // with a window for the lecturer
     bool notes = false;            // writes the notes of each slide to standard output
     std::string slides_folder{};   // of pictures of the slides; "" for none
     bool questions = false;        // these go without the answers

@@ -55,12 +55,14 @@ void choose_view(Session& session, const PictureOptions& o) {
     session.view_changed();
 }
 
+bool of_slide(Layout layout) { return layout == Layout::deck || layout == Layout::presenter; }
+
 // A slide makes its own run.
 void check_deck(const RunOptions& run, const PictureOptions& picture) {
     if (!run.scene_path.empty() || !run.preset.empty() || !run.settings.empty() || run.steps || run.time || run.rest ||
         !picture.stage.empty())
         throw Refused(
-            "--layout deck shows a slide of the walkthrough, which sets and runs the lesson itself: leave out --scene, --preset, "
+            "--layout deck, or presenter, shows a slide of the walkthrough, which sets and runs the lesson itself: leave out --scene, --preset, "
             "--set, --steps, --time, --rest and --stage");
     if (picture.slide && *picture.slide < 1)
         throw Refused("--slide", static_cast<Real>(*picture.slide), "", "a number from 1 on");
@@ -69,7 +71,7 @@ void check_deck(const RunOptions& run, const PictureOptions& picture) {
 // What both runs of a picture, or its walkthrough, set without effect: once a key.
 std::vector<UnusedSetting> unused_in(const SceneFile& scene, const PictureOptions& picture, Layout layout) {
     const LessonEntry& entry = find_lesson(scene.lesson);
-    if (layout == Layout::deck) return unused_settings(entry, walkthrough_of(entry));
+    if (of_slide(layout)) return unused_settings(entry, walkthrough_of(entry));
     std::vector<UnusedSetting> unused = unused_settings(scene);
     if (picture.beside.empty()) return unused;
     SceneFile second = scene;
@@ -99,6 +101,16 @@ void show_atlas(LabState& lab) {
     lab.atlas.atlas.follow(lab.session);
     lab.atlas.atlas.make_now(lab.session);
     lab.side_wanted = SideTab::atlas;
+}
+
+void show_filled(Lab& lab, const PictureOptions& o) {
+    const Fill fill = fill_from(o.fill);
+    if (fill.what == Filled::plot && !has_plot(lab.state(), fill.plot))
+        throw Refused(fmt::format("--fill: the scene of {} has no plot '{}': give the name of a probe or of a line, as `pliant describe` "
+                                  "lists them",
+                                  lab.session().entry().info.id, fill.plot));
+    if (fill.what == Filled::atlas) show_atlas(lab.state());
+    lab.state().fill = fill;
 }
 
 void check_writable_picture(const PictureOptions& o) {
@@ -177,15 +189,16 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     const Size size = size_from(picture.size);
     const Theme theme = theme_from(picture.theme);
     const Layout layout = layout_from(picture.layout);
-    if (layout == Layout::deck) check_deck(options, picture);
-    if (layout != Layout::deck && (picture.slide || picture.revealed))
-        throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck as well");
+    if (of_slide(layout)) check_deck(options, picture);
+    if (!of_slide(layout) && (picture.slide || picture.revealed))
+        throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck or presenter as well");
     check_claim(picture, layout);
+    fill_from(picture.fill);
     if (picture.atlas && layout != Layout::lab) throw Refused("--atlas shows a panel of the lab: give --layout lab as well");
     if (picture.atlas && !picture.claim.empty()) throw Refused("give --claim or --atlas: the lab shows one of them");
     const float scale = ui_scale_from(picture.ui_scale);
-    if (layout == Layout::deck && !picture.beside.empty())
-        throw Refused("--beside shows two runs, and a slide of the walkthrough has one: leave out --layout deck");
+    if (of_slide(layout) && !picture.beside.empty())
+        throw Refused("--beside shows two runs, and a slide of the walkthrough has one: leave out --layout");
     if (picture.difference && picture.beside.empty())
         throw Refused("--difference needs a second run: give --beside KEY=VALUE as well");
     check_writable_picture(picture);
@@ -207,7 +220,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     const bool from_start = animation && !options.steps && !options.time && !options.rest;
     std::optional<Diverged> divergence;
     try {
-        if (layout == Layout::deck)
+        if (of_slide(layout))
             show_slide(s, static_cast<std::size_t>(picture.slide.value_or(1) - 1), picture.revealed);
         else
             s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
@@ -220,6 +233,7 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     }
     if (picture.difference) s.show_difference(true);
     if (picture.difference && !s.shows_difference()) throw Refused(s.message()->text);
+    show_filled(lab, picture);
     if (animation) return animate(lab, *context, *animation, picture.out);
     write_png(capture(lab, *context), picture.out);
     if (divergence) throw *divergence;

@@ -2,6 +2,7 @@
 #include <pliant/document/share.h>
 
 #include "app/lab.h"
+#include "app/presenter_window.h"
 #include "app/redraw.h"
 #include "app/settings.h"
 #include "app/state_report.h"
@@ -11,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <memory>
 #include <utility>
 
 namespace pliant::viewer {
@@ -86,6 +89,64 @@ void tell(Lab& lab, StateReport& report, NotesPrinter& notes, const WindowOption
     report.write(lab.state());
 }
 
+// The window of the lecturer, while the lab wants it.
+class Lecturer {
+public:
+    Lecturer(Lab& lab, Context& audience) : lab_(lab), audience_(audience) {}
+
+    // Opens or closes it, and draws it where it has something new; its keys go to the lab. True when they did.
+    bool go_on(Real now) {
+        PresenterState& state = lab_.state().presenter;
+        if (window_ && window_->close_requested()) state.wanted = false;
+        if (state.wanted && !window_) open(now);
+        if (!state.wanted) window_.reset();
+        state.open = window_ != nullptr;
+        drew_ = false;
+        if (!window_) return false;
+        const std::string busy = busy_line();
+        drew_ = window_->wait(now, state.view, busy) <= 0;
+        if (drew_) draw(now, busy);
+        return hand_over(window_->take_actions());
+    }
+    bool drew() const { return drew_; }
+    // s until it has to be drawn again.
+    Real wait(Real now) { return window_ ? window_->wait(now, lab_.state().presenter.view, busy_line()) : Redraw::longest_wait; }
+
+private:
+    void open(Real now) {
+        try {
+            window_ = std::make_unique<PresenterWindow>(audience_, now);
+        } catch (const MachineLacks& lack) {
+            lab_.state().presenter.wanted = false;
+            if (!lab_.busy()) lab_.session().say(Session::Message::Kind::refused, lack.what());
+        }
+    }
+    std::string busy_line() const {
+        if (!lab_.card_shows()) return "";
+        const BusyWords text = busy_words(lab_.worker()->watch().progress(), lab_.worker()->seconds());
+        return text.title + ": " + text.line;
+    }
+    void draw(Real now, const std::string& busy) {
+        LabState& lab = lab_.state();
+        window_->frame(now, lab.theme, lab.presenter.view, busy);
+        lab.presenter.clock_paused = window_->clock_paused();
+        lab.presenter.frames = window_->frames();
+        lab.presenter.controls = window_->controls();
+    }
+    // A key lifts a black-out, and does nothing else.
+    bool hand_over(const std::vector<Action>& actions) {
+        if (actions.empty()) return false;
+        LabState& lab = lab_.state();
+        if (!std::exchange(lab.black, false)) lab.wanted.insert(lab.wanted.end(), actions.begin(), actions.end());
+        return true;
+    }
+
+    Lab& lab_;
+    Context& audience_;
+    std::unique_ptr<PresenterWindow> window_;
+    bool drew_ = false;
+};
+
 }  // namespace
 
 int window(const WindowOptions& o) {
@@ -106,6 +167,8 @@ int window(const WindowOptions& o) {
     if (!settings.trouble().empty()) lab.session().say(Session::Message::Kind::refused, settings.trouble());
     StateReport report(o.state_path);
     NotesPrinter notes;
+    Lecturer lecturer(lab, *context);
+    lab.state().presenter.wanted = o.presenter;
 
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
@@ -114,7 +177,9 @@ int window(const WindowOptions& o) {
     Redraw redraw;
     Real last = 0, kept = 0;
     for (long frame = 0; !context->close_requested() && (o.frames == 0 || frame < o.frames);) {
-        context->poll_events(redraw.wait(now()));
+        context->poll_events(std::min(redraw.wait(now()), lecturer.wait(now())));
+        if (lecturer.go_on(now())) redraw.input(now());
+        if (lecturer.drew() && !lab.busy()) report.write(lab.state());
         const bool damaged = context->take_damage();
         if (damaged || lab.has_input()) redraw.input(now());
         if (!lab.busy()) settings.keep(lab.state(), now() - std::exchange(kept, now()));

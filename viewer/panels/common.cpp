@@ -28,7 +28,19 @@ void PanelContext::note_control(const std::string& name) {
     controls[name] = {a.x, a.y, b.x - a.x, b.y - a.y};
 }
 
-std::string_view name_of(Layout layout) { return layout == Layout::lab ? "lab" : layout == Layout::slide ? "slide" : "deck"; }
+std::string_view name_of(Layout layout) {
+    switch (layout) {
+        case Layout::lab:
+            return "lab";
+        case Layout::slide:
+            return "slide";
+        case Layout::deck:
+            return "deck";
+        case Layout::presenter:
+            return "presenter";
+    }
+    return "";
+}
 
 std::string with_ellipsis(std::string text, float width) {
     while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {

@@ -1,9 +1,16 @@
-// All keys, and what the mouse does.
+// The table of keys, by what they are for, with a search.
 #pragma once
+#include "panels/panel_context.h"
+
+#include <array>
 
 namespace pliant::viewer {
 
-// `shown` becomes false when it is closed.
-void draw_help(bool& shown);
+struct HelpPanelState {
+    std::array<char, 64> search{};
+    bool opened = false;  // in the frame before
+};
+
+void draw_help(PanelContext& lab, HelpPanelState& panel, bool& shown);
 
 }  // namespace pliant::viewer

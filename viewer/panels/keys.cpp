@@ -11,8 +11,9 @@ namespace pliant::viewer {
 namespace {
 
 // By what a key types, wherever a keyboard has it.
-constexpr KeyBinding typed(Action action, char character, bool repeats, std::string_view keys, std::string_view meaning) {
-    KeyBinding b{action, ImGuiKey_None, false, repeats, keys, meaning};
+constexpr KeyBinding typed(Action action, char character, bool repeats, std::string_view keys, std::string_view meaning,
+                           Where where = Where::everywhere) {
+    KeyBinding b{action, ImGuiKey_None, false, repeats, keys, meaning, where};
     b.character = character;
     return b;
 }
@@ -26,7 +27,7 @@ constexpr KeyBinding twin(Action action, ImGuiKey key, bool shift, bool repeats,
 // Letters and digits are those of the keyboard's language, or, where it has none, of their place on a US keyboard.
 constexpr std::array bindings{
     KeyBinding{Action::play, ImGuiKey_Space, false, false, "Space", "play or pause"},
-    typed(Action::step, '.', true, ".", "one step"),
+    typed(Action::step, '.', true, ".", "one step", Where::outside_deck),
     typed(Action::stage_back, ',', true, ",", "one stage back"),
     typed(Action::step_back, '<', true, "<", "one step back; inside a step, to the same stage of the step before"),
     typed(Action::stage, '/', true, "/", "one stage"),
@@ -45,7 +46,7 @@ constexpr std::array bindings{
     typed(Action::next_lesson, ']', false, "]", "next lesson"),
     KeyBinding{Action::find, ImGuiKey_F, false, false, "F", "find a lesson"},
     KeyBinding{Action::walkthrough_next, ImGuiKey_N, false, false, "N", "walkthrough: next"},
-    KeyBinding{Action::walkthrough_back, ImGuiKey_B, false, false, "B", "walkthrough: back"},
+    KeyBinding{Action::walkthrough_back, ImGuiKey_B, false, false, "B", "walkthrough: back", Where::outside_deck},
     KeyBinding{Action::unlock, ImGuiKey_L, false, false, "L", "walkthrough: unlock or lock the parameters",
                Where::in_walkthrough},
     KeyBinding{Action::deck, ImGuiKey_D, false, false, "D", "walkthrough as a deck for a lecture"},
@@ -57,7 +58,13 @@ constexpr std::array bindings{
     KeyBinding{Action::first_slide, ImGuiKey_Home, false, false, "Home", "deck: first slide", Where::in_deck},
     KeyBinding{Action::last_slide, ImGuiKey_End, false, false, "End", "deck: last slide", Where::in_deck},
     KeyBinding{Action::notes, ImGuiKey_O, false, false, "O", "deck: the lecturer's notes", Where::in_deck},
-    KeyBinding{Action::dismiss, ImGuiKey_Escape, false, false, "Escape", "close a message or the summary", Where::over_a_message},
+    KeyBinding{Action::dismiss, ImGuiKey_Escape, false, false, "Escape", "close a message, the summary or this table",
+               Where::over_a_message},
+    KeyBinding{Action::fill_back, ImGuiKey_Escape, false, false, "Escape", "back from what fills the screen", Where::filled},
+    KeyBinding{Action::black_out, ImGuiKey_B, false, false, "B", "deck: black screen, until the next key or click",
+               Where::in_deck},
+    typed(Action::black_out, '.', false, ".", "deck: black screen, until the next key or click", Where::in_deck),
+    KeyBinding{Action::presenter, ImGuiKey_F12, false, false, "F12", "deck: a window for the lecturer, with notes and clock"},
     KeyBinding{Action::leave_deck, ImGuiKey_Escape, false, false, "Escape", "deck: to the lab, with this run", Where::in_deck},
     KeyBinding{Action::leave_deck, ImGuiKey_Escape, false, false, "Escape", "slide: to the lab", Where::on_slide},
     KeyBinding{Action::pin, ImGuiKey_G, false, false, "G", "pin this run behind the present one, or let it go"},
@@ -72,6 +79,9 @@ constexpr std::array bindings{
     KeyBinding{Action::summary, ImGuiKey_S, false, false, "S", "how things stand, in sentences; also printed"},
     KeyBinding{Action::patterns, ImGuiKey_P, false, false, "P", "patterns as well as colours show the sign"},
     KeyBinding{Action::arrows, ImGuiKey_A, false, false, "A", "arrows on or off"},
+    KeyBinding{Action::fill, ImGuiKey_X, false, false, "X", "what the mouse is over fills the screen, and back"},
+    KeyBinding{Action::full_screen, ImGuiKey_F11, false, false, "F11", "the window fills the screen, and back"},
+    KeyBinding{Action::lens, ImGuiKey_Z, false, false, "Z", "a large pointer that enlarges, on or off"},
     KeyBinding{Action::frame, ImGuiKey_Home, false, false, "Home", "frame the whole scene", Where::outside_deck},
     KeyBinding{Action::extreme, ImGuiKey_E, false, false, "E", "extreme ranges of the sliders"},
     KeyBinding{Action::theme, ImGuiKey_T, false, false, "T", "dark or projector theme"},
@@ -129,6 +139,8 @@ bool KeyContext::suits(Where where) const {
             return slide;
         case Where::in_walkthrough:
             return walkthrough;
+        case Where::filled:
+            return filled;
         case Where::over_a_message:
             return message && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     }
@@ -180,7 +192,7 @@ bool key_pressed(const KeyBinding& b, const KeyContext& context) {
     // Space acts on the control that has the visible focus, if one has.
     if (b.key == ImGuiKey_Space && io.NavVisible && !context.deck) return false;
     // A control that was taken hold of by keys has the arrows, and Escape lets go of it.
-    if (b.where == Where::over_a_message && ImGui::IsAnyItemActive() && !presents(b, context)) return false;
+    if (is_alone(b.where) && ImGui::IsAnyItemActive() && !presents(b, context)) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);
 }
 }  // namespace
@@ -188,52 +200,6 @@ bool key_pressed(const KeyBinding& b, const KeyContext& context) {
 int presses(const KeyBinding& b, const KeyContext& context) {
     if (ImGui::GetIO().WantTextInput) return 0;
     return b.character ? times_typed(b) : static_cast<int>(key_pressed(b, context));
-}
-
-std::vector<KeyRow> key_rows() {
-    std::vector<KeyRow> rows;
-    for (const KeyBinding& b : bindings) {
-        if (b.keys.empty()) continue;
-        const auto same = std::ranges::find(rows, b.meaning, &KeyRow::meaning);
-        if (same == rows.end())
-            rows.push_back({{b.keys}, b.meaning});
-        else
-            same->keys.push_back(b.keys);
-    }
-    rows.push_back({{"left drag"}, "pull the body; beside it, turn or move the picture"});
-    rows.push_back({{"right drag"}, "move the picture"});
-    rows.push_back({{"wheel"}, "zoom"});
-    rows.push_back({{"Ctrl+click"}, "type a slider's number; with keys, Enter on it"});
-    rows.push_back({{"double click"}, "a slider's default"});
-    return rows;
-}
-
-std::string KeyRow::text() const { return fmt::format("{}", fmt::join(keys, " or ")); }
-
-std::string keys_text() {
-    std::string text;
-    for (const KeyRow& row : key_rows()) text += fmt::format("  {:<24}{}\n", row.text(), row.meaning);
-    return text;
-}
-
-std::string keys_markdown() {
-    std::string text = R"(# Keys and mouse
-
-A sign, such as `/` or `]`, is what a key types, with Shift or AltGr as a keyboard needs; letters are those of its language.
-Where a sign is hard to reach, a function key does the same. `scripts/docs` makes this page from the table that the lab obeys
-and F1 shows.
-
-<!-- Made by `pliant keys --markdown`. -->
-
-| keys | |
-|---|---|
-)";
-    for (const KeyRow& row : key_rows()) {
-        std::vector<std::string> keys;
-        for (const std::string_view key : row.keys) keys.push_back(fmt::format("`{}`", key));
-        text += fmt::format("| {} | {} |\n", fmt::join(keys, " or "), row.meaning);
-    }
-    return text;
 }
 
 }  // namespace pliant::viewer

@@ -71,12 +71,24 @@ enum class Action {
     add_scene,
     add_slide,
     add_claim,
-    add_map
+    add_map,
+    fill,
+    fill_back,
+    full_screen,
+    black_out,
+    lens,
+    presenter
 };
 
-// Where a key has its meaning; over a message, or a summary, it has that one alone. The deck is the layout for a lecture, while a
-// walkthrough plays in it.
-enum class Where { everywhere, outside_deck, in_deck, on_slide, in_walkthrough, over_a_message };
+// What a key is for: the headings of the help.
+enum class KeyGroup { time, inside, two_runs, lessons, lecture, screen, parameters, files, keyboard, mouse };
+std::string_view heading_of(KeyGroup group);
+KeyGroup group_of(Action action);
+
+// Where a key has its meaning; over a message, a summary or the help, and where a panel fills the screen, it has that one alone.
+// The deck is the layout for a lecture, while a walkthrough plays in it.
+enum class Where { everywhere, outside_deck, in_deck, on_slide, in_walkthrough, over_a_message, filled };
+inline bool is_alone(Where where) { return where == Where::over_a_message || where == Where::filled; }
 
 struct KeyBinding {
     Action action;
@@ -91,7 +103,7 @@ struct KeyBinding {
 
 // What the person is in, for the keys that depend on it.
 struct KeyContext {
-    bool walkthrough = false, deck = false, slide = false, message = false;
+    bool walkthrough = false, deck = false, slide = false, message = false, filled = false;
     bool suits(Where where) const;
 };
 
@@ -105,9 +117,12 @@ int presses(const KeyBinding& binding, const KeyContext& context = {});
 struct KeyRow {
     std::vector<std::string_view> keys;
     std::string_view meaning;
+    KeyGroup group;
     std::string text() const;  // of the keys
 };
-std::vector<KeyRow> key_rows();
+std::vector<KeyRow> key_rows();  // group by group
+// Those in which each word of the search stands, in keys, meaning or heading; all for an empty one.
+std::vector<KeyRow> key_rows(std::string_view search);
 std::string keys_text();
 std::string keys_markdown();  // docs/keys.md
 
@@ -117,7 +132,7 @@ void handle_keys(const KeyContext& context, const auto& perform) {
     for (const KeyBinding& b : key_bindings()) {
         if (!context.suits(b.where) || (taken != 0 && b.key == taken)) continue;
         const int times = presses(b, context);
-        if (times > 0 && b.where == Where::over_a_message) taken = b.key;
+        if (times > 0 && is_alone(b.where)) taken = b.key;
         for (int i = 0; i < times; ++i) perform(b.action);
     }
 }

@@ -56,8 +56,10 @@ struct PanelContext {
     float scale = 1;  // UI scale, 1 to 3
     Fonts fonts{};
     Layout layout = Layout::lab;
-    Real seconds = 0;             // of wall time since the frame before; with 0 nothing moves
-    bool scene_has_grid = false;  // of the last frame
+    Fill fill{};                                         // one panel in its place
+    std::vector<std::pair<Rectangle, Fill>> fillable{};  // what could fill the screen, and where it is: of the last frame
+    Real seconds = 0;                                    // of wall time since the frame before; with 0 nothing moves
+    bool scene_has_grid = false;                         // of the last frame
 
     HeldNumbers held{};
     LiveError live_error{};
@@ -77,6 +79,11 @@ struct PanelContext {
     // Remembers the last item under a name.
     void note_control(const std::string& name);
 
+    // This part of the window that is drawn may fill the screen.
+    void note_fillable(Rectangle place, const Fill& what);
+    // What the mouse is over, else what has the keys, else the picture.
+    Fill pointed_at() const;
+
     // Does what a text that was typed asks for; a refusal becomes a message.
     void take_typed(const std::function<void()>& action);
 
@@ -92,6 +99,13 @@ public:
     FixedPanel(const FixedPanel&) = delete;
     FixedPanel& operator=(const FixedPanel&) = delete;
 };
+
+// For people: "Plot: Energy".
+std::string label_of(const Fill& fill);
+// An entry of a menu: fills the screen, or goes back.
+void fill_item(PanelContext& lab, const Fill& what);
+// The menu of a right click on the last item; more: its other entries.
+void fill_menu_of_last_item(PanelContext& lab, const Fill& what, const std::function<void()>& more = {});
 
 // As much of the text as fits into a width in px, with an ellipsis behind it.
 std::string with_ellipsis(std::string text, float width);

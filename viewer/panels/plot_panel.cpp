@@ -111,7 +111,7 @@ void plot_pin(PanelContext& lab, Plot& plot, Pin& pin, Point size) {
     plot.end();
 }
 
-void draw_one(PanelContext& lab, PlotPanelState& panel, Plot& plot, const std::string& name, Point size) {
+void draw_named(PanelContext& lab, PlotPanelState& panel, Plot& plot, const std::string& name, Point size) {
     for (Pin& pin : lab.session.inspector.pins)
         if (pin.title == name) return plot_pin(lab, plot, pin, size);
     if (name == along) return plot_along(lab, panel, plot, size);
@@ -121,6 +121,22 @@ void draw_one(PanelContext& lab, PlotPanelState& panel, Plot& plot, const std::s
         if (lesson.probes[i].name == name) return plot_probe(lab, plot, i, size);
     for (const Line& line : lesson.lines)
         if (line.name == name && line.in_use()) return plot_line(lab.session, plot, line, size);
+}
+
+// With the entry of its menu that lets it fill the screen.
+PlotHooks hooks_of(PanelContext& lab, const PlotPanelState& panel, const std::string& name) {
+    PlotHooks hooks = panel.hooks;
+    hooks.filled = static_cast<bool>(lab.fill);
+    hooks.fill = [&lab, name] { lab.fill = lab.fill ? Fill{} : Fill{Filled::plot, name}; };
+    return hooks;
+}
+
+void draw_one(PanelContext& lab, PlotPanelState& panel, const PlotStyle& style, const std::string& name, Point size) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = size.x > 0 ? size.x : ImGui::GetContentRegionAvail().x;
+    Plot plot(panel.memory, style, hooks_of(lab, panel, name));
+    draw_named(lab, panel, plot, name, size);
+    lab.note_fillable({at.x, at.y, width, size.y}, {Filled::plot, name});
 }
 
 void toggle(PlotPanelState& panel, std::string_view name, const std::string& label) {
@@ -170,6 +186,8 @@ void begin_plots(PanelContext& lab, PlotPanelState& panel) {
     choose_first(lab, panel);
     if (std::exchange(panel.run, lab.session.run_count()) != lab.session.run_count()) panel.memory.refit();
     follow_live_error(lab);
+    // A plot that fills the screen is that of its layout, with its zoom.
+    if (!lab.fill || panel.memory.place == 0) panel.memory.place = 1 + static_cast<unsigned>(lab.layout);
 }
 
 // How many plots are seen at once; on a slide, where nobody scrolls, none is cut, and one that has no room for its axes is left
@@ -188,6 +206,16 @@ void say_empty(const PlotPanelState& panel) {
     ImGui::PopTextWrapPos();
 }
 
+constexpr std::string_view cost = "cost";  // and error, as a name among plots
+
+void cost_and_error(PanelContext& lab, PlotPanelState& panel, const PlotStyle& style) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    const std::string name(cost);
+    Plot plot(panel.memory, style, hooks_of(lab, panel, name));
+    draw_cost_and_error(lab, plot);
+    lab.note_fillable({at.x, at.y, room.x, room.y}, {Filled::plot, name});
+}
+
 void table_below(PanelContext& lab) {
     if (companion_table_height(lab) > 0) draw_companion_table(lab);
 }
@@ -204,8 +232,7 @@ PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dar
 void draw_plots(PanelContext& lab, PlotPanelState& panel) {
     begin_plots(lab, panel);
     if (lab.layout == Layout::lab) choice_menu(lab, panel);
-    Plot plot(panel.memory, style_of_plots(lab), panel.hooks);
-    if (panel.cost_shown && lab.layout != Layout::deck) return draw_cost_and_error(lab, plot), table_below(lab);
+    if (panel.cost_shown && lab.layout != Layout::deck) return cost_and_error(lab, panel, style_of_plots(lab)), table_below(lab);
     std::vector<std::string> shown = shown_plots(lab, panel);
     if (shown.empty()) return say_empty(panel), table_below(lab);
     ImGui::BeginChild("plots", {0, -companion_table_height(lab)}, ImGuiChildFlags_None,
@@ -219,7 +246,7 @@ void draw_plots(PanelContext& lab, PlotPanelState& panel) {
     const auto count = static_cast<float>(rows);
     // They fill the room, but are hardly higher than wide.
     const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, 1.1f * room.x));
-    for (const std::string& name : shown) draw_one(lab, panel, plot, name, {0, height});
+    for (const std::string& name : shown) draw_one(lab, panel, style_of_plots(lab), name, {0, height});
     ImGui::EndChild();
     table_below(lab);
 }
@@ -232,15 +259,40 @@ PlotStyle style_of_plots(const PanelContext& lab) {
 
 void draw_plots_in_row(PanelContext& lab, PlotPanelState& panel) {
     begin_plots(lab, panel);
-    Plot plot(panel.memory, style_of_plots(lab), panel.hooks);
     const std::vector<std::string> shown = shown_plots(lab, panel);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x, count = static_cast<float>(std::max<std::size_t>(shown.size(), 1));
     const float width = std::min((room.x - gap * (count - 1)) / count, 2.6f * room.y);
     for (const std::string& name : shown) {
         if (name != shown.front()) ImGui::SameLine(0, gap);
-        draw_one(lab, panel, plot, name, {width, room.y});
+        draw_one(lab, panel, style_of_plots(lab), name, {width, room.y});
     }
+}
+
+bool has_plot(const PanelContext& lab, std::string_view name) {
+    const Session& s = lab.session;
+    if (name == along || name == cost) return true;
+    if (name == heat_map) return lab.scene_has_grid;
+    if (std::ranges::any_of(s.inspector.pins, [&](const Pin& pin) { return pin.title == name; })) return true;
+    return std::ranges::any_of(s.lesson().probes, [&](const Probe& p) { return p.name == name; }) ||
+           std::ranges::any_of(s.lesson().lines, [&](const Line& l) { return l.name == name && l.in_use(); });
+}
+
+void draw_filled_plot(PanelContext& lab, PlotPanelState& panel) {
+    begin_plots(lab, panel);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    constexpr float least_lines = 24;  // in the height of the screen
+    ImFont* font = lab.fonts.normal;
+    for (ImFont* larger : {lab.fonts.medium, lab.fonts.large, lab.fonts.larger})
+        if (least_lines * larger->FontSize <= room.y) font = larger;
+    PlotStyle style = plot_style(plot_theme(lab.theme), lab.scale * font->FontSize / lab.fonts.normal->FontSize);
+    style.mathematics = &lab.fonts.mathematics;
+    ImGui::PushFont(font);
+    if (lab.fill.plot == cost)
+        cost_and_error(lab, panel, style);
+    else
+        draw_one(lab, panel, style, lab.fill.plot, {room.x, room.y});
+    ImGui::PopFont();
 }
 
 }  // namespace pliant::viewer

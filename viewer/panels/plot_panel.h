@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pliant::viewer {
@@ -29,6 +30,10 @@ struct PlotPanelState {
 
 void draw_plots(PanelContext& lab, PlotPanelState& panel);  // below each other
 void draw_plots_in_row(PanelContext& lab, PlotPanelState& panel);
+// The one that fills the screen, in type for a lecture hall.
+void draw_filled_plot(PanelContext& lab, PlotPanelState& panel);
+// Does the present scene have a plot of this name, or cost and error?
+bool has_plot(const PanelContext& lab, std::string_view name);
 
 // The part of its x axis that the person has zoomed to, between begin and end of the plot.
 std::optional<Interval> zoomed_part(const Plot& plot);

@@ -1,5 +1,6 @@
 #include "panels/scene_matrices.h"
 
+#include "panels/companion_panel.h"
 #include "panels/typeset_text.h"
 
 #include <fmt/format.h>
@@ -126,10 +127,81 @@ void draw_matrices(PanelContext& lab, const std::vector<MatrixMark>& matrices, c
         const bool last = font == lab.fonts.small;
         const bool fit = blocks.size() == matrices.size() && blocks.back().at.y > place.y + 0.6f * place.height;
         if (fit || last)
-            for (const Placed& p : blocks) draw_block(lab, p.block, p.at);
+            for (const Placed& p : blocks) {
+                draw_block(lab, p.block, p.at);
+                lab.note_fillable({p.at.x, p.at.y, p.block.size.x, p.block.size.y}, {Filled::matrix, ""});
+            }
         ImGui::PopFont();
         if (fit) return;
     }
+}
+
+namespace {
+
+struct RowOfMatrices {
+    std::vector<Block> blocks;
+    float width = 0, height = 0;
+};
+
+// As many beside each other as there is room for.
+std::vector<RowOfMatrices> rows_of_matrices(PanelContext& lab, const std::vector<MatrixMark>& matrices, float width, float gap) {
+    std::vector<RowOfMatrices> rows;
+    for (const MatrixMark& m : matrices) {
+        Block b = measured(lab, m);
+        if (rows.empty() || rows.back().width + gap + b.size.x > width) rows.emplace_back().width = -gap;
+        RowOfMatrices& row = rows.back();
+        row.width += gap + b.size.x;
+        row.height = std::max(row.height, b.size.y);
+        row.blocks.push_back(std::move(b));
+    }
+    return rows;
+}
+
+bool draw_rows(PanelContext& lab, const std::vector<RowOfMatrices>& rows, const Rectangle& place, float gap, bool whatever) {
+    float height = -gap, width = 0;
+    for (const RowOfMatrices& row : rows) height += row.height + gap, width = std::max(width, row.width);
+    if (!whatever && (height > place.height || width > place.width)) return false;
+    float y = place.y + std::max(0.f, (place.height - height) / 2);
+    for (const RowOfMatrices& row : rows) {
+        float x = place.x + std::max(0.f, (place.width - row.width) / 2);
+        for (const Block& b : row.blocks) draw_block(lab, b, {x, y + (row.height - b.size.y) / 2}), x += b.size.x + gap;
+        y += row.height + gap;
+    }
+    return true;
+}
+
+// With a heading where there are two runs.
+void fill_with(PanelContext& lab, const std::vector<MatrixMark>& matrices, const std::string& heading, Rectangle place) {
+    if (!heading.empty()) {
+        ImGui::PushFont(lab.fonts.medium);
+        const float line = 1.6f * ImGui::GetTextLineHeight();
+        draw_sentence(lab, {place.x, place.y}, lab.ink(Ink::accent), heading);
+        place.y += line, place.height -= line;
+        ImGui::PopFont();
+    }
+    for (ImFont* font :
+         {lab.fonts.huge, lab.fonts.larger, lab.fonts.large, lab.fonts.medium, lab.fonts.normal, lab.fonts.small}) {
+        ImGui::PushFont(font);
+        const float gap = 1.2f * font->FontSize;
+        const bool drawn = draw_rows(lab, rows_of_matrices(lab, matrices, place.width, gap), place, gap, font == lab.fonts.small);
+        ImGui::PopFont();
+        if (drawn) return;
+    }
+}
+
+}  // namespace
+
+void draw_filled_matrices(PanelContext& lab) {
+    Session& s = lab.session;
+    const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    const float pad = lab.px(20);
+    const Rectangle place{at.x + pad, at.y + pad, room.x - 2 * pad, room.y - 2 * pad};
+    const KeptPicture a = s.picture(), b = s.companion() && !s.shows_difference() ? s.picture_beside() : nullptr;
+    if (a->scene.matrices.empty()) return ImGui::TextDisabled("The picture has no matrices now.");
+    if (!b) return fill_with(lab, a->scene.matrices, "", place);
+    const float half = (place.width - pad) / 2;
+    fill_with(lab, a->scene.matrices, run_name(s, false), {place.x, place.y, half, place.height});
+    fill_with(lab, b->scene.matrices, run_name(s, true), {place.x + half + pad, place.y, half, place.height});
 }
 
 }  // namespace pliant::viewer

@@ -33,6 +33,10 @@ void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& rend
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     lab.note_control(name);
     handle_mouse(lab, panel, view);
+    lab.note_fillable({view.origin.x, view.origin.y, view.size.x, view.size.y}, {Filled::picture, ""});
+    fill_menu_of_last_item(lab, {Filled::picture, ""}, [&] {
+        if (ImGui::MenuItem("Whole scene", "Home")) lab.wanted.push_back(Action::frame);
+    });
     if (view.first) mark_thing(lab, view), note_handles(lab, view);
     draw_labels(lab, panel, view);
     if (view.lesson) {

@@ -43,6 +43,12 @@ public:
     virtual void poll_events(Real wait = 0) { (void)wait; }
     // Has the window another size, was it uncovered, or were files dropped on it, since the last call?
     virtual bool take_damage() { return false; }
+    // A window may fill the screen that it is on, and have its old size and place again.
+    virtual bool full_screen() const { return false; }
+    virtual void set_full_screen(bool on) { (void)on; }
+    // A second window: it goes to a screen where the other one is not, where there is one, and its frames do not wait for the
+    // screen.
+    virtual void stand_beside(const Context& other) { (void)other; }
     virtual bool close_requested() const { return false; }
     virtual void cancel_close() {}
     // Paths of the files dropped on the window since the last call.
@@ -56,7 +62,7 @@ public:
 
 inline constexpr int largest_side = 8192;  // px, what llvmpipe draws at most
 
-// Opens a context, makes it current and loads the GL functions. One context is current at a time. Throws MachineLacks, which says
+// Opens a context, makes it current and loads the GL functions. One context is current at a time; several windows may be open. Throws MachineLacks, which says
 // what is missing and what to do instead; throws Refused for a size outside 1 to largest_side.
 std::unique_ptr<Context> open_context(Backend backend, Size size, const std::string& title = "Pliant");
 

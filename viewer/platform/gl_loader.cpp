@@ -11,9 +11,12 @@ namespace pliant::viewer {
 void load_gl(GlGetFunction) {}
 #else
 void load_gl(GlGetFunction get) {
+    static GlGetFunction loaded = nullptr;
+    if (get == loaded) return;
     const int version = gladLoadGL(reinterpret_cast<GLADloadfunc>(get));
     if (version < GLAD_MAKE_VERSION(3, 3))
         throw MachineLacks("The GL driver offers less than OpenGL 3.3, which Pliant draws with. Install a newer Mesa or driver.");
+    loaded = get;
 }
 #endif
 

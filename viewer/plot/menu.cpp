@@ -94,6 +94,7 @@ void plot_menu(const Hand& h, const Canvas& measure, bool open) {
     if (open) ImGui::OpenPopup("menu");
     if (!ImGui::BeginPopup("menu")) return;
     PlotMemory& memory = h.record.memory;
+    if (h.hooks.fill && ImGui::MenuItem(h.hooks.filled ? "Back" : "Fill the screen", "X")) h.hooks.fill();
     if (ImGui::MenuItem("Reset the view", "double click")) {
         reset_axis(memory.x);
         reset_axis(memory.y);

@@ -1,6 +1,6 @@
 #include "plot/plot.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 #include <pliant/math/error.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ bool Plot::begin(const std::string& title, Point size, const Axes& axes) {
     size = or_default(size);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(title.c_str());
-    id_ = ImGui::GetID("##plot");
+    id_ = state_.place ? ImHashStr(title.c_str(), 0, state_.place) : ImGui::GetID("##plot");
     const bool pressed =
         ImGui::InvisibleButton("##plot", {size.x, size.y}, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     const bool by_mouse = ImGui::IsMouseReleased(ImGuiMouseButton_Left) || ImGui::IsMouseReleased(ImGuiMouseButton_Right);

@@ -38,6 +38,8 @@ struct PlotShot {
 struct PlotHooks {
     std::function<void(const PlotShot&)> save_png;  // called while a frame is built that shows the plot without menu or pointer
     std::function<void(const std::string& title, const std::string& svg)> save_svg;
+    std::function<void()> fill;  // the screen by this plot, or back
+    bool filled = false;         // it does
 };
 
 enum class PlotDrag { none, pan, pan_x, pan_y, box, click };
@@ -56,6 +58,8 @@ struct PlotRecord {
 class PlotState {
 public:
     PlotRecord& of(unsigned id) { return records_[id]; }
+    // Plots of one title in one place are the same one, in whichever window they are drawn; 0: those of one id of ImGui are.
+    unsigned place = 0;
     // Automatic ranges are made anew from the data to come: call when a lesson is reset. What the person has set stays.
     void refit();
     // Each plot in sight in this frame is given to PlotHooks::save_svg.

@@ -1,0 +1,103 @@
+#include "app/presenter_view.h"
+
+#include <pliant/document/summary.h>
+#include <pliant/text/format.h>
+
+#include "panels/typeset_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace pliant::viewer {
+namespace {
+
+std::string words_of_block(const Slide& slide, BlockKind kind) {
+    std::string text;
+    for (const Block& b : slide.blocks)
+        if (b.kind == kind) text += (text.empty() ? "" : "\n") + without_marks(b.paragraph());
+    return text;
+}
+
+// What the next press does.
+std::string next_press_of(const WalkthroughPlayer& player) {
+    const Slide& slide = player.slide();
+    if (!player.revealed()) {
+        const bool runs = slide.has(BlockKind::actions), answers = slide.has(BlockKind::answer);
+        return runs && answers ? "runs, and shows the answer" : runs ? "runs" : answers ? "shows the answer" : "ends this slide";
+    }
+    const std::size_t next = player.slide_number() + 2, count = player.walkthrough().slides.size();
+    return next <= count ? fmt::format("turns to slide {}", next) : "nothing: this is the last slide";
+}
+
+void tell_slide(PresenterView& view, const WalkthroughPlayer& player) {
+    const auto& slides = player.walkthrough().slides;
+    const std::size_t n = player.slide_number();
+    view.number = n + 1, view.count = slides.size();
+    view.title = player.slide().title;
+    view.notes = without_marks(player.slide().notes());
+    if (view.notes.empty()) view.notes = "This slide has no notes.";
+    view.question = words_of_block(player.slide(), BlockKind::ask);
+    view.answer = words_of_block(player.slide(), BlockKind::answer);
+    view.next_press = next_press_of(player);
+    if (n + 1 < slides.size()) {
+        view.next_title = slides[n + 1].title;
+        const std::string text = words_of_block(slides[n + 1], BlockKind::text);
+        view.next_words = text.empty() ? words_of_block(slides[n + 1], BlockKind::ask) : text;
+    }
+    Real so_far = 0, all = 0;
+    for (std::size_t i = 0; i < slides.size(); ++i) {
+        const Real minutes = planned_minutes(slides[i].notes()).value_or(0);
+        all += minutes;
+        if (i <= n) so_far += minutes;
+    }
+    view.minutes = planned_minutes(player.slide().notes());
+    if (all > 0) view.minutes_so_far = so_far, view.minutes_in_all = all;
+}
+
+void tell_readings(PresenterView& view, const LabState& lab) {
+    const auto probes = key_probes(lab.session.lesson());
+    const auto& held = lab.held.key_numbers;
+    for (std::size_t k = 0; k < probes.size() && k < held.size(); ++k) {
+        const auto& [value, exact] = held[k];
+        view.readings.push_back({named_with_symbol(probes[k]->name, probes[k]->symbol, "  "),
+                                 value ? format_quantity(*value, probes[k]->unit) : "undefined",
+                                 exact ? fmt::format("exact {}", format_quantity(*exact, probes[k]->unit)) : ""});
+    }
+}
+
+}  // namespace
+
+std::optional<Real> planned_minutes(std::string_view notes) {
+    constexpr std::array<std::string_view, 13> numbers{"Half a", "One", "Two",   "Three", "Four", "Five",  "Six",
+                                                       "Seven",  "Eight", "Nine", "Ten",   "Eleven", "Twelve"};
+    const std::size_t end = notes.find(" minute");
+    if (end == std::string_view::npos || end == 0) return {};
+    const std::string_view number = notes.substr(0, end);
+    const auto named = std::ranges::find(numbers, number);
+    if (named == numbers.begin()) return 0.5;
+    if (named != numbers.end()) return static_cast<Real>(named - numbers.begin());
+    int digits = 0;
+    const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), digits);
+    return error == std::errc() && stop == number.data() + number.size() ? std::optional<Real>(digits) : std::nullopt;
+}
+
+PresenterView presenter_view(const LabState& lab) {
+    const Session& s = lab.session;
+    PresenterView view;
+    view.lesson = std::string(s.entry().info.title);
+    view.in_deck = lab.layout == Layout::deck || lab.layout == Layout::presenter;
+    view.black = lab.black, view.filled = static_cast<bool>(lab.fill);
+    if (s.walkthrough) tell_slide(view, *s.walkthrough);
+    tell_readings(view, lab);
+    const Runner& r = s.runner();
+    const std::string time = r.is_static() ? "static" : fmt::format("t = {}", format_quantity(r.time(), "s", 3));
+    view.now = fmt::format("{}, {}", time, s.playing ? "plays" : "stands");
+    if (s.message()) view.message = s.message()->text;
+    return view;
+}
+
+}  // namespace pliant::viewer
