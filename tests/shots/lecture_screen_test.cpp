@@ -37,7 +37,8 @@ TEST_CASE("B and the full stop of a remote control make the deck black; whatever
         CHECK(s.black);
     };
     const auto unchanged = [&] {
-        return s.session.walkthrough->slide_number() == 0 && !s.session.walkthrough->revealed() && s.session.runner().place() == Place{};
+        return s.session.walkthrough->slide_number() == 0 && !s.session.walkthrough->revealed() &&
+               s.session.runner().place() == Place{};
     };
     for (const ImGuiKey lifts : {ImGuiKey_PageDown, ImGuiKey_B, ImGuiKey_Escape, ImGuiKey_Space}) {
         go_black(lifts == ImGuiKey_B);
@@ -79,7 +80,8 @@ TEST_CASE("the lens shows what lies under the pointer, enlarged, and nothing is 
     for (int dy = -60; dy <= 60; dy += 3)
         for (int dx = -60; dx <= 60; dx += 3, ++all) {
             const auto source = [](int d) { return static_cast<int>(std::lround(static_cast<float>(d) / Lens::enlargement)); };
-            const std::uint8_t *shown = pixel(with, 300 + dx, 300 + dy), *there = pixel(before, 300 + source(dx), 300 + source(dy));
+            const std::uint8_t *shown = pixel(with, 300 + dx, 300 + dy),
+                               *there = pixel(before, 300 + source(dx), 300 + source(dy));
             alike += std::abs(shown[0] - there[0]) + std::abs(shown[1] - there[1]) + std::abs(shown[2] - there[2]) < 60;
         }
     CHECK(alike > 0.75 * all);
@@ -117,7 +119,8 @@ TEST_CASE("the table of keys fits a small screen at a large scale, is searched, 
 
 TEST_CASE("a search finds keys by their name, by what they do and by their heading") {
     const auto has = [](std::string_view search, std::string_view meaning) {
-        return std::ranges::any_of(key_rows(search), [&](const KeyRow& r) { return r.meaning.find(meaning) != std::string::npos; });
+        return std::ranges::any_of(key_rows(search),
+                                   [&](const KeyRow& r) { return r.meaning.find(meaning) != std::string::npos; });
     };
     CHECK(has("F12", "lecturer"));
     CHECK(has("black screen", "black screen"));

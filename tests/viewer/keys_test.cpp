@@ -137,7 +137,7 @@ TEST_CASE("keys of other keyboards that type nothing of the table do nothing") {
     CHECK(keyboard.press({.key = ImGuiKey_2, .alt_gr = true, .character = '~'}).empty());
 }
 
-TEST_CASE("what takes more than one key on some keyboards has a function key as well") {
+TEST_CASE("what takes more than one key on some keyboards has a function key, or a letter, as well") {
     const std::vector<std::tuple<ImGuiKey, bool, Action>> twins{
         {ImGuiKey_F2, false, Action::step},        {ImGuiKey_F2, true, Action::step_back},
         {ImGuiKey_F3, false, Action::stage},       {ImGuiKey_F3, true, Action::stage_back},
@@ -148,7 +148,8 @@ TEST_CASE("what takes more than one key on some keyboards has a function key as 
     for (const auto& [key, shift, action] : twins) CHECK(keyboard.press({.key = key, .shift = shift}) == Actions{action});
     std::set<Action> with_twin;
     for (const KeyBinding& b : key_bindings())
-        if (b.key >= ImGuiKey_F1 && b.key <= ImGuiKey_F12) with_twin.insert(b.action);
+        if ((b.key >= ImGuiKey_F1 && b.key <= ImGuiKey_F12) || (b.key >= ImGuiKey_A && b.key <= ImGuiKey_Z))
+            with_twin.insert(b.action);
     for (const KeyBinding& b : key_bindings())
         if (b.character) CHECK(with_twin.contains(b.action));
 }

@@ -39,7 +39,10 @@ TEST_CASE("the keys of a presenter go through the deck", "[window][deck]") {
     desk.key("n");
     CHECK(at(desk, 1, true));
     desk.key("b");
-    CHECK(at(desk, 1, false));
+    CHECK(desk.becomes("black", true));
+    desk.key("Left");
+    CHECK(desk.becomes("black", false));
+    CHECK(at(desk, 1, true));
     CHECK(desk.complaints().empty());
 }
 

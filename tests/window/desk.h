@@ -9,8 +9,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace pliant::test {
 
@@ -73,12 +75,14 @@ struct Spot {
 
 class Desk {
 public:
-    // More of the command line: a command, if any, comes first. config: where the lab keeps its settings; a folder of this desk's
+    // More of the command line: a command, if any, comes first; --size, where the window is not to be as large as the screen.
+    // config: where the lab keeps its settings; a folder of this desk's
     // own when not given. keyboard: its layout, "de" or "fr"; that of the US when not given.
     explicit Desk(const Arguments& more = {}, const std::string& config = "", const std::string& keyboard = "us") {
         REQUIRE(run_process("setxkbmap", {"-display", screen_.display(), keyboard}, {}).exit_code == 0);
         Arguments arguments = more;
-        arguments.insert(arguments.end(), {"--size", "1280x800", "--state", state_path_});
+        arguments.insert(arguments.end(), {"--state", state_path_});
+        if (std::ranges::find(more, "--size") == more.end()) arguments.insert(arguments.end(), {"--size", "1280x800"});
         lab_ = std::make_unique<Child>(PLIANT_PROGRAM, arguments, scratch_.path("lab.out"), scratch_.path("lab.err"),
                                        Environment{{"DISPLAY", screen_.display()},
                                                    {"WAYLAND_DISPLAY", std::nullopt},
@@ -89,10 +93,24 @@ public:
             std::this_thread::sleep_for(20ms);
         INFO(contents_of(scratch_.path("lab.err")) << contents_of(scratch_.path("xvfb.err")));
         REQUIRE(fs::exists(state_path_));
-        window_ = xdotool({"search", "--sync", "--onlyvisible", "--name", "Pliant"});
+        turn_to("Pliant");
+    }
+    // Keys and mouse go to the window of this title from now on.
+    void turn_to(const std::string& title) {
+        window_ = xdotool({"search", "--sync", "--onlyvisible", "--name", "^" + title + "$"});
         window_ = window_.substr(0, window_.find('\n'));
         REQUIRE_FALSE(window_.empty());
         xdotool({"windowfocus", "--sync", window_});
+    }
+    // Of the window, px.
+    std::pair<int, int> window_size() const {
+        std::istringstream told(xdotool({"getwindowgeometry", "--shell", window_}));
+        std::pair<int, int> size;
+        for (std::string line; std::getline(told, line);) {
+            if (line.starts_with("WIDTH=")) size.first = std::stoi(line.substr(6));
+            if (line.starts_with("HEIGHT=")) size.second = std::stoi(line.substr(7));
+        }
+        return size;
     }
 
     const Scratch& scratch() const { return scratch_; }
@@ -165,9 +183,11 @@ public:
                 static_cast<int>(r[1].get<double>() + down * r[3].get<double>())};
     }
 
-    // Closes the window as a window manager does and gives the exit code; -1 when the program does not end.
+    // Asks the window to close, as a window manager does.
+    void ask_to_close() const { XConnection(screen_.display()).ask_to_close(static_cast<std::uint32_t>(std::stoul(window_))); }
+    // The same, and gives the exit code; -1 when the program does not end.
     int close_window() {
-        XConnection(screen_.display()).ask_to_close(static_cast<std::uint32_t>(std::stoul(window_)));
+        ask_to_close();
         return lab_->wait() ? lab_->exit_code() : -1;
     }
     std::string output() const { return contents_of(scratch_.path("lab.out")); }

@@ -72,7 +72,7 @@ void tell_readings(PresenterView& view, const LabState& lab) {
 }  // namespace
 
 std::optional<Real> planned_minutes(std::string_view notes) {
-    constexpr std::array<std::string_view, 13> numbers{"Half a", "One", "Two",   "Three", "Four", "Five",  "Six",
+    constexpr std::array<std::string_view, 13> numbers{"Half a", "One",   "Two",  "Three", "Four",   "Five",  "Six",
                                                        "Seven",  "Eight", "Nine", "Ten",   "Eleven", "Twelve"};
     const std::size_t end = notes.find(" minute");
     if (end == std::string_view::npos || end == 0) return {};
@@ -94,8 +94,9 @@ PresenterView presenter_view(const LabState& lab) {
     if (s.walkthrough) tell_slide(view, *s.walkthrough);
     tell_readings(view, lab);
     const Runner& r = s.runner();
-    const std::string time = r.is_static() ? "static" : fmt::format("t = {}", format_quantity(r.time(), "s", 3));
-    view.now = fmt::format("{}, {}", time, s.playing ? "plays" : "stands");
+    const std::string time =
+        r.is_static() ? fmt::format("step {}", r.place().step) : fmt::format("t = {}", format_quantity(r.time(), "s", 3));
+    view.now = fmt::format("{}, the run {}", time, s.playing ? "goes on" : "stands");
     if (s.message()) view.message = s.message()->text;
     return view;
 }

@@ -72,9 +72,9 @@ nlohmann::ordered_json atlas_json(const LabState& lab) {
 
 nlohmann::ordered_json presenter_json(const PresenterState& p) {
     if (!p.open) return nullptr;
-    nlohmann::ordered_json j{{"slide", p.view.number},       {"title", p.view.title},          {"notes", p.view.notes},
-                             {"next", p.view.next_press},     {"next_title", p.view.next_title}, {"black", p.view.black},
-                             {"clock_paused", p.clock_paused}, {"frames", p.frames}};
+    nlohmann::ordered_json j{
+        {"slide", p.view.number},          {"title", p.view.title}, {"notes", p.view.notes},          {"next", p.view.next_press},
+        {"next_title", p.view.next_title}, {"black", p.view.black}, {"clock_paused", p.clock_paused}, {"frames", p.frames}};
     for (const auto& [name, c] : p.controls) j["controls"][name] = {c.x, c.y, c.width, c.height};
     return j;
 }

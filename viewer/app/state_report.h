@@ -13,10 +13,10 @@ namespace pliant::viewer {
 // "autopsy" (the words of its card), "summary" (while it is shown), "patterns", "focus": {"control", "place"} (what the keys act
 // on), "layout", "fill" (what fills the screen; else ""), "black" (the
 // screen), "lens", "full_screen", "presenter" (what the
-// window of the lecturer tells; null without it), "slide" (from 1; 0 without a walkthrough), "extension" (that is open, from 1; else 0),
-// "revealed", "unlocked", "notes", "companion" (of run B; null without one), "pinned", "cost_shown", "frame" (how many were
-// drawn), "busy": {"title", "line", "frames"} (of the card, while work takes long; else null), "resting" (no more is drawn until
-// something changes), "inspector":
+// window of the lecturer tells; null without it), "slide" (from 1; 0 without a walkthrough), "extension" (that is open, from 1;
+// else 0), "revealed", "unlocked", "notes", "companion" (of run B; null without one), "pinned", "cost_shown", "frame" (how many
+// were drawn), "busy": {"title", "line", "frames"} (of the card, while work takes long; else null), "resting" (no more is drawn
+// until something changes), "inspector":
 // {...}, "claims": {"shown", "all", "unfolded", "cards": {id: {"stage", "prediction", "right", "verdict", "figure"}}},
 // "controls": {name: [x, y, width, height]}}
 std::string state_json(const LabState& lab);

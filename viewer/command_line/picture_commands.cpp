@@ -62,7 +62,8 @@ void check_deck(const RunOptions& run, const PictureOptions& picture) {
     if (!run.scene_path.empty() || !run.preset.empty() || !run.settings.empty() || run.steps || run.time || run.rest ||
         !picture.stage.empty())
         throw Refused(
-            "--layout deck, or presenter, shows a slide of the walkthrough, which sets and runs the lesson itself: leave out --scene, --preset, "
+            "--layout deck, or presenter, shows a slide of the walkthrough, which sets and runs the lesson itself: leave out "
+            "--scene, --preset, "
             "--set, --steps, --time, --rest and --stage");
     if (picture.slide && *picture.slide < 1)
         throw Refused("--slide", static_cast<Real>(*picture.slide), "", "a number from 1 on");
@@ -106,9 +107,10 @@ void show_atlas(LabState& lab) {
 void show_filled(Lab& lab, const PictureOptions& o) {
     const Fill fill = fill_from(o.fill);
     if (fill.what == Filled::plot && !has_plot(lab.state(), fill.plot))
-        throw Refused(fmt::format("--fill: the scene of {} has no plot '{}': give the name of a probe or of a line, as `pliant describe` "
-                                  "lists them",
-                                  lab.session().entry().info.id, fill.plot));
+        throw Refused(
+            fmt::format("--fill: the scene of {} has no plot '{}': give the name of a probe or of a line, as `pliant describe` "
+                        "lists them",
+                        lab.session().entry().info.id, fill.plot));
     if (fill.what == Filled::atlas) show_atlas(lab.state());
     lab.state().fill = fill;
 }

@@ -94,19 +94,21 @@ class Lecturer {
 public:
     Lecturer(Lab& lab, Context& audience) : lab_(lab), audience_(audience) {}
 
-    // Opens or closes it, and draws it where it has something new; its keys go to the lab. True when they did.
+    // Opens or closes it, and draws it where it has something new; its keys go to the lab. True when the lab has
+    // to be drawn for it.
     bool go_on(Real now) {
         PresenterState& state = lab_.state().presenter;
         if (window_ && window_->close_requested()) state.wanted = false;
         if (state.wanted && !window_) open(now);
         if (!state.wanted) window_.reset();
-        state.open = window_ != nullptr;
+        const bool is_open = window_ != nullptr, changed = is_open != state.open;
+        state.open = is_open;
         drew_ = false;
-        if (!window_) return false;
+        if (!window_) return changed;
         const std::string busy = busy_line();
         drew_ = window_->wait(now, state.view, busy) <= 0;
         if (drew_) draw(now, busy);
-        return hand_over(window_->take_actions());
+        return hand_over(window_->take_actions()) || changed;
     }
     bool drew() const { return drew_; }
     // s until it has to be drawn again.

@@ -58,8 +58,9 @@ void draw_clock(const PresenterPage& page, const PresenterView& v, const Present
     if (v.minutes_so_far && v.minutes_in_all) {
         ImGui::SameLine(0, page.px(20));
         const bool late = clock.elapsed > 60 * *v.minutes_so_far;
-        plain_words(fmt::format("planned: {:.3g} of {} at the end of this slide", *v.minutes_so_far, minutes_text(*v.minutes_in_all)),
-                    page.fonts.normal, late ? packed(bad_colour) : quiet_text());
+        plain_words(
+            fmt::format("planned: {:.3g} of {} at the end of this slide", *v.minutes_so_far, minutes_text(*v.minutes_in_all)),
+            page.fonts.normal, late ? packed(bad_colour) : quiet_text());
     }
 }
 

@@ -1,5 +1,5 @@
-// The page of the lecturer, beside the deck that the audience sees: notes, clock, what comes next and the numbers of the run. It is
-// drawn from plain words, so that it needs neither the session nor the window of the lab.
+// The page of the lecturer, beside the deck that the audience sees: notes, clock, what comes next and the numbers of the run. It
+// is drawn from plain words, so that it needs neither the session nor the window of the lab.
 #pragma once
 #include "panels/panel_context.h"
 
@@ -23,8 +23,8 @@ struct PresenterView {
     // Minutes that the notes plan: for this slide, up to its end, and for all.
     std::optional<Real> minutes, minutes_so_far, minutes_in_all;
     std::vector<Reading> readings;
-    std::string now;           // "t = 0.2 s, plays"
-    std::string message;       // that the audience sees
+    std::string now;      // "t = 0.2 s, plays"
+    std::string message;  // that the audience sees
     bool black = false, filled = false;
     bool operator==(const PresenterView&) const = default;
 };

@@ -14,7 +14,7 @@ namespace pliant::viewer {
 namespace {
 
 // A matrix as words, and the space that they take.
-struct Block {
+struct MatrixBlock {
     std::vector<std::string> entries;
     std::string before, behind;  // "F =", "10⁶ Pa"
     int rows = 0, columns = 0;
@@ -48,9 +48,9 @@ std::string entry_text(Real x, int decimals) {
     return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
-Block measured(PanelContext& lab, const MatrixMark& m) {
+MatrixBlock measured(PanelContext& lab, const MatrixMark& m) {
     const int exponent = common_exponent(m);
-    Block b{
+    MatrixBlock b{
         .entries = {}, .before = as_formula(m.name + " ="), .behind = m.unit, .rows = m.rows, .columns = m.columns, .ink = m.ink};
     if (exponent) b.behind = fmt::format("10{}{}{}", raised(exponent), m.unit.empty() ? "" : " ", m.unit);
     Real largest = 0;
@@ -68,7 +68,7 @@ Block measured(PanelContext& lab, const MatrixMark& m) {
     return b;
 }
 
-void draw_block(PanelContext& lab, const Block& b, ImVec2 at) {
+void draw_block(PanelContext& lab, const MatrixBlock& b, ImVec2 at) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const unsigned ink = lab.ink(b.ink);
     const float line = ImGui::GetTextLineHeight(), pad = lab.px(4), tick = lab.px(4);
@@ -93,7 +93,7 @@ void draw_block(PanelContext& lab, const Block& b, ImVec2 at) {
 }
 
 struct Placed {
-    Block block;
+    MatrixBlock block;
     ImVec2 at;
 };
 
@@ -103,7 +103,7 @@ std::vector<Placed> placed(PanelContext& lab, const std::vector<MatrixMark>& mat
     float x = left, bottom = place.y + place.height - lab.px(14), tallest = 0;
     std::vector<Placed> blocks;
     for (const MatrixMark& m : matrices) {
-        Block b = measured(lab, m);
+        MatrixBlock b = measured(lab, m);
         if (x > left && x + b.size.x > place.x + place.width - lab.px(14)) x = left, bottom -= tallest + gap, tallest = 0;
         if (bottom - b.size.y < place.y + place.height / 2 || b.size.x > place.width) break;
         const ImVec2 at{x, bottom - b.size.y};
@@ -139,7 +139,7 @@ void draw_matrices(PanelContext& lab, const std::vector<MatrixMark>& matrices, c
 namespace {
 
 struct RowOfMatrices {
-    std::vector<Block> blocks;
+    std::vector<MatrixBlock> blocks;
     float width = 0, height = 0;
 };
 
@@ -147,7 +147,7 @@ struct RowOfMatrices {
 std::vector<RowOfMatrices> rows_of_matrices(PanelContext& lab, const std::vector<MatrixMark>& matrices, float width, float gap) {
     std::vector<RowOfMatrices> rows;
     for (const MatrixMark& m : matrices) {
-        Block b = measured(lab, m);
+        MatrixBlock b = measured(lab, m);
         if (rows.empty() || rows.back().width + gap + b.size.x > width) rows.emplace_back().width = -gap;
         RowOfMatrices& row = rows.back();
         row.width += gap + b.size.x;
@@ -164,7 +164,7 @@ bool draw_rows(PanelContext& lab, const std::vector<RowOfMatrices>& rows, const 
     float y = place.y + std::max(0.f, (place.height - height) / 2);
     for (const RowOfMatrices& row : rows) {
         float x = place.x + std::max(0.f, (place.width - row.width) / 2);
-        for (const Block& b : row.blocks) draw_block(lab, b, {x, y + (row.height - b.size.y) / 2}), x += b.size.x + gap;
+        for (const MatrixBlock& b : row.blocks) draw_block(lab, b, {x, y + (row.height - b.size.y) / 2}), x += b.size.x + gap;
         y += row.height + gap;
     }
     return true;

@@ -62,8 +62,8 @@ public:
 
 inline constexpr int largest_side = 8192;  // px, what llvmpipe draws at most
 
-// Opens a context, makes it current and loads the GL functions. One context is current at a time; several windows may be open. Throws MachineLacks, which says
-// what is missing and what to do instead; throws Refused for a size outside 1 to largest_side.
+// Opens a context, makes it current and loads the GL functions. One context is current at a time; several windows may be open.
+// Throws MachineLacks, which says what is missing and what to do instead; throws Refused for a size outside 1 to largest_side.
 std::unique_ptr<Context> open_context(Backend backend, Size size, const std::string& title = "Pliant");
 
 // OSMesa or, where that is missing or fails, EGL.

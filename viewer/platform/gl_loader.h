@@ -8,7 +8,8 @@ namespace pliant::viewer {
 using GlFunction = void (*)();
 using GlGetFunction = GlFunction (*)(const char* name);
 
-// Loads all functions for the context that is current, unless they came from the same source last. Throws MachineLacks when it offers less than OpenGL 3.3.
+// Loads all functions for the context that is current, unless they came from the same source last. Throws MachineLacks when it
+// offers less than OpenGL 3.3.
 void load_gl(GlGetFunction get);
 
 // "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 3.3 (Core Profile) Mesa 22.3.6", of the context that is current.

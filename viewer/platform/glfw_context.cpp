@@ -41,9 +41,7 @@ public:
             throw;
         }
     }
-    ~GlfwContext() override {
-        close();
-    }
+    ~GlfwContext() override { close(); }
 
     void make_current() override {
         glfwMakeContextCurrent(window_);
@@ -104,7 +102,8 @@ public:
             if (all[k] == taken) continue;
             const Place m = place_of(all[k]);
             const Size size = window_size();
-            glfwSetWindowPos(window_, m.x + std::max(0, (m.width - size.width) / 2), m.y + std::max(0, (m.height - size.height) / 2));
+            glfwSetWindowPos(window_, m.x + std::max(0, (m.width - size.width) / 2),
+                             m.y + std::max(0, (m.height - size.height) / 2));
             return;
         }
     }
@@ -243,7 +242,7 @@ private:
 
     GLFWwindow* window_ = nullptr;
     ImGuiContext* gui_ = nullptr;  // that takes what the window gets
-    Size windowed_;  // before the full screen
+    Size windowed_;                // before the full screen
     int windowed_x_ = 0, windowed_y_ = 0;
     std::vector<std::string> dropped_;
     bool damaged_ = true;
