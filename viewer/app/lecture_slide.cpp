@@ -58,9 +58,20 @@ void draw_shown_by_slide(LabState& lab) {
     }
 }
 
+namespace {
+// A plot without a name is the first one of the scene.
+Fill fill_of_slide(const LabState& lab, const LectureSlide& s) {
+    if (!s.fill || !s.trouble.empty()) return {};
+    if (s.fill->panel != "plot") return fill_from(s.fill->panel);
+    return {Filled::plot, s.fill->probe.empty() ? first_plot_of_scene(lab.session.lesson()) : s.fill->probe};
+}
+}  // namespace
+
 void begin_lecture_slide(LabState& lab) {
     const LectureSlide* s = lab.session.lecture_slide();
-    if (!s || !s->trouble.empty()) return;
+    if (!s) return;
+    lab.fill = fill_of_slide(lab, *s);
+    if (!s->trouble.empty()) return;
     if (!s->claim.empty()) lab.claims.book.unfold(find_claim(s->claim));
     if (s->atlas) {
         lab.atlas.atlas.follow(lab.session);
@@ -69,19 +80,20 @@ void begin_lecture_slide(LabState& lab) {
     }
 }
 
-bool show_more_of_slide(LabState& lab) {
+bool next_shows_more(const LabState& lab) {
     const LectureSlide* s = lab.session.lecture_slide();
     if (!s || !s->trouble.empty()) return false;
     if (!s->claim.empty()) {
-        const Claim& claim = find_claim(s->claim);
-        const ClaimBook::Phase phase = lab.claims.book.phase(claim);
-        if (phase != ClaimBook::Phase::asked && phase != ClaimBook::Phase::predicted) return false;
-        lab.claims.book.measure(claim);
-        return true;
+        const ClaimBook::Phase phase = lab.claims.book.phase(find_claim(s->claim));
+        return phase == ClaimBook::Phase::asked || phase == ClaimBook::Phase::predicted;
     }
-    Atlas& atlas = lab.atlas.atlas;
-    if (!s->atlas || atlas.busy() || atlas.map()) return false;
-    start_atlas(lab, lab.atlas);
+    return s->atlas && !lab.atlas.atlas.busy() && !lab.atlas.atlas.map();
+}
+
+bool show_more_of_slide(LabState& lab) {
+    if (!next_shows_more(lab)) return false;
+    const LectureSlide& s = *lab.session.lecture_slide();
+    s.claim.empty() ? start_atlas(lab, lab.atlas) : lab.claims.book.measure(find_claim(s.claim));
     return true;
 }
 

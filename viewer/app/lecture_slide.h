@@ -19,5 +19,6 @@ void begin_lecture_slide(LabState& lab);
 // What Next does before it goes on: the claim is measured, the map is made. False when there is nothing of the kind, or it is
 // done.
 bool show_more_of_slide(LabState& lab);
+bool next_shows_more(const LabState& lab);  // would it do something?
 
 }  // namespace pliant::viewer

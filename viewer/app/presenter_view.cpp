@@ -3,6 +3,7 @@
 #include <pliant/document/summary.h>
 #include <pliant/text/format.h>
 
+#include "app/lecture_slide.h"
 #include "panels/typeset_text.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <array>
 #include <charconv>
 #include <string>
+#include <vector>
 
 namespace pliant::viewer {
 namespace {
@@ -23,39 +25,57 @@ std::string words_of_block(const Slide& slide, BlockKind kind) {
 }
 
 // What the next press does.
-std::string next_press_of(const WalkthroughPlayer& player) {
+std::string next_press_of(const LabState& lab) {
+    const WalkthroughPlayer& player = *lab.session.walkthrough;
     const Slide& slide = player.slide();
+    if (next_shows_more(lab)) return shown_by_slide(lab) == ShownBySlide::claim ? "measures the claim" : "makes the map";
     if (!player.revealed()) {
         const bool runs = slide.has(BlockKind::actions), answers = slide.has(BlockKind::answer);
         return runs && answers ? "runs, and shows the answer" : runs ? "runs" : answers ? "shows the answer" : "ends this slide";
     }
-    const std::size_t next = player.slide_number() + 2, count = player.walkthrough().slides.size();
+    const std::size_t next = lab.session.slide_number() + 2, count = lab.session.slide_count();
     return next <= count ? fmt::format("turns to slide {}", next) : "nothing: this is the last slide";
 }
 
-void tell_slide(PresenterView& view, const WalkthroughPlayer& player) {
-    const auto& slides = player.walkthrough().slides;
-    const std::size_t n = player.slide_number();
-    view.number = n + 1, view.count = slides.size();
-    view.title = player.slide().title;
-    view.notes = without_marks(player.slide().notes());
-    if (view.notes.empty()) view.notes = "This slide has no notes.";
-    view.question = words_of_block(player.slide(), BlockKind::ask);
-    view.answer = words_of_block(player.slide(), BlockKind::answer);
-    view.next_press = next_press_of(player);
-    if (n + 1 < slides.size()) {
-        view.next_title = slides[n + 1].title;
-        const std::string text = words_of_block(slides[n + 1], BlockKind::text);
-        view.next_words = text.empty() ? words_of_block(slides[n + 1], BlockKind::ask) : text;
+// Of each slide: what a lecture says, else what its notes begin with.
+std::vector<std::optional<Real>> minutes_of_slides(const Session& s) {
+    std::vector<std::optional<Real>> all;
+    if (const Lecture* lecture = s.lecture()) {
+        for (const LectureSlide& slide : lecture->slides)
+            all.push_back(slide.minutes > 0 ? slide.minutes : planned_minutes(slide.slide.notes()));
+        return all;
     }
+    for (const Slide& slide : s.walkthrough->walkthrough().slides) all.push_back(planned_minutes(slide.notes()));
+    return all;
+}
+
+void tell_minutes(PresenterView& view, const Session& s) {
+    const auto minutes = minutes_of_slides(s);
     Real so_far = 0, all = 0;
-    for (std::size_t i = 0; i < slides.size(); ++i) {
-        const Real minutes = planned_minutes(slides[i].notes()).value_or(0);
-        all += minutes;
-        if (i <= n) so_far += minutes;
+    for (std::size_t i = 0; i < minutes.size(); ++i) {
+        all += minutes[i].value_or(0);
+        if (i <= s.slide_number()) so_far += minutes[i].value_or(0);
     }
-    view.minutes = planned_minutes(player.slide().notes());
+    if (s.slide_number() < minutes.size()) view.minutes = minutes[s.slide_number()];
     if (all > 0) view.minutes_so_far = so_far, view.minutes_in_all = all;
+}
+
+void tell_slide(PresenterView& view, const LabState& lab) {
+    const Session& s = lab.session;
+    const Slide& slide = s.walkthrough->slide();
+    view.number = s.slide_number() + 1, view.count = s.slide_count();
+    view.title = slide.title;
+    view.notes = without_marks(slide.notes());
+    if (view.notes.empty()) view.notes = "This slide has no notes.";
+    view.question = words_of_block(slide, BlockKind::ask);
+    view.answer = words_of_block(slide, BlockKind::answer);
+    view.next_press = next_press_of(lab);
+    if (const Slide* next = s.slide_after()) {
+        view.next_title = next->title;
+        const std::string text = words_of_block(*next, BlockKind::text);
+        view.next_words = text.empty() ? words_of_block(*next, BlockKind::ask) : text;
+    }
+    tell_minutes(view, s);
 }
 
 void tell_readings(PresenterView& view, const LabState& lab) {
@@ -91,7 +111,7 @@ PresenterView presenter_view(const LabState& lab) {
     view.lesson = std::string(s.entry().info.title);
     view.in_deck = lab.layout == Layout::deck || lab.layout == Layout::presenter;
     view.black = lab.black, view.filled = static_cast<bool>(lab.fill);
-    if (s.walkthrough) tell_slide(view, *s.walkthrough);
+    if (s.walkthrough) tell_slide(view, lab);
     tell_readings(view, lab);
     const Runner& r = s.runner();
     const std::string time =

@@ -129,14 +129,18 @@ void refuse_look_of_nothing(const CLI::Option_group& look, bool draws) {
         if (option->count() > 0 && !draws) throw Refused(fmt::format("{} is for --present or --out", option->get_name()));
 }
 
+void add_presenter(CLI::App& command, WindowOptions& o, CLI::Option* present) {
+    command.add_flag("--presenter", o.presenter, "with --present: a second window for the lecturer, with notes and clock")
+        ->needs(present);
+}
+
 void add_walkthrough_command(CLI::App& app, WindowOptions& o, WalkthroughOptions& headless, std::function<int()>& action) {
     CLI::App* command = app.add_subcommand("walkthrough", "play the walkthrough of a lesson");
     command->add_option("lesson", o.lesson, lesson_help)->required();
     CLI::Option* checks = command->add_flag("--check", headless.check, "exit with 1 when an expectation is missed");
     CLI::Option* present =
         command->add_flag("--present", o.deck, "show it in a window, as a deck for a lecture")->excludes(checks);
-    command->add_flag("--presenter", o.presenter, "with --present: a second window for the lecturer, with notes and clock")
-        ->needs(present);
+    add_presenter(*command, o, present);
     command->add_flag("--notes", o.notes, "print the lecturer's notes as well");
     CLI::Option* out = command->add_option("--out", o.slides_folder,
                                            "the folder for slide_01.png and so on, a picture of each "
@@ -164,6 +168,7 @@ void add_lecture_command(CLI::App& app, WindowOptions& o, LectureOptions& l, std
     CLI::Option* checks =
         command->add_flag("--check", l.check, "play every slide, and exit with 1 when an expectation is missed");
     CLI::Option* present = command->add_flag("--present", l.present, "show it in a window")->excludes(checks);
+    add_presenter(*command, o, present);
     CLI::Option* out = command->add_option(
         "--out", l.folder, "the folder for slide_01.png and so on, lecture.pdf and handout.html; made where it is missing");
     out->excludes(checks)->excludes(present);

@@ -269,6 +269,11 @@ void draw_plots_in_row(PanelContext& lab, PlotPanelState& panel) {
     }
 }
 
+std::string first_plot_of_scene(const Lesson& lesson) {
+    const auto names = plots_of_scene(lesson);
+    return names.empty() ? "" : std::string(names.front());
+}
+
 bool has_plot(const PanelContext& lab, std::string_view name) {
     const Session& s = lab.session;
     if (name == along || name == cost) return true;

@@ -32,6 +32,8 @@ void draw_plots(PanelContext& lab, PlotPanelState& panel);  // below each other
 void draw_plots_in_row(PanelContext& lab, PlotPanelState& panel);
 // The one that fills the screen, in type for a lecture hall.
 void draw_filled_plot(PanelContext& lab, PlotPanelState& panel);
+// The name of the plot that a scene is seen by first; "" of a lesson that measures nothing.
+std::string first_plot_of_scene(const Lesson& lesson);
 // Does the present scene have a plot of this name, or cost and error?
 bool has_plot(const PanelContext& lab, std::string_view name);
 
