@@ -105,7 +105,6 @@ void lesson_menu(LabState& lab) {
     ImGui::Separator();
     item(lab, Action::walkthrough_next, lab.session.walkthrough ? "Next of the slide" : "Walkthrough", told);
     item(lab, Action::deck, "Deck", told);
-    item(lab, Action::presenter, "Window of the lecturer", true, lab.presenter.wanted);
     extensions_menu(lab);
 }
 
@@ -127,6 +126,7 @@ void lecture_menu(LabState& lab) {
     item(lab, Action::add_map, "Add this map", lab.side == SideTab::atlas && !lab.atlas.atlas.across.empty());
     ImGui::Separator();
     item(lab, Action::deck, "Show it", s.lecture() != nullptr);
+    item(lab, Action::presenter, "Window of the lecturer", true, lab.presenter.wanted);
     item(lab, Action::end_lecture, "Leave the lecture", s.lecture() != nullptr);
 }
 
