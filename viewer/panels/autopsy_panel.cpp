@@ -120,9 +120,11 @@ void draw_autopsy(PanelContext& lab, ScenePanelState& panel, const Rectangle& pi
     const std::string facts = a.where.empty() ? a.against : fmt::format("{}: {}", words(a.where), a.against);
     const float gap = lab.px(10), pad = lab.px(9), width = std::max(picture.width - 2 * gap, lab.px(60)), inner = width - 2 * pad;
     const float buttons = static_cast<float>(lines_of_buttons(lab.session, a, inner)) * ImGui::GetFrameHeightWithSpacing();
-    // A third of the picture at most, in the largest type that it has room for: what is longer still scrolls.
-    const float most = picture.width * picture.height / 3 / width;
+    // A third of the picture, or as much as the reason needs in a small one, in the largest type that it has room for: what is
+    // longer still scrolls.
     const Fonts& f = lab.fonts;
+    const float reason_needs = height_of_words({lines_of(a, facts, f.medium, f.normal).front()}, inner) + buttons + 2 * pad;
+    const float most = std::max(picture.width * picture.height / 3 / width, std::min(reason_needs, 0.8f * picture.height));
     auto lines = lines_of(a, facts, f.large, f.normal);
     for (const auto& [reason, rest] : {std::pair{f.medium, f.normal}, {f.medium, f.small}, {f.normal, f.small}})
         if (height_of_words(lines, inner) + buttons + 2 * pad > most) lines = lines_of(a, facts, reason, rest);
