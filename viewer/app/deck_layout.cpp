@@ -29,8 +29,8 @@ Real size_of_scene(const LabState& lab, const Rectangle& picture) {
 // The sliders below the words, which keep the size of their type.
 bool sliders_fit_below_words(const LabState& lab, const Rectangle& words, float sliders) {
     const float x = 2 * lab.px(20), y = 2 * lab.px(10);
-    return slide_words_type(lab, {words.width - x, words.height - sliders - y}) ==
-           slide_words_type(lab, {words.width - x, words.height - y});
+    const auto type = slide_words_type(lab, {words.width - x, words.height - sliders - y});
+    return type && type == slide_words_type(lab, {words.width - x, words.height - y});
 }
 
 DeckPlaces with_plots_beside(DeckPlaces p, const LabState& lab, const Rectangle& room, float width) {

@@ -22,10 +22,11 @@ bool words_alone(const PanelContext& lab) {
 
 float gap(const PanelContext& lab) { return lab.px(words_alone(lab) ? 20 : 9); }
 
-// In the largest type in which it needs no more lines than it has equations.
-Paragraph formula(const PanelContext& lab, const std::string& line, float width) {
+// In the largest type in which it needs no more lines than it has equations, larger than the words around it.
+Paragraph formula(const PanelContext& lab, const std::string& line, const ImFont* words, float width) {
     const MathType& type = lab.fonts.mathematics;
-    const float largest = lab.fonts.huge->FontSize, smallest = lab.fonts.large->FontSize;
+    const float largest = std::min(lab.fonts.huge->FontSize, 1.45f * words->FontSize),
+                smallest = std::min(lab.fonts.large->FontSize, 1.2f * words->FontSize);
     const float room = 1.2f * type.formula(line, largest).height();
     return {type.fitted(line, largest, smallest, width, room), lab.ink(Ink::velocity)};
 }
@@ -48,7 +49,7 @@ std::vector<Paragraph> words_of(const PanelContext& lab, ImFont* font, Shown sho
     for (const Block& b : lab.session.walkthrough->slide().blocks) {
         if (b.kind == BlockKind::text && shown.introduction) say(without_marks(b.paragraph()), ink);
         if (b.kind == BlockKind::formula)
-            for (const std::string& line : b.lines) result.push_back(formula(lab, line, width));
+            for (const std::string& line : b.lines) result.push_back(formula(lab, line, font, width));
         if (b.kind == BlockKind::ask) headed("Predict", Ink::accent, b, shown.answer ? quiet : ink);
         if (b.kind == BlockKind::answer && shown.answer) headed("What happened", Ink::velocity, b, ink);
     }
@@ -70,7 +71,7 @@ struct Setting {
 std::vector<Setting> settings(const PanelContext& lab) {
     std::vector<Setting> all;
     if (words_alone(lab)) all.push_back({lab.fonts.huge, true});
-    for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium})
+    for (ImFont* font : {lab.fonts.larger, lab.fonts.large, lab.fonts.medium, lab.fonts.normal})
         for (const bool introduction : {true, false}) all.push_back({font, introduction});
     return all;
 }
@@ -89,7 +90,7 @@ std::vector<Paragraph> fitting_words(const PanelContext& lab, ImVec2 room) {
     const bool revealed = lab.session.walkthrough->revealed();
     const std::vector<Setting> all = settings(lab);
     const std::size_t n = fitting_setting(lab, room);
-    if (n == all.size()) return words_of(lab, lab.fonts.medium, {!revealed, revealed}, room.x);
+    if (n == all.size()) return words_of(lab, lab.fonts.normal, {!revealed, revealed}, room.x);
     return words_of(lab, all[n].font, {all[n].introduction || !revealed, revealed}, room.x);
 }
 
@@ -140,7 +141,10 @@ void draw_slide_words(PanelContext& lab) {
     ImGui::EndChild();
 }
 
-std::size_t slide_words_type(const PanelContext& lab, ImVec2 room) { return fitting_setting(lab, room); }
+std::optional<std::size_t> slide_words_type(const PanelContext& lab, ImVec2 room) {
+    const std::size_t n = fitting_setting(lab, room);
+    return n < settings(lab).size() ? std::optional(n) : std::nullopt;
+}
 
 float slide_parameters_height(const PanelContext& lab) {
     const auto count = shown_parameters(lab).size();

@@ -3,6 +3,7 @@
 #include "panels/parameter_panel.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace pliant::viewer {
 
@@ -12,8 +13,8 @@ void draw_slide_words(PanelContext& lab);
 void draw_slide_parameters(PanelContext& lab, ParameterPanelState& panel);
 void draw_slide_notes(PanelContext& lab);
 float slide_parameters_height(const PanelContext& lab);  // 0 when the slide allows none
-// In which size of type the words fit into a room, 0 for the largest.
-std::size_t slide_words_type(const PanelContext& lab, ImVec2 room);
+// In which size of type the words fit into a room, 0 for the largest; empty when they fit in none.
+std::optional<std::size_t> slide_words_type(const PanelContext& lab, ImVec2 room);
 float slide_notes_height(const PanelContext& lab, float width);
 
 }  // namespace pliant::viewer

@@ -8,9 +8,10 @@ namespace pliant::viewer {
 namespace {
 
 // Lengths in heights of a line of type.
-constexpr float small_height = 9, small_width = 15;  // below: no labels, no legend
-constexpr float least_area = 1.5f;                   // of either side
-constexpr float sample_length = 1.7f;                // of the line beside a name in the legend
+constexpr float small_height = 9, small_width = 15;    // below: no labels
+constexpr float legend_height = 11, legend_width = 8;  // below, of a plot so small: no legend
+constexpr float least_area = 1.5f;                     // of either side
+constexpr float sample_length = 1.7f;                  // of the line beside a name in the legend
 constexpr float widest_name = 16, between_entries = 0.9f;
 
 class Layouter {
@@ -25,7 +26,7 @@ public:
 
     PlotLayout run() {
         place_title();
-        if (!small_) place_legend();
+        if (!small_ || (whole_height() >= legend_height && out_.whole.width() >= legend_width * em_)) place_legend();
         if (!small_ && !label_is_title()) label_row_ = take_row();
         const float below = (small_ || !names_x() ? 1.4f : 2.45f) * em_;
         out_.area.min.y = inner_.min.y + 0.5f * em_;  // half a number above the top end
@@ -44,6 +45,7 @@ public:
 
 private:
     bool names_x() const { return !model_.axes.x.label.empty() || !model_.axes.x.unit.empty() || memory_.x.fixed; }
+    float whole_height() const { return out_.whole.height() / em_; }
     float width(std::string_view words) const { return canvas_.text_size(words).x; }
     float take_row() {
         const float y = inner_.min.y;
@@ -109,7 +111,7 @@ private:
         }
     }
     void wrap_legend() {
-        const int most_rows = std::clamp(static_cast<int>((out_.whole.height() / em_ - small_height) / 2.5f) + 1, 1, 4);
+        const int most_rows = std::clamp(static_cast<int>((whole_height() - small_height) / 2.5f) + 1, 1, 4);
         float x = inner_.min.x, y = take_row();
         int rows = 1;
         for (std::size_t i = 0; i < out_.legend.size(); ++i) {

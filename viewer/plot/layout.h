@@ -1,5 +1,5 @@
 // Where the parts of a plot lie. A plot that is too small for all of them first moves the units of its axes to the title and to
-// the end of the numbers, then leaves out the legend, then everything but its title.
+// the end of the numbers, then leaves out the legend, unless it is high enough, then everything but its title.
 #pragma once
 #include <string>
 #include <vector>
