@@ -244,8 +244,9 @@ void draw_plots(PanelContext& lab, PlotPanelState& panel) {
     if (shown.empty()) return ImGui::EndChild(), table_below(lab);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const auto count = static_cast<float>(rows);
-    // They fill the room, but are hardly higher than wide.
-    const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, 1.1f * room.x));
+    // They fill the room, but are hardly higher than wide; in a deck, where the legend has rows of its own, a little more.
+    const float highest = (lab.layout == Layout::deck ? 1.35f : 1.1f) * room.x;
+    const float height = std::clamp((room.y - spacing * (count - 1)) / count, least, std::max(least, highest));
     for (const std::string& name : shown) draw_one(lab, panel, style_of_plots(lab), name, {0, height});
     ImGui::EndChild();
     table_below(lab);

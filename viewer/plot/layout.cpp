@@ -111,7 +111,9 @@ private:
         }
     }
     void wrap_legend() {
-        const int most_rows = std::clamp(static_cast<int>((whole_height() - small_height) / 2.5f) + 1, 1, 4);
+        // A narrow plot has no other words, and needs a row for each name.
+        const float height_for_row = small_ ? 1.5f : 2.5f;
+        const int most_rows = std::clamp(static_cast<int>((whole_height() - small_height) / height_for_row) + 1, 1, 4);
         float x = inner_.min.x, y = take_row();
         int rows = 1;
         for (std::size_t i = 0; i < out_.legend.size(); ++i) {
