@@ -41,8 +41,9 @@ struct Commands {
     std::set<std::string> patterns;  // "run LESSON [--steps N]", "share"
 };
 
-// With a word that stands for another: LESSON, F.png, [--json], KEY=…
+// With a word that stands for another, LESSON, F.png, [--json], KEY=…; or one that opens a window, which is not run here.
 bool is_pattern(const std::string& command) {
+    if (command.find(" --present") != std::string::npos) return true;
     static const std::regex stands_for(R"((^|[ =])[A-Z]+(\.[a-z]+|x[A-Z]|=\S*|:\S*)?( |$)|\[|\.\.\.|…|\|)");
     return std::regex_search(command, stands_for);
 }

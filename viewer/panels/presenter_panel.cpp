@@ -102,13 +102,19 @@ void headed(const PresenterPage& page, const char* heading, const std::string& t
 }
 
 void draw_next(const PresenterPage& page, const PresenterView& v) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const auto height = [&](const std::string& text) {
+        return page.fonts.mathematics.sentence(text, page.fonts.medium->FontSize, room.x).height();
+    };
+    const bool roomy = height(v.question) + height(v.answer) + height(v.next_words) < 0.55f * room.y;
+    ImFont* const font = roomy ? page.fonts.medium : page.fonts.normal;
     headed(page, "Next", v.next_press, page.fonts.medium, text_colour());
-    headed(page, "Question", v.question, page.fonts.normal, text_colour());
-    headed(page, "Answer", v.answer, page.fonts.normal, text_colour());
+    headed(page, "Question", v.question, font, text_colour());
+    headed(page, "Answer", v.answer, font, text_colour());
     if (v.next_title.empty()) return;
     ImGui::Separator();
     headed(page, "The slide after this one", v.next_title, page.fonts.medium, text_colour());
-    words_in(page, v.next_words, page.fonts.normal, quiet_text());
+    words_in(page, v.next_words, font, quiet_text());
 }
 
 float readings_height(const PresenterPage& page, const PresenterView& v) {
