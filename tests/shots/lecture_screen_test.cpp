@@ -105,6 +105,14 @@ TEST_CASE("the table of keys fits a small screen at a large scale, is searched, 
     CHECK(r.y >= 0);
     CHECK(r.x + r.width <= 1280);
     CHECK(r.y + r.height <= 720);
+    // In both columns it says what the keys do.
+    for (const int left : {220, 820}) {
+        const Image column = crop(hand.pixels(), left, 110, 380, 550);
+        int bright = 0;
+        for (int y = 0; y < column.height; ++y)
+            for (int x = 0; x < column.width; ++x) bright += pixel(column, x, y)[0] > 180;
+        CHECK(bright > 0.02 * column.width * column.height);
+    }
     for (const char c : std::string("black")) hand.type(c);
     CHECK(std::string(s.help.search.data()) == "black");
     CHECK(s.session.runner().place() == Place{});

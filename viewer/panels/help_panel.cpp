@@ -31,7 +31,8 @@ void draw_group(PanelContext& lab, const GroupOfKeys& group, float keys_width, f
     for (const KeyRow& row : group.rows) {
         const float left = ImGui::GetCursorPosX();
         ImGui::TextUnformatted(row.text().c_str());
-        ImGui::SameLine(left + keys_width);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + keys_width);
         ImGui::TextUnformatted(flowing_text(std::string(row.meaning), ImGui::GetFont(), width - keys_width).c_str());
     }
     ImGui::Spacing();
