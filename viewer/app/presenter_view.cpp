@@ -116,7 +116,7 @@ PresenterView presenter_view(const LabState& lab) {
     const Runner& r = s.runner();
     const std::string time =
         r.is_static() ? fmt::format("step {}", r.place().step) : fmt::format("t = {}", format_quantity(r.time(), "s", 3));
-    view.now = fmt::format("{}, the run {}", time, s.playing ? "goes on" : "stands");
+    view.now = fmt::format("{}, the run {}", time, s.playing ? "goes on" : s.under_way() ? "computes a step" : "stands");
     if (s.message()) view.message = s.message()->text;
     return view;
 }

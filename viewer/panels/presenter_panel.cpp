@@ -144,7 +144,8 @@ PresenterWishes draw_presenter(const PresenterPage& page, const PresenterView& v
     words_in(page, v.title, page.fonts.large, text_colour());
     ImGui::BeginChild("notes", {left - page.px(16), std::max(ImGui::GetContentRegionAvail().y - readings, page.px(60))},
                       ImGuiChildFlags_None, flags);
-    if (v.count == 0) plain_words(v.lesson + " has no slides open: D opens its deck.", page.fonts.medium, quiet_text());
+    if (v.count == 0)
+        words_in(page, fmt::format("No slides are open. D opens the deck of “{}”.", v.lesson), page.fonts.medium, quiet_text());
     if (v.count > 0 && !v.in_deck) plain_words("The audience sees the lab; D shows the deck.", page.fonts.normal, quiet_text());
     if (v.minutes) plain_words(fmt::format("{} for this slide", minutes_text(*v.minutes)), page.fonts.small, quiet_text());
     words_in(page, v.notes, fitting_type(page, v.notes, ImGui::GetContentRegionAvail()), text_colour());
