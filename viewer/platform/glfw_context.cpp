@@ -242,8 +242,10 @@ private:
 
     GLFWwindow* window_ = nullptr;
     ImGuiContext* gui_ = nullptr;  // that takes what the window gets
-    Size windowed_;                // before the full screen
+#if !defined(__EMSCRIPTEN__)
+    Size windowed_;  // before the full screen
     int windowed_x_ = 0, windowed_y_ = 0;
+#endif
     std::vector<std::string> dropped_;
     bool damaged_ = true;
 };
