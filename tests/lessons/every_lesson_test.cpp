@@ -244,6 +244,32 @@ TEST_CASE("every lesson: the picture has something in its frame, and its marks h
     }
 }
 
+namespace {
+
+// The run gives one of the answers, and no other; what the slide asks for shows only with its answer.
+void check_prediction_of(const WalkthroughPlayer& player) {
+    const auto& p = player.prediction();
+    if (!p) return;
+    INFO(player.slide().title);
+    REQUIRE(player.verdict());
+    CHECK(player.slide().has(BlockKind::ask));
+    CHECK_FALSE(player.verdict()->right);  // nothing was predicted
+    if (p->kind == Prediction::Kind::choice) {
+        std::size_t given = 0;
+        for (const Prediction::Option& o : p->options) given += player.verdict()->came == o.words;
+        CHECK(given == 1);
+    } else {
+        CHECK(player.slide().hides(p->probe));
+    }
+    if (p->kind != Prediction::Kind::sketch) return;
+    REQUIRE(player.measured_curve().size() == sketch_points);
+    for (const Real value : player.measured_curve()) CHECK((value >= p->height.min && value <= p->height.max));
+    const auto [least, most] = std::ranges::minmax(player.measured_curve());
+    CHECK(most - least > 0.1 * (p->height.max - p->height.min));  // worth a sketch
+}
+
+}  // namespace
+
 TEST_CASE("every lesson: its walkthrough asks before it shows, and what it expects holds", "[every_lesson]") {
     const LessonEntry& entry = any_lesson();
     INFO(entry.info.id);
@@ -254,10 +280,12 @@ TEST_CASE("every lesson: its walkthrough asks before it shows, and what it expec
     }
     Runner runner(entry);
     WalkthroughPlayer player(runner, walkthrough_of(entry));
-    std::size_t checked = 0, asked = 0;
+    std::size_t checked = 0, asked = 0, predicted = 0;
     for (const Slide& s : player.walkthrough().slides) asked += s.has(BlockKind::ask);
     do {
         if (!player.revealed()) continue;
+        predicted += player.prediction().has_value();
+        check_prediction_of(player);
         for (const ExpectationResult& r : player.results()) {
             INFO(r.text << "   " << r.measured);
             CHECK(r.met);
@@ -266,6 +294,7 @@ TEST_CASE("every lesson: its walkthrough asks before it shows, and what it expec
     } while (player.next());
     CHECK(checked >= 3);
     CHECK(asked >= 2);
+    CHECK(predicted >= 2);
 
     // Back to the start: the first slide stands as it did.
     while (player.back()) {

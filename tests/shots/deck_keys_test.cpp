@@ -1,4 +1,5 @@
-// In a deck Space and the arrows play and turn slides, whatever control was clicked before; a control has the keys after Tab alone.
+// In a deck Space and the arrows play and turn slides, whatever control was clicked before; a control has the keys after Tab
+// alone.
 #include "app/lab.h"
 #include "platform/headless_context.h"
 

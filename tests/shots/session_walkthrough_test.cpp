@@ -70,11 +70,11 @@ TEST_CASE("a slide that is reset forgets what was changed on it, with its undo",
     s.reset_slide();
     CHECK(state_hash(s.lesson()) == hash);
     CHECK(s.recorder().series(0).steps() == steps);
-    CHECK(wanted(s, "width") == 0.1);
+    CHECK(wanted(s, "width") == 0.2);
     CHECK_FALSE(s.can_undo());
     CHECK_FALSE(s.walkthrough->revealed());
     s.undo();
-    CHECK(wanted(s, "width") == 0.1);
+    CHECK(wanted(s, "width") == 0.2);
 }
 
 TEST_CASE("a slide shows the colours of those before it", "[session][walkthrough]") {

@@ -149,6 +149,22 @@ TEST_CASE("the notes are for the lecturer: by a key on the screen, and in the te
     }));
 }
 
+TEST_CASE("after a deck the lab opens with its panels", "[window][deck]") {
+    need_screen_and_mouse();
+    const Scratch scratch;
+    const std::string config = scratch.path("config");
+    {
+        Desk desk({"walkthrough", "mesh/rod", "--present"}, config);
+        REQUIRE(desk.becomes("layout", "deck"));
+        desk.key("t");
+        REQUIRE(desk.becomes("theme", "projector"));
+        CHECK(desk.close_window() == 0);
+    }
+    Desk desk({}, config);
+    CHECK(desk.state()["theme"] == "projector");
+    CHECK(desk.state()["layout"] == "lab");
+}
+
 TEST_CASE("Escape leads from the slide without panels back to the lab", "[window][deck]") {
     need_screen_and_mouse();
     Desk desk({"--lesson", "elasticity/moduli"});

@@ -10,7 +10,8 @@ const std::string with_shift = "50+", with_alt_gr = "108+", with_ctrl = "37+";
 
 // What to press for each sign, and for the letters that other keyboards have elsewhere.
 struct Keyboard {
-    std::string layout, step, step_back, stage, comma, stage_back, pass, pass_back, lesson_before, next_lesson, larger, smaller, undo;
+    std::string layout, step, step_back, stage, comma, stage_back, pass, pass_back, lesson_before, next_lesson, larger, smaller,
+        undo;
 };
 const Keyboard german{"de",
                       "60",

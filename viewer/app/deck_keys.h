@@ -1,4 +1,5 @@
-// What a key of the lab does, it does not do to the focus as well; and in a deck a control has the keys only after Tab went to it.
+// What a key of the lab does, it does not do to the focus as well; and in a deck a control has the keys only after Tab went to
+// it.
 #pragma once
 
 namespace pliant::viewer {

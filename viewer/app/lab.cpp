@@ -114,7 +114,9 @@ void Lab::build_frame(Real dt) {
     state_.claims.book.update();
     state_.atlas.atlas.follow(state_.session);
     follow_lecture();
+    state_.methods.table.follow(state_.session);
     const Session& s = state_.session;
+    if (!state_.files.asking() && !state_.animation.asking) take_show_of_hands();
     if (!state_.files.asking() && !state_.animation.asking)
         handle_keys({.walkthrough = state_.session.walkthrough.has_value(),
                      .deck = in_deck(),
@@ -130,6 +132,7 @@ void Lab::build_frame(Real dt) {
     state_.plots.memory.save_all_svg = false;
     draw_help(state_, state_.help, state_.help_shown);
     draw_summary(state_, state_.summary);
+    draw_hand_in(state_, state_.hand_in);
     draw_file_dialog(state_, state_.file_dialog);
     draw_animation_panel(state_);
     draw_focus(state_);
@@ -152,8 +155,9 @@ Real Lab::next_change() const {
     const bool ordered = unsettled_ > 0 || restyle_ || capture_ || plot_to_save_ || animation_ || !l.wanted.empty() ||
                          !l.wanted_scenes.empty() || !l.wanted_files.empty();
     if (moves || ordered) return 0;
-    return std::min(gui_.next_blink(),
-                    l.claims.book.busy() || l.atlas.atlas.busy() ? progress_seconds : std::numeric_limits<Real>::infinity());
+    return std::min(gui_.next_blink(), l.claims.book.busy() || l.atlas.atlas.busy() || l.methods.table.busy()
+                                           ? progress_seconds
+                                           : std::numeric_limits<Real>::infinity());
 }
 
 void Lab::do_what_is_wanted() {
@@ -163,6 +167,7 @@ void Lab::do_what_is_wanted() {
     if (const std::string lecture = std::exchange(state_.wanted_lecture, ""); !lecture.empty())
         open_lecture(read_lecture(lecture));
     if (!state_.animation.path.empty()) start_animation();
+    do_for_hand_in();
 }
 
 // What needs the pixels of the frame.

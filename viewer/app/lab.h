@@ -52,6 +52,8 @@ public:
     void open_scene(const SceneFile& scene);
     // Opens a scene file and remembers it, or a lecture. Throws Refused.
     void open_file(const std::string& path);
+    // What is noted to be handed in is kept in this file from now on, and what it holds is gone on with.
+    void keep_hand_in(const std::string& path);
     // Writes the scene to a file and remembers it. Throws Refused.
     void save_file(const std::string& path);
 
@@ -83,7 +85,8 @@ private:
     struct Capture {
         bool whole = false;
         std::string path;
-        int frames = 2;  // to wait
+        int frames = 2;            // to wait
+        bool to_notebook = false;  // in place of a file
     };
 
     void restyle();
@@ -105,6 +108,8 @@ private:
     void lab_layout(float width, float height);
     void slide_layout(float width, float height);
     void deck_layout(float width, float height);
+    void take_show_of_hands();
+    void compare_all_methods();
     bool perform_on_deck(Action action);
     void presenter_layout(float width, float height);
     bool perform_on_run(Action action);
@@ -128,6 +133,8 @@ private:
     void ask_to_save();
     void ask_for_picture(bool whole);
     void ask_for_probes();
+    void do_for_hand_in();
+    void note_claims();
     void quick_save();
     void remember(const std::string& path);
     void forget_file_of_another_scene();
@@ -151,6 +158,8 @@ private:
     Lens lens_;
     Rectangle deck_picture_;  // where the deck's picture was in the last frame
     std::optional<Capture> capture_;
+    std::string hand_in_path_;  // "" where nothing is kept
+    long hand_in_kept_ = 0;     // the changes of the notebook that it holds
     std::optional<Animation> animation_;
     std::string animation_path_;
     std::pair<int, std::size_t> lecture_slide_{-1, 0};  // that has come up: the session's count of openings, and its number

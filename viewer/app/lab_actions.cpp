@@ -4,7 +4,25 @@
 #include "app/summary.h"
 #include "panels/focus.h"
 
+#include <utility>
+
 namespace pliant::viewer {
+
+namespace {
+bool asks_for_choice(const Session& s) {
+    const auto& p = s.walkthrough->prediction();
+    return p && p->kind == Prediction::Kind::choice && !s.walkthrough->revealed();
+}
+}  // namespace
+
+// A show of hands: in a deck the digits choose an answer.
+void Lab::take_show_of_hands() {
+    Session& s = state_.session;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!in_deck() || !asks_for_choice(s) || io.WantTextInput || io.KeyCtrl || io.KeyAlt) return;
+    for (std::size_t k = 0; k < s.walkthrough->prediction()->options.size(); ++k)
+        if (ImGui::IsKeyPressed(static_cast<ImGuiKey>(ImGuiKey_1 + static_cast<int>(k)), false)) s.predict({.option = k});
+}
 
 void Lab::perform(Action action) {
     if (in_deck() && perform_on_deck(action)) return;
@@ -25,6 +43,9 @@ bool Lab::perform_on_deck(Action action) {
             return deck_keys_.let_go(), false;
         case Action::leave_deck:
             return deck_keys_.let_go();
+        case Action::beside:
+        case Action::difference:
+            return asks_for_choice(s);  // the digits are its answers
         case Action::previous_lesson:
         case Action::next_lesson:
             s.say(Session::Message::Kind::info,
@@ -123,6 +144,15 @@ void Lab::show_lab() {
     set_layout(Layout::lab);
 }
 
+// One press: the table comes to the front and is being made.
+void Lab::compare_all_methods() {
+    MethodTable& table = state_.methods.table;
+    table.follow(state_.session);
+    if (!state_.methods_over.empty()) table.over = std::exchange(state_.methods_over, "");
+    state_.side_wanted = SideTab::methods, state_.methods.focus = true;
+    if (!table.over.empty() && !table.busy()) table.start(state_.session);
+}
+
 bool Lab::perform_on_view(Action action) {
     Session& s = state_.session;
     switch (action) {
@@ -152,6 +182,8 @@ bool Lab::perform_on_view(Action action) {
             return show_lab(), state_.side_wanted = SideTab::claims, state_.claims.reveal = state_.claims.focus = true;
         case Action::atlas:
             return show_lab(), state_.side_wanted = SideTab::atlas, state_.atlas.focus = true;
+        case Action::methods:
+            return show_lab(), compare_all_methods(), true;
         case Action::help:
             state_.help_shown = !state_.help_shown;
             return true;
@@ -183,6 +215,9 @@ bool Lab::perform_for_ear_and_hand(Action action) {
         case Action::dismiss:
             if (state_.help_shown) return state_.help_shown = false, true;
             state_.summary.text.empty() ? state_.session.dismiss() : state_.summary.text.clear();
+            return true;
+        case Action::hand_in:
+            state_.hand_in.shown = !state_.hand_in.shown;
             return true;
         case Action::summary:
             state_.summary.text = state_.summary.text.empty() ? summary_of(state_) : "";

@@ -198,6 +198,10 @@ void Lab::ask_for_picture(bool whole) {
 
 void Lab::capture() {
     const Capture c = *std::exchange(capture_, std::nullopt);
+    if (c.to_notebook) {
+        state_.session.notebook.note_picture(state_.session.runner(), png_bytes(scene_pixels()));
+        return state_.session.say(Told::info, "Noted: the picture of the scene.");
+    }
     write_and_tell(c.path, [&] { write_png(c.whole ? read_pixels(context_) : scene_pixels(), c.path); });
 }
 

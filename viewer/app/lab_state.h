@@ -4,9 +4,11 @@
 #include "panels/atlas_panel.h"
 #include "panels/claims_panel.h"
 #include "panels/file_dialog.h"
+#include "panels/hand_in_panel.h"
 #include "panels/help_panel.h"
 #include "panels/inspector_panel.h"
 #include "panels/lesson_list.h"
+#include "panels/methods_panel.h"
 #include "panels/panel_context.h"
 #include "panels/parameter_panel.h"
 #include "panels/plot_panel.h"
@@ -46,7 +48,9 @@ struct LabState : PanelContext {
     InspectorPanelState inspector{};
     ClaimsPanelState claims{};
     AtlasPanelState atlas{};
+    MethodsPanelState methods{};
     SummaryPanelState summary{};
+    HandInPanelState hand_in{};
     FileDialogState file_dialog{};
     SlidePictureState slide_pictures{};
 

@@ -62,6 +62,9 @@ void file_menu(LabState& lab) {
     item(lab, Action::save_window_picture, "Save the window…", free);
     item(lab, Action::save_plots, "Save plots as SVG", !lab.plots.chosen.empty());
     item(lab, Action::save_probes, "Save probes as CSV…", !lab.session.recorder().empty());
+    ImGui::Separator();
+    item(lab, Action::hand_in, "Hand in…");
+    ImGui::Separator();
     item(lab, Action::save_animation, "Save an animation…", free);
 }
 
@@ -160,6 +163,7 @@ void view_menu(LabState& lab) {
     item(lab, Action::summary, "Summary", true, !lab.summary.text.empty());
     item(lab, Action::claims, "Claims", true, lab.side == SideTab::claims);
     item(lab, Action::atlas, "Stability atlas", true, lab.side == SideTab::atlas);
+    item(lab, Action::methods, "Compare all methods");
     item(lab, Action::frame, "Whole scene");
     item(lab, Action::hide_panels, "Hide the panels");
     item(lab, Action::extreme, "Extreme ranges", true, lab.session.extreme);

@@ -20,7 +20,7 @@ struct Tab {
 
 void draw_side(LabState& lab) {
     if (!ImGui::BeginTabBar("side")) return;
-    const std::array<Tab, 4> tabs{
+    const std::array<Tab, 5> tabs{
         {{SideTab::plots, "Plots", "tab plots", "The numbers of the run over time, and its profiles",
           [&] { draw_plots(lab, lab.plots); }},
          {SideTab::inspect, "Inspect", "tab inspect", "All numbers of the picked thing, and why they are what they are (I)",
@@ -28,7 +28,10 @@ void draw_side(LabState& lab) {
          {SideTab::claims, "Claims", "tab claims", "What the lectures say of this lesson: predict, then measure (K)",
           [&] { draw_claims(lab, lab.claims); }},
          {SideTab::atlas, "Atlas", "tab atlas", "Where this lesson is stable, over two of its parameters (W)",
-          [&] { draw_atlas(lab, lab.atlas); }}}};
+          [&] { draw_atlas(lab, lab.atlas); }},
+         {SideTab::methods, "Methods", "tab methods",
+          "All methods of the lesson in this scene: what lasts, its error and cost (Y)",
+          [&] { draw_methods(lab, lab.methods); }}}};
     const auto wanted = std::exchange(lab.side_wanted, std::nullopt);
     for (const Tab& t : tabs) {
         const bool shown = ImGui::BeginTabItem(t.title, nullptr, wanted == t.tab ? ImGuiTabItemFlags_SetSelected : 0);

@@ -79,6 +79,28 @@ nlohmann::ordered_json presenter_json(const PresenterState& p) {
     return j;
 }
 
+nlohmann::ordered_json methods_json(const LabState& lab) {
+    const MethodTable& t = lab.methods.table;
+    nlohmann::ordered_json j{
+        {"shown", lab.side == SideTab::methods}, {"over", t.over}, {"busy", t.busy()}, {"trouble", t.trouble()}};
+    j["rows"] = nlohmann::ordered_json::object();
+    if (t.result())
+        for (const MethodRun& r : t.result()->runs) j["rows"][r.option] = name_of(r.outcome);
+    return j;
+}
+
+nlohmann::ordered_json prediction_json(const LabState& lab) {
+    const auto& player = lab.session.walkthrough;
+    if (!player || !player->prediction()) return nullptr;
+    const Guess& g = player->guess();
+    nlohmann::ordered_json j{{"given", g.given()}};
+    if (g.option) j["option"] = *g.option + 1;
+    if (g.number) j["number"] = *g.number;
+    if (!g.sketch.empty()) j["sketch"] = g.sketch;
+    if (player->verdict()) j["right"] = player->verdict()->right, j["words"] = player->verdict()->words;
+    return j;
+}
+
 nlohmann::ordered_json companion_json(const Session& s) {
     if (!s.companion()) return nullptr;
     const Runner& b = s.companion()->runner();
@@ -142,11 +164,14 @@ std::string state_json(const LabState& lab) {
     j["lecture"] = lab.session.lecture() ? lab.session.lecture()->path : "";
     j["extension"] = lab.session.extension() ? *lab.session.extension() + 1 : 0;
     j["revealed"] = walkthrough && walkthrough->revealed();
+    j["prediction"] = prediction_json(lab);
+    j["handed_in"] = lab.session.notebook.hand_in().entries.size();
     j["unlocked"] = lab.session.unlocked;
     j["notes"] = lab.notes_shown;
     j["inspector"] = inspector_json(lab);
     j["claims"] = claims_json(lab);
     j["atlas"] = atlas_json(lab);
+    j["methods"] = methods_json(lab);
     j["theme"] = lab.theme == Theme::dark ? "dark" : "projector";
     j["dialog"] = lab.files.asking() ? lab.files.title() : "";
     j["complaint"] = lab.files.complaint();

@@ -233,7 +233,7 @@ int dispatch(int argc, const char* const* argv) {
     StudyOptions study_options;
     WalkthroughOptions walkthrough_options;
     LectureOptions lecture_options;
-    std::string lesson, folder = "out/tour", sources;
+    std::string lesson, folder = "out/tour", sources, over, handed_in;
     std::vector<std::string> stops;
     bool json = false, markdown = false, strict = false;
 
@@ -265,6 +265,20 @@ int dispatch(int argc, const char* const* argv) {
     run_command->add_flag("--summary", run_options.summary, "print how the run stands in plain sentences")
         ->excludes(run_json_flag);
     run_command->callback([&] { action = [&] { return run(run_options); }; });
+
+    CLI::App* hand_in_command =
+        app.add_subcommand("handin", "what a student handed in: does each number come out, was the file changed by hand?");
+    hand_in_command->add_option("file", handed_in, "NAME.handin.json")->required();
+    hand_in_command->add_flag("--json", json, "print one JSON object");
+    hand_in_command->callback([&] { action = [&] { return hand_in(handed_in, json); }; });
+
+    CLI::App* compare_command =
+        app.add_subcommand("compare", "all methods of a lesson in one scene: what lasts, how wrong it is, what it costs");
+    add_run_options(*compare_command, run_options);
+    compare_command->add_option("--over", over,
+                                "the choice whose options are compared; that of the lesson's methods when not given");
+    compare_command->add_flag("--json", run_options.json, "print one JSON object");
+    compare_command->callback([&] { action = [&] { return compare(run_options, over); }; });
 
     CLI::App* why_command = app.add_subcommand("why", "how a number came about: its stage, formula and inputs");
     add_run_options(*why_command, run_options);

@@ -97,6 +97,9 @@ struct WhyOptions {
     int component = -1, depth = 1;
 };
 int why(const RunOptions& run, const WhyOptions& options);
+int hand_in(const std::string& path, bool json);
+// over: the key of a choice; that of the lesson's methods when empty.
+int compare(const RunOptions& run, const std::string& over);
 struct ClaimsOptions {
     std::vector<std::string> ids;  // all claims when empty
     bool json = false, markdown = false;

@@ -164,6 +164,8 @@ int window(const WindowOptions& o) {
     SettingsFile settings(o.no_settings ? std::filesystem::path() : settings_path());
     restore(lab, settings, o, context->ui_scale());
     settings.begin(lab.state());
+    if (!o.no_settings && !settings_path().empty())
+        lab.keep_hand_in((settings_path().parent_path() / "noted.handin.json").string());
     lab.state().speak = [](const std::string& text) { print_now(text + "\n"); };
     open_first(lab, o);
     if (!settings.trouble().empty()) lab.session().say(Session::Message::Kind::refused, settings.trouble());

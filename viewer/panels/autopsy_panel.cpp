@@ -29,7 +29,8 @@ std::string fix_label(const Session& s, const Autopsy& a, std::size_t n) {
 std::string fix_help(const Session& s, const Autopsy& a, std::size_t n) {
     std::string help;
     for (const auto& [key, value] : a.fix_at(n).assign) help += fmt::format("{} = {}\n", words(key), value);
-    if (const Parameter* p = s.locked_of_fix(n)) help += fmt::format("This slide locks {}; a press unlocks all parameters.\n", words(p->info.key));
+    if (const Parameter* p = s.locked_of_fix(n))
+        help += fmt::format("This slide locks {}; a press unlocks all parameters.\n", words(p->info.key));
     return help + (a.restarts ? "Starts the scene again with it" : "Goes on from the last good state");
 }
 

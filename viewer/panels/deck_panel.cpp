@@ -1,6 +1,7 @@
 // What the deck shows beside picture, plots and numbers: a slide of the walkthrough in large type.
 #include "panels/deck_panel.h"
 
+#include "panels/prediction_panel.h"
 #include "panels/typeset_text.h"
 
 #include <fmt/format.h>
@@ -79,19 +80,27 @@ std::vector<Setting> settings(const PanelContext& lab) {
 // The one with the largest type in which the slide fits both with and without its answer, so that the question stays as it is
 // when the answer comes; their count when none does.
 std::size_t fitting_setting(const PanelContext& lab, ImVec2 room) {
-    const auto fits_in = [&](ImFont* font, Shown shown) { return height_of(lab, words_of(lab, font, shown, room.x)) <= room.y; };
+    const auto fits_in = [&](ImFont* font, Shown shown) {
+        const float words = height_of(lab, words_of(lab, font, shown, room.x));
+        return words + prediction_height(lab, font, room.x, shown.answer) <= room.y;
+    };
     const std::vector<Setting> all = settings(lab);
     std::size_t n = 0;
     while (n < all.size() && !(fits_in(all[n].font, {true, false}) && fits_in(all[n].font, {all[n].introduction, true}))) ++n;
     return n;
 }
 
-std::vector<Paragraph> fitting_words(const PanelContext& lab, ImVec2 room) {
+struct FittingWords {
+    std::vector<Paragraph> words;
+    ImFont* font;
+};
+
+FittingWords fitting_words(const PanelContext& lab, ImVec2 room) {
     const bool revealed = lab.session.walkthrough->revealed();
     const std::vector<Setting> all = settings(lab);
     const std::size_t n = fitting_setting(lab, room);
-    if (n == all.size()) return words_of(lab, lab.fonts.normal, {!revealed, revealed}, room.x);
-    return words_of(lab, all[n].font, {all[n].introduction || !revealed, revealed}, room.x);
+    if (n == all.size()) return {words_of(lab, lab.fonts.normal, {!revealed, revealed}, room.x), lab.fonts.normal};
+    return {words_of(lab, all[n].font, {all[n].introduction || !revealed, revealed}, room.x), all[n].font};
 }
 
 std::vector<const Parameter*> shown_parameters(const PanelContext& lab) {
@@ -133,11 +142,12 @@ void draw_slide_title(PanelContext& lab) {
 
 void draw_slide_words(PanelContext& lab) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const auto words = fitting_words(lab, room);
+    const FittingWords fitting = fitting_words(lab, room);
     ImGui::BeginChild("words", {0, 0}, 0, ImGuiWindowFlags_NoBackground);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, gap(lab)});
-    for (const Paragraph& p : words) draw_item(lab.fonts.mathematics, p.words, p.colour);
+    for (const Paragraph& p : fitting.words) draw_item(lab.fonts.mathematics, p.words, p.colour);
     ImGui::PopStyleVar();
+    draw_prediction(lab, fitting.font);
     ImGui::EndChild();
 }
 

@@ -62,6 +62,7 @@ KeyGroup group_of(Action action) {
         case Action::find:
         case Action::claims:
         case Action::atlas:
+        case Action::methods:
             return KeyGroup::lessons;
         case Action::walkthrough_next:
         case Action::walkthrough_back:
@@ -98,6 +99,7 @@ KeyGroup group_of(Action action) {
         case Action::extreme:
         case Action::defaults:
             return KeyGroup::parameters;
+        case Action::hand_in:
         case Action::open:
         case Action::save:
         case Action::save_as:
@@ -130,11 +132,12 @@ std::vector<KeyRow> key_rows() {
         else
             same->keys.push_back(b.keys);
     }
+    rows.push_back({{"1 … 9"}, "deck: choose an answer of the prediction", KeyGroup::lecture});
     std::ranges::stable_sort(rows, {}, &KeyRow::group);
     constexpr KeyGroup mouse = KeyGroup::mouse;
     rows.push_back({{"left drag"}, "pull the body; beside it, turn or move the picture", mouse});
     rows.push_back({{"right drag"}, "move the picture", mouse});
-    rows.push_back({{"right click"}, "on a picture or a plot: its menu", mouse});
+    rows.push_back({{"right click"}, "on a picture or a plot: its menu; on a parameter: what if", mouse});
     rows.push_back({{"wheel"}, "zoom", mouse});
     rows.push_back({{"Ctrl+click"}, "type a slider's number; with keys, Enter on it", mouse});
     rows.push_back({{"double click"}, "a slider's default", mouse});

@@ -47,8 +47,15 @@ struct HeldNumbers {
     std::vector<Light> lights{};
 };
 
+// The words of a slide in the panel of the walkthrough: folded where what is asked and answered would not fit below them.
+struct WalkthroughFold {
+    std::pair<std::size_t, bool> of{static_cast<std::size_t>(-1), false};  // the slide, and whether its answer is shown
+    bool closed = false, chosen = false;                                   // chosen: a person unfolded it
+    int fresh = 0;                                                         // frames in which the panel finds its place
+};
+
 // The tabs at the right of the lab.
-enum class SideTab { plots, inspect, claims, atlas };
+enum class SideTab { plots, inspect, claims, atlas, methods };
 
 struct PanelContext {
     Session session{};
@@ -64,7 +71,10 @@ struct PanelContext {
     HeldNumbers held{};
     LiveError live_error{};
     TypedNumber typed{};
+    WalkthroughFold fold{};
+    std::optional<std::size_t> sketched{};  // the point of a sketch where the mouse was in the last frame
 
+    std::string methods_over{};            // the choice whose options are to be compared; of the panel's own when empty
     SideTab side = SideTab::plots;         // that is in front
     std::optional<SideTab> side_wanted{};  // that comes to the front
     FileChoice files{};

@@ -4,6 +4,7 @@
 #include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
+#include "panels/methods_panel.h"
 #include "panels/typeset_text.h"
 
 #include <fmt/format.h>
@@ -187,6 +188,7 @@ void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Paramet
         if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
     }
     lab.note_control(std::string(p.info.key));
+    if (!large) what_if_menu(lab, p);
     ImGui::EndDisabled();
     ImGui::PopFont();
     parameter_tip(lab, panel, p);

@@ -4,6 +4,7 @@
 
 #include "panels/companion_panel.h"
 #include "panels/field_plots.h"
+#include "panels/methods_panel.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ namespace pliant::viewer {
 namespace {
 
 constexpr std::string_view along = "along", heat_map = "map";
+constexpr const char* hidden_hint = "predict first";
 
 std::vector<std::string_view> plots_of_scene(const Lesson& lesson) {
     std::vector<std::string_view> names = lesson.first_plots();
@@ -46,8 +48,10 @@ void plot_probe(PanelContext& lab, Plot& plot, std::size_t i, Point size) {
     const Probe& probe = s.lesson().probes[i];
     const TimeSeries& series = s.recorder().series(i);
     const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"},
-                    .y = {name_with_symbol(probe.name, probe.symbol, " "), std::string(probe.unit)}};
+                    .y = {name_with_symbol(probe.name, probe.symbol, " "), std::string(probe.unit)},
+                    .empty_hint = s.hides(probe.name) ? hidden_hint : Axes{}.empty_hint};
     if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
+    if (s.hides(probe.name)) return plot.end();
     const auto line = [&](const std::string& name, const TimeSeries& of, Dash dash) {
         plot.line(name, of.at(), of.values(), {.dash = dash});
     };
@@ -76,8 +80,11 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     const Axes axes{.x = {capitalised(std::string(line.position_name)), std::string(line.position_unit), scale},
                     .y = {line.value_name.empty() ? words(line.name) : capitalised(std::string(line.value_name)),
                           std::string(line.unit), scale},
-                    .empty_hint = line.log_log ? "nothing above 0 to show" : Axes{}.empty_hint};
+                    .empty_hint = s.hides(line.name) ? hidden_hint
+                                  : line.log_log     ? "nothing above 0 to show"
+                                                     : Axes{}.empty_hint};
     if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
+    if (s.hides(line.name)) return plot.end();
     plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
     Curve of_b;
     if (const Line* b = line_of_b(s, line)) {
@@ -231,7 +238,7 @@ PlotTheme plot_theme(Theme theme) { return theme == Theme::dark ? PlotTheme::dar
 
 void draw_plots(PanelContext& lab, PlotPanelState& panel) {
     begin_plots(lab, panel);
-    if (lab.layout == Layout::lab) choice_menu(lab, panel);
+    if (lab.layout == Layout::lab) choice_menu(lab, panel), draw_what_if_words(lab);
     if (panel.cost_shown && lab.layout != Layout::deck) return cost_and_error(lab, panel, style_of_plots(lab)), table_below(lab);
     std::vector<std::string> shown = shown_plots(lab, panel);
     if (shown.empty()) return say_empty(panel), table_below(lab);

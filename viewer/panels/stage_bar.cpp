@@ -227,7 +227,8 @@ void draw_transport(PanelContext& lab, StageBarState& panel) {
     if (button(lab, "Stage", "stage", "One stage (/)")) s.step_stage();
     if (button(lab, "Step", "step", "One step (.)")) s.step();
     if (button(lab, "‹ Stage", "stage back", "One stage back, from stored states (,)")) s.stage_back();
-    if (button(lab, "‹ Step", "back", "One step back, from stored states; inside a step, to the same stage of the step before (<)"))
+    if (button(lab, "‹ Step", "back",
+               "One step back, from stored states; inside a step, to the same stage of the step before (<)"))
         s.step_back();
     if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
     draw_pin_button(lab);

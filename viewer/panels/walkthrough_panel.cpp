@@ -1,10 +1,16 @@
 #include "panels/walkthrough_panel.h"
 
+#include <pliant/document/action_words.h>
+#include <pliant/document/walkthrough_words.h>
+#include <pliant/lesson/registry.h>
+
+#include "panels/prediction_panel.h"
 #include "panels/typeset_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -14,7 +20,7 @@ void paragraph(const PanelContext& lab, const std::string& text) {
     ImGui::Spacing();
 }
 
-void formula(PanelContext& lab, const Block& block) {
+void formula(PanelContext& lab, const pliant::Block& block) {
     ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::velocity));
     ImGui::Indent(lab.px(12));
     for (const std::string& line : block.lines)
@@ -30,51 +36,68 @@ void heading(PanelContext& lab, const char* text, Ink role) {
     ImGui::PopStyleColor();
 }
 
-void draw_block(PanelContext& lab, const Block& block, const WalkthroughPlayer& player) {
-    switch (block.kind) {
-        case BlockKind::text:
-            paragraph(lab, block.paragraph());
-            break;
-        case BlockKind::formula:
-            formula(lab, block);
-            break;
-        case BlockKind::ask:
-            heading(lab, "Predict", Ink::accent);
-            paragraph(lab, block.paragraph());
-            break;
-        case BlockKind::actions:
-            heading(lab, player.revealed() ? "Done" : "Next will", Ink::force);
-            for (const std::string& line : block.lines) {
-                ImGui::Bullet();
-                ImGui::TextWrapped("%s", line.c_str());
-            }
-            ImGui::Spacing();
-            break;
-        case BlockKind::answer:
-            if (!player.revealed()) break;
-            heading(lab, "What happened", Ink::velocity);
-            paragraph(lab, block.paragraph());
-            break;
-        case BlockKind::expect:
-        case BlockKind::notes:
-        case BlockKind::controls:
-        case BlockKind::scene:
-        case BlockKind::show:
-            break;
+bool is_reading(BlockKind kind) { return kind == BlockKind::text || kind == BlockKind::formula; }
+
+// Texts and formulas, one behind the other.
+void reading(PanelContext& lab, const Slide& slide) {
+    for (const pliant::Block& b : slide.blocks) {
+        if (b.kind == BlockKind::text) paragraph(lab, b.paragraph());
+        if (b.kind == BlockKind::formula) formula(lab, b);
     }
+}
+
+// Where question, answer and checks would not fit below them, the texts are folded; a press unfolds them.
+void folded_reading(PanelContext& lab, const Slide& slide) {
+    if (std::ranges::none_of(slide.blocks, [](const pliant::Block& b) { return is_reading(b.kind); })) return;
+    WalkthroughFold& fold = lab.fold;
+    if (!fold.closed) {
+        reading(lab, slide);
+    } else {
+        if (ImGui::Selectable("▸ the text of the slide")) fold.closed = false, fold.chosen = true;
+        lab.note_control("unfold slide");
+        tooltip("Shows the words and formulas of this slide", lab.scale);
+    }
+}
+
+// The actions that wait for Next.
+void next_actions(PanelContext& lab, const pliant::Block& block) {
+    bool leading = true;
+    std::string all;
+    for (const std::string& line : block.lines) {
+        leading = leading && sets_up(line);
+        if (leading || line.find_first_not_of(" \t") == std::string::npos) continue;
+        all += fmt::format("{}{}", all.empty() ? "" : "; ", action_words(line, lab.session.lesson()));
+    }
+    if (all.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    sentence_item(lab, "Next: " + all);
+    ImGui::PopStyleColor();
+}
+
+void question(PanelContext& lab, const Slide& slide, bool revealed) {
+    for (const pliant::Block& b : slide.blocks)
+        if (b.kind == BlockKind::ask) heading(lab, "Predict", Ink::accent), paragraph(lab, b.paragraph());
+    draw_prediction(lab, lab.fonts.normal);
+    for (const pliant::Block& b : slide.blocks)
+        if (b.kind == BlockKind::actions && !revealed) next_actions(lab, b);
 }
 
 void expectations(PanelContext& lab, const WalkthroughPlayer& player) {
     for (const ExpectationResult& r : player.results()) {
+        const std::string words = expectation_words(r.text, lab.session.lesson());
         ImGui::PushStyleColor(ImGuiCol_Text, packed(r.met ? good_colour : bad_colour));
         ImGui::TextUnformatted(r.met ? "✓" : "✗");
         ImGui::PopStyleColor();
         ImGui::SameLine();
-        ImGui::TextWrapped("%s", r.text.c_str());
-        ImGui::PushFont(lab.fonts.small);
-        ImGui::TextDisabled("    %s", r.measured.c_str());
-        ImGui::PopFont();
+        sentence_item(lab, r.met ? words : fmt::format("{}: {}", words, r.measured));
+        tooltip(r.measured, lab.scale);
     }
+}
+
+void answer(PanelContext& lab, const WalkthroughPlayer& player) {
+    for (const pliant::Block& b : player.slide().blocks)
+        if (b.kind == BlockKind::answer) heading(lab, "What happened", Ink::velocity), paragraph(lab, b.paragraph());
+    expectations(lab, player);
 }
 
 // What to go on with: a press opens the scene, with its question.
@@ -96,10 +119,41 @@ void extensions(PanelContext& lab) {
     }
 }
 
+// And the lesson after this one.
+void next_lesson(PanelContext& lab) {
+    const auto& all = lessons();
+    const auto here = std::ranges::find(all, lab.session.entry().info.id, [](const LessonEntry& e) { return e.info.id; });
+    if (here == all.end() || here + 1 == all.end()) return;
+    const std::string title = fmt::format("Next lesson: {}", (here + 1)->info.title);
+    if (ImGui::Selectable(title.c_str())) lab.wanted.push_back(Action::next_lesson);
+    lab.note_control("lead to next lesson");
+}
+
+// Another slide, or its answer, begins unfolded and at its top.
+void begin_slide(PanelContext& lab, const WalkthroughPlayer& player) {
+    WalkthroughFold& fold = lab.fold;
+    const std::pair now{lab.session.slide_number(), player.revealed()};
+    if (fold.of == now) return;
+    fold = {.of = now, .fresh = 2};
+    ImGui::SetScrollY(0);
+}
+
+// What does not fit is folded, and what is new comes into sight.
+void end_slide(PanelContext& lab, float new_words) {
+    WalkthroughFold& fold = lab.fold;
+    const bool fits = ImGui::GetScrollMaxY() <= 0;
+    if (!fits && !fold.closed && !fold.chosen && fold.fresh < 2)
+        fold.closed = true, fold.fresh = 2;
+    else if (!fits && fold.closed && fold.fresh == 1 && fold.of.second)
+        ImGui::SetScrollY(std::min(new_words, ImGui::GetScrollMaxY()));
+    fold.fresh = std::max(0, fold.fresh - 1);
+}
+
 // Behind the last slide, and below an extension.
 bool offers_extensions(const Session& s) {
     const WalkthroughPlayer& player = *s.walkthrough;
-    return s.extension() || (player.revealed() && player.slide_number() + 1 == player.walkthrough().slides.size());
+    return !s.lecture() &&
+           (s.extension() || (player.revealed() && player.slide_number() + 1 == player.walkthrough().slides.size()));
 }
 
 }  // namespace
@@ -109,14 +163,19 @@ void draw_walkthrough(PanelContext& lab) {
     const float buttons = ImGui::GetFrameHeightWithSpacing() + lab.px(6);
     ImGui::BeginChild("slide", {0, ImGui::GetContentRegionAvail().y - buttons});
     const auto extension = lab.session.extension();
-    ImGui::TextDisabled("%s", extension ? "Go on from here" : player.walkthrough().title.c_str());
+    if (!lab.fold.closed) ImGui::TextDisabled("%s", extension ? "Go on from here" : player.walkthrough().title.c_str());
     ImGui::PushFont(lab.fonts.large);
     sentence_item(lab, player.slide().title);
     ImGui::PopFont();
     ImGui::Spacing();
-    for (const Block& b : player.slide().blocks) draw_block(lab, b, player);
-    expectations(lab, player);
-    if (offers_extensions(lab.session)) ImGui::Spacing(), extensions(lab);
+    begin_slide(lab, player);
+    folded_reading(lab, player.slide());
+    const float new_words = ImGui::GetCursorPosY();
+    question(lab, player.slide(), player.revealed());
+    if (player.revealed()) answer(lab, player);
+    const bool leads_on = offers_extensions(lab.session);
+    if (leads_on) ImGui::Spacing(), extensions(lab), next_lesson(lab);
+    end_slide(lab, new_words);
     ImGui::EndChild();
 
     if (ImGui::Button(extension ? "Again##walkthrough" : "Back##walkthrough")) lab.session.walkthrough_back();

@@ -45,6 +45,8 @@ void write_png(const Image& image, const fs::path& path) {
     write_file(path.string(), encoded(image, path));
 }
 
+std::string png_bytes(const Image& image) { return encoded(image, "the picture"); }
+
 Image read_png(const fs::path& path) {
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) cannot("read", path, std::strerror(errno));

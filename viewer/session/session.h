@@ -16,6 +16,7 @@
 #include "session/colour_range.h"
 #include "session/companion.h"
 #include "session/inspector.h"
+#include "session/notebook.h"
 #include "session/picture_key.h"
 #include "session/pinned.h"
 #include "session/viewpoint.h"
@@ -166,6 +167,8 @@ public:
     // A second run, B, beside this one, A. Both start again when it is made, and when a change rebuilds one of them.
     void toggle_companion();
     void open_companion(const Runner::Assignments& changes = {});  // throws Refused
+    // B with these changes, and both run to where A stands now.
+    void beside_to_now(const Runner::Assignments& changes);
     void close_companion();
     const Companion* companion() const { return companion_.get(); }
     // The run whose parameters the sliders set.
@@ -188,6 +191,10 @@ public:
     void go_to_slide(std::size_t n);  // from 0
     void reset_slide();
     void end_walkthrough();  // the run stays as it is
+    // What is said on the slide before its answer; a refusal becomes a message.
+    void predict(const Guess& guess);
+    // Is this probe or curve, or are the "labels" of the picture, hidden until the answer of the slide?
+    bool hides(std::string_view name) const { return walkthrough && walkthrough->hides(name); }
     // What the lesson offers to go on from. One that is opened is a walkthrough of one slide, its question in sight, in the scene
     // of its share string; the next press plays its actions and shows the answer.
     const std::vector<Extension>& extensions() const;
@@ -206,6 +213,12 @@ public:
     std::size_t slide_number() const;  // from 0
     std::size_t slide_count() const;
     const Slide* slide_after() const;  // null behind the last one
+
+    // --- what is to be handed in ---
+    Notebook notebook;
+    // Where the run stands; a refusal becomes a message.
+    void note_number(std::string_view probe);
+    void note_answer(std::string text);
 
     // --- messages ---
     struct Message {

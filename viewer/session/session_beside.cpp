@@ -53,6 +53,14 @@ void Session::open_companion(const Runner::Assignments& changes) {
     start_both();
 }
 
+void Session::beside_to_now(const Runner::Assignments& changes) {
+    const Index steps = runner_->place().step;
+    open_companion(changes);
+    if (steps == 0 && !runner_->is_static()) return;
+    if (runner_->is_static()) return begin_to([this] { return lesson().at_rest() && !runner_->inside_step(); });
+    begin_to([this, steps] { return runner_->place().step >= steps; });
+}
+
 void Session::close_companion() {
     if (put_off([this] { close_companion(); })) return;
     if (!companion_) return;

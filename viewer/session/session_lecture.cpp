@@ -72,8 +72,11 @@ void Session::show_lecture_slide(std::size_t n) {
     lecture_ = std::move(show);
 }
 
+// Its first slide is set up.
 void Session::present(Walkthrough words) {
     walkthrough.emplace(*runner_, std::move(words), [this] { record_of_walkthrough(); });
+    show_field_of_slide();
+    after_walkthrough();
 }
 
 void Session::enter(const Lecture& lecture, const LectureSlide& slide) {
@@ -96,7 +99,10 @@ void Session::enter(const Lecture& lecture, const LectureSlide& slide) {
 // The answer of the slide, or else the next one.
 void Session::lecture_next() {
     bool moved = false;
-    move_walkthrough([&] { moved = walkthrough->next(); });
+    move_walkthrough([&] {
+        moved = walkthrough->next();
+        notebook.note_prediction(*runner_, *walkthrough);
+    });
     if (moved || message_) return;
     if (slide_number() + 1 == slide_count()) return say(Message::Kind::info, "This was the last slide.");
     show_lecture_slide(slide_number() + 1);

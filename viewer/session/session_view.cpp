@@ -34,7 +34,7 @@ void Session::view_changed() {
 Scene Session::drawn() const {
     Scene picture;
     picture.colour_by = colours;
-    picture.show_arrows = show_arrows, picture.show_labels = show_labels;
+    picture.show_arrows = show_arrows, picture.show_labels = show_labels && !hides("labels");
     if (shows_difference()) picture.override_values = difference();
     return picture;
 }
@@ -48,7 +48,7 @@ PictureKey Session::picture_key() const {
             .field = colours.field,
             .component = colours.component,
             .arrows = show_arrows,
-            .labels = show_labels,
+            .labels = show_labels && !hides("labels"),
             .smooth = smooth,
             .difference = shows_difference(),
             .change = shows_change_,

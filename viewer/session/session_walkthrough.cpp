@@ -2,6 +2,10 @@
 #include "session/session.h"
 
 #include <pliant/document/share.h>
+#include <pliant/document/summary.h>
+#include <pliant/text/format.h>
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -21,8 +25,24 @@ void Session::start_walkthrough() {
         Walkthrough text = walkthrough_of(*entry_);
         open(*entry_);
         extension_.reset();
-        walkthrough.emplace(*runner_, std::move(text), [this] { record_of_walkthrough(); });
+        present(std::move(text));
     });
+}
+
+void Session::predict(const Guess& guess) {
+    if (walkthrough) guarded([&] { walkthrough->guess(guess); });
+}
+
+void Session::note_number(std::string_view probe) {
+    guarded([&] {
+        notebook.note_number(*runner_, probe);
+        const HandInEntry& e = notebook.hand_in().entries.back();
+        say(Message::Kind::info, fmt::format("Noted: {} = {}.", spoken(e.probe), format_quantity(e.value, e.unit)));
+    });
+}
+
+void Session::note_answer(std::string text) {
+    notebook.note_answer(*runner_, walkthrough ? &*walkthrough : nullptr, std::move(text));
 }
 
 void Session::end_walkthrough() {
@@ -45,7 +65,7 @@ void Session::open_extension(std::size_t n) {
     guarded([&] {
         const Extension extension = extensions().at(n);
         open_scene(read_share(share_text(extension.scene)));
-        walkthrough.emplace(*runner_, extension.walkthrough, [this] { record_of_walkthrough(); });
+        present(extension.walkthrough);
         extension_ = n;
         playing = false;
     });
@@ -93,7 +113,12 @@ void Session::walkthrough_next() {
     if (put_off([this] { walkthrough_next(); })) return;
     if (lecture_) return lecture_next();
     move_walkthrough([this] {
-        if (!walkthrough->next()) say(Message::Kind::info, extension_ ? "This was its answer." : "This was the last slide.");
+        if (!walkthrough->next())
+            say(Message::Kind::info,
+                extension_ ? "This was its answer."
+                           : "This was the last slide. Below it in the lab is what to try next; H hands in what you "
+                             "predicted and noted.");
+        notebook.note_prediction(*runner_, *walkthrough);
     });
 }
 

@@ -1,5 +1,6 @@
 // Plays a walkthrough: its actions, and what it expects.
 #include <pliant/document/scene_file.h>
+#include <pliant/document/summary.h>
 #include <pliant/document/walkthrough.h>
 #include <pliant/document/walkthrough_words.h>
 #include <pliant/run/until.h>
@@ -14,6 +15,8 @@ namespace pliant {
 WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
     : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {
     check_controls();
+    read_predictions();
+    enter();
 }
 
 void WalkthroughPlayer::check_controls() const {
@@ -42,12 +45,10 @@ void WalkthroughPlayer::refuse(int line, const std::string& what) const {
 }
 
 bool WalkthroughPlayer::next() {
-    const bool acts = slide().has(BlockKind::actions) || slide().has(BlockKind::expect) || slide().has(BlockKind::answer);
-    if (!revealed_ && acts) return reveal(), true;
+    if (!revealed_ && slide().has_answer()) return reveal(), true;
     if (slide_ + 1 == walkthrough_.slides.size()) return false;
     ++slide_;
-    revealed_ = false;
-    results_.clear();
+    enter();
     return true;
 }
 
@@ -62,26 +63,49 @@ void WalkthroughPlayer::go_to_slide(std::size_t n) {
     if (n >= count) throw Refused(fmt::format("slide {} is not there: {} has slides 1 to {}", n + 1, walkthrough_.path, count));
     runner_.load({});
     shown_field_.clear();
-    for (slide_ = 0; slide_ < n; ++slide_) reveal();
-    revealed_ = false;
-    results_.clear();
+    for (slide_ = 0; slide_ < n; ++slide_) enter(), reveal();
+    enter();
 }
 
-void WalkthroughPlayer::reveal() {
+// The set-up of the slide. What was measured before it is what `before` means.
+void WalkthroughPlayer::enter() {
+    revealed_ = false;
+    results_.clear();
+    verdict_.reset();
+    measured_curve_.clear();
     before_.clear();
     for (const Probe& p : runner_.lesson().probes)
         if (const auto value = runner_.value(p)) before_[std::string(p.name)] = *value;
-    results_.clear();
+    play(true);
+    entered_at_ = runner_.revision();
+}
+
+// The set-up: the actions before the first that runs, or that is expected to have done something. Or else what comes behind it,
+// block by block.
+void WalkthroughPlayer::play(bool set_up) {
+    bool leading = true;
     for (const Block& b : slide().blocks) {
+        const bool expects = b.kind == BlockKind::expect;
+        if (b.kind != BlockKind::actions && !expects) continue;
         int number = b.first_line;
         for (const std::string& raw : b.lines) {
-            const std::string line = trimmed(raw);
-            if (!line.empty() && b.kind == BlockKind::actions) act(line, number);
-            if (!line.empty() && b.kind == BlockKind::expect) results_.push_back(check(line, number));
+            if (const std::string line = trimmed(raw); !line.empty()) {
+                leading = leading && !expects && sets_up(line);
+                if (leading == set_up) expects ? results_.push_back(check(line, number)) : act(line, number);
+            }
             ++number;
         }
     }
+}
+
+// Where a person has changed or moved something since the slide was entered, its scene is set up again.
+void WalkthroughPlayer::reveal() {
+    if (runner_.revision() != entered_at_) play(true);
+    results_.clear();
+    follow_sketch();
+    play(false);
     revealed_ = true;
+    judge();
 }
 
 namespace {
@@ -126,7 +150,11 @@ void WalkthroughPlayer::act(const std::string& line, int number) {
 void WalkthroughPlayer::perform(const std::vector<std::string>& words) {
     if (words[0] == "set" && words.size() > 1) return runner_.assign(assignments_of(words));
     if (words[0] == "reset" && words.size() == 1) return runner_.reset();
-    if (words[0] == "run") return run_for(runner_, words, after_step_);
+    if (words[0] == "run")
+        return run_for(runner_, words, [this] {
+            track_step();
+            if (after_step_) after_step_();
+        });
     if (words[0] == "release" && words.size() == 1) return runner_.pull(std::nullopt);
     if (words[0] == "pull") return runner_.pull(pull_of(words));
     if (words[0] == "preset" && words.size() == 2)
@@ -144,6 +172,14 @@ Real WalkthroughPlayer::quantity(std::string_view name) const {
     const auto value = runner_.value(runner_.lesson().probe(name));
     if (!value) throw Refused(fmt::format("the probe '{}' is not defined here", name));
     return *value;
+}
+
+std::string WalkthroughPlayer::unit_of(std::string_view name) const {
+    if (name == "time") return "s";
+    if (name == "step") return "";
+    for (const Parameter* p : runner_.lesson().parameters)
+        if (p->info.key == name) return std::string(p->info.unit);
+    return std::string(runner_.lesson().probe(name).unit);
 }
 
 // NAME OP [FACTOR] VALUE [within TOLERANCE [relative]]
@@ -184,7 +220,11 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
         throw Refused(fmt::format("unknown comparison '{}'; known: < <= > >= =", op));
     }
     if (at < words.size()) throw Refused(fmt::format("'{}' is more than an expectation says: leave it out", words[at]));
-    return {line, met, fmt::format("{} = {}, against {}", words[0], format_exact(left), format_exact(right)), number};
+    const std::string unit = unit_of(words[0]);
+    return {
+        line, met,
+        fmt::format("{} is {}, against {}", spoken(words[0]), format_quantity(left, unit, 4), format_quantity(right, unit, 4)),
+        number};
 } catch (const Refused& e) {
     refuse(number, fmt::format("{} (in '{}')", e.what(), line));
 } catch (const std::bad_optional_access&) {

@@ -5,7 +5,9 @@
 // page, not the slides), and `## Title` begins a slide; fenced blocks have these meanings:
 //   ```formula   shown as a formula
 //   ```ask       the question to answer before going on
-//   ```do        what happens on the next press of Next, an action a line:
+//   ```predict   what a person enters before going on: a choice, a number or a curve (prediction.h)
+//   ```do        what happens, an action a line. set, reset, preset and show that stand before the first other action are the
+//                set-up of the slide: they happen as soon as it is entered. The others wait for the next press of Next:
 //                  set KEY=VALUE ...   reset   run N steps   run T s   run rest   run to STAGE
 //                  show FIELD          pull INDEX to X Y Z   release   preset NAME
 //   ```expect    what must then hold, a line each:
@@ -13,11 +15,14 @@
 //                where NAME is a probe, a parameter, `time` or `step`, and VALUE a number, `exact` (of that probe), `before` (its
 //                value before the actions), another NAME, or a number times one of these ("0.5 before"); = needs a tolerance
 //   ```answer    shown after the actions
+//   ```hide      what would give the answer away, and does not show until then: names of probes and curves, and `labels` for the
+//                words in the picture. Probes that are expected, or predicted, are hidden without being named
 //   ```notes     for the lecturer alone: never shown with the slide itself
 //   ```controls  the keys of the parameters that a person may change on this slide, one or more a line. All others are locked
 //   while
 //                the slide shows; `none`, or an empty block, locks all. A slide without this block leaves all free.
 #pragma once
+#include <pliant/document/prediction.h>
 #include <pliant/run/runner.h>
 
 #include <functional>
@@ -30,7 +35,7 @@
 namespace pliant {
 
 // scene: of extensions alone (extensions.h). show: of lectures alone (lecture/lecture.h).
-enum class BlockKind { text, formula, ask, actions, expect, answer, notes, controls, scene, show };
+enum class BlockKind { text, formula, ask, predict, actions, expect, answer, hide, notes, controls, scene, show };
 
 struct Block {
     BlockKind kind;
@@ -49,6 +54,10 @@ struct Slide {
     std::string notes() const;
     // May a person change the parameter of this key?
     bool allows(std::string_view key) const;
+    // Is this probe, or curve, hidden until the answer is shown? "labels": the words in the picture.
+    bool hides(std::string_view name) const;
+    // Is there something to reveal?
+    bool has_answer() const { return has(BlockKind::actions) || has(BlockKind::expect) || has(BlockKind::answer); }
 };
 
 struct Walkthrough {
@@ -68,7 +77,7 @@ Walkthrough walkthrough_of(const LessonEntry& entry);
 struct ExpectationResult {
     std::string text;  // the line
     bool met = false;
-    std::string measured;  // "strain = 0.049, limit 0.05"
+    std::string measured;  // "strain is 0.049, against 0.05"
     int line = 0;
 };
 
@@ -100,17 +109,36 @@ public:
     // To the start of this slide, as it was before anything was changed on it.
     void reset_slide() { go_to_slide(slide_); }
 
+    // --- the prediction of this slide ---
+    const std::optional<Prediction>& prediction() const { return predictions_[slide_]; }
+    const Guess& guess() const { return guesses_[slide_]; }
+    // Before the answer is shown. Throws Refused for an answer that there is none of.
+    void guess(const Guess& guess);
+    // Once the answer is shown; also of a slide where nothing was predicted, and then it says what came.
+    const std::optional<PredictionVerdict>& verdict() const { return verdict_; }
+    // Of a sketch: what was measured, as that has it; empty before.
+    const Sketch& measured_curve() const { return measured_curve_; }
+    // Does something show that the slide hides until its answer?
+    bool hides(std::string_view name) const { return !revealed_ && slide().hides(name); }
+
     // May a person change the parameter of this key on this slide?
     bool allows(std::string_view key) const { return slide().allows(key); }
 
 private:
     void check_controls() const;
+    void read_predictions();
+    void enter();
+    void play(bool set_up);
+    void follow_sketch();
+    void track_step();
+    void judge();
     void check_control(const std::string& key, int line) const;
     void reveal();
     void act(const std::string& line, int number);
     void perform(const std::vector<std::string>& words);
     ExpectationResult check(const std::string& line, int number) const;
     Real quantity(std::string_view name) const;
+    std::string unit_of(std::string_view name) const;
     [[noreturn]] void refuse(int line, const std::string& what) const;
 
     Runner& runner_;
@@ -118,6 +146,13 @@ private:
     std::function<void()> after_step_;
     std::size_t slide_ = 0;
     bool revealed_ = false;
+    long entered_at_ = 0;                                 // revision of the run when the slide was set up
+    std::vector<std::optional<Prediction>> predictions_;  // of each slide
+    std::vector<Guess> guesses_;
+    std::optional<PredictionVerdict> verdict_;
+    Track track_;
+    Real track_start_ = 0;
+    Sketch measured_curve_;
     std::string shown_field_;
     std::map<std::string, Real, std::less<>> before_;
     std::vector<ExpectationResult> results_;

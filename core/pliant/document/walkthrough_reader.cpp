@@ -18,6 +18,11 @@ std::vector<std::string> words_of_line(const std::string& line) {
     return {std::istream_iterator<std::string>(in), {}};
 }
 
+bool sets_up(const std::string& line) {
+    const auto words = words_of_line(line);
+    return words.empty() || words[0] == "set" || words[0] == "reset" || words[0] == "preset" || words[0] == "show";
+}
+
 Runner::Assignments assignments_of(const std::vector<std::string>& words) {
     Runner::Assignments result;
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -39,15 +44,17 @@ struct Fence {
     std::string_view name;
     BlockKind kind;
 };
-constexpr std::array<Fence, 9> fences{{{"scene", BlockKind::scene},
-                                       {"show", BlockKind::show},
-                                       {"formula", BlockKind::formula},
-                                       {"ask", BlockKind::ask},
-                                       {"do", BlockKind::actions},
-                                       {"expect", BlockKind::expect},
-                                       {"answer", BlockKind::answer},
-                                       {"notes", BlockKind::notes},
-                                       {"controls", BlockKind::controls}}};
+constexpr std::array<Fence, 11> fences{{{"scene", BlockKind::scene},
+                                        {"show", BlockKind::show},
+                                        {"formula", BlockKind::formula},
+                                        {"ask", BlockKind::ask},
+                                        {"predict", BlockKind::predict},
+                                        {"do", BlockKind::actions},
+                                        {"expect", BlockKind::expect},
+                                        {"answer", BlockKind::answer},
+                                        {"hide", BlockKind::hide},
+                                        {"notes", BlockKind::notes},
+                                        {"controls", BlockKind::controls}}};
 
 }  // namespace
 
@@ -169,6 +176,21 @@ std::string Slide::notes() const {
 bool Slide::allows(std::string_view key) const {
     if (!has(BlockKind::controls)) return true;
     return std::ranges::any_of(blocks, [&](const Block& b) { return b.kind == BlockKind::controls && has_word(b, key); });
+}
+
+bool Slide::hides(std::string_view name) const {
+    if (!has_answer()) return false;
+    return std::ranges::any_of(blocks, [&](const Block& b) {
+        if (b.kind == BlockKind::hide) return has_word(b, name);
+        if (b.kind != BlockKind::expect && b.kind != BlockKind::predict) return false;
+        // NAME OP ...; of a prediction: number NAME, sketch NAME, WORDS | NAME OP ...
+        return std::ranges::any_of(b.lines, [&](const std::string& condition) {
+            const auto bar = condition.rfind('|');
+            const auto words = words_of_line(bar == std::string::npos ? condition : condition.substr(bar + 1));
+            const bool asked = !words.empty() && (words[0] == "number" || words[0] == "sketch");
+            return words.size() > 1 && words[asked ? 1 : 0] == name;
+        });
+    });
 }
 
 Walkthrough parse_walkthrough(std::string_view text, std::string_view path, ExtraBlock extra) {

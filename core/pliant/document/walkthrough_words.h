@@ -21,4 +21,7 @@ Runner::Assignments assignments_of(const std::vector<std::string>& words);
 // Without the blanks at both ends.
 std::string trimmed(std::string_view line);
 
+// Does the action lead to the scene of a slide, without running it?
+bool sets_up(const std::string& line);
+
 }  // namespace pliant

@@ -130,8 +130,9 @@ std::string words_of_solve(const Answer& a, const Lesson& lesson) {
     if (!field || std::ranges::none_of(a.inputs, &Answer::together)) return "";
     const Index others = field->size() - 1;
     const auto left = std::ranges::find(a.inputs, true, &Answer::leftover);
-    std::string text = fmt::format("Solved together with {} other {}{}: none of them comes first, the equation holds for all at once.",
-                                   others, name_of(field->on), others == 1 ? "" : "s");
+    std::string text =
+        fmt::format("Solved together with {} other {}{}: none of them comes first, the equation holds for all at once.", others,
+                    name_of(field->on), others == 1 ? "" : "s");
     if (left != a.inputs.end()) text += fmt::format(" What the solver has left of it is {}: go on from there.", left->symbol);
     return text;
 }

@@ -169,8 +169,8 @@ Answer Asking::input(const Input& in, const Request& r) {
     return a;
 }
 
-// A number of the field that is explained, taken as the stage left it, is an unknown of the same solve: to ask for it in turn would
-// lead back here. What else the stage writes tells what is left of the equation.
+// A number of the field that is explained, taken as the stage left it, is an unknown of the same solve: to ask for it in turn
+// would lead back here. What else the stage writes tells what is left of the equation.
 void Asking::mark_unknowns(Answer& a, const Explanation& e, const Request& r) const {
     if (!r.field || r.writers.empty()) return;
     const auto of_solve = [&](const Answer& in, const Input& declared) {

@@ -22,8 +22,8 @@ struct Place {
     Index passes = 0;
     auto operator<=>(const Place&) const = default;
 };
-// For people, who count steps from 1: "step 7" is the seventh, that under way or, between two steps, the one that has ended. Every
-// text that names a step means it so.
+// For people, who count steps from 1: "step 7" is the seventh, that under way or, between two steps, the one that has ended.
+// Every text that names a step means it so.
 std::string place_words(Place place);
 
 // Wall time and counted work of a stage since the last reset.

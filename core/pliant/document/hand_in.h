@@ -1,0 +1,69 @@
+// What a student hands in: predictions, numbers, answers and pictures of one or several lessons, in one JSON file,
+// NAME.handin.json:
+//
+//   {"pliant_handin": 1, "name": "Ada", "entries": [...], "checksum": "sha256:..."}
+//
+// An entry has a "kind" and "lesson", and
+//   prediction   slide, question, predicted, came, right, words
+//   measurement  scene (a share string), step, passes, probe, value, unit; note
+//   answer       slide, question, text
+//   picture      scene, step, passes, png (base64); note
+// "time" is that of the simulation, s. The checksum is that of all else, so what was changed by hand is noticed; it does not
+// prove who made the file, nor that nobody has computed it anew.
+#pragma once
+#include <pliant/run/runner.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+struct HandInEntry {
+    enum class Kind { prediction, measurement, answer, picture };
+    Kind kind = Kind::answer;
+    std::string lesson;                       // id
+    std::string slide{}, question{};          // where it was asked; "" outside a walkthrough
+    std::string predicted{}, came{}, text{};  // text: of an answer, the words of a verdict, or a note
+    bool right = false;
+    std::string scene{};  // a share string: parameters and what was done
+    Index step = 0, passes = 0;
+    Real time = 0;  // s, simulated
+    std::string probe{}, unit{};
+    Real value = 0;
+    std::string png{};  // base64
+    bool operator==(const HandInEntry&) const = default;
+};
+
+struct HandIn {
+    std::string name;  // as the student typed it
+    std::vector<HandInEntry> entries{};
+    bool operator==(const HandIn&) const = default;
+};
+
+// The file, with its checksum; it reads back as the same, numbers to the bit.
+std::string hand_in_text(const HandIn& hand_in);
+
+struct HandInRead {
+    HandIn hand_in;
+    bool unchanged = false;  // the checksum is that of the rest
+};
+// Throws Refused, with line and column, for what is no hand-in.
+HandInRead read_hand_in(std::string_view text, std::string_view path);
+
+// Where a run stands, and a probe there, as an entry. Throws Refused when the probe has no value.
+HandInEntry measurement_of(const Runner& runner, std::string_view probe);
+
+struct HandInFinding {
+    bool repeated = false;  // was there something to repeat?
+    bool holds = true;
+    std::string words;
+};
+// Each measurement in its scene again: does the number come out, to a part in 10⁶? What other entries say is not repeated.
+std::vector<HandInFinding> check_hand_in(const HandIn& hand_in);
+
+// For people, and as {"name", "unchanged", "holds", "entries": [{..., "repeated", "holds", "words"}]}.
+std::string hand_in_report(const HandInRead& read, const std::vector<HandInFinding>& findings);
+std::string hand_in_report_json(const HandInRead& read, const std::vector<HandInFinding>& findings);
+
+}  // namespace pliant

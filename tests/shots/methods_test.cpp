@@ -1,0 +1,61 @@
+// All methods at the present setting in one press, and what would be if one parameter were another.
+#include "app/lab.h"
+#include "platform/headless_context.h"
+#include "waiting.h"
+
+#include <imgui.h>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace pliant;
+using namespace pliant::viewer;
+using Catch::Matchers::ContainsSubstring;
+
+TEST_CASE("one key compares all methods where the run stands; a row becomes run B", "[methods]") {
+    const auto context = open_headless({1280, 800});
+    Lab lab(*context, "time/integration");
+    const auto frames = [&](int count) {
+        for (int i = 0; i < count; ++i) lab.frame(0), context->present();
+    };
+    lab.session().run(Until::after_steps(60));
+    lab.perform(Action::methods);
+    frames(3);
+    MethodTable& table = lab.state().methods.table;
+    for (int wait = 0; wait < 3000 && table.busy(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(10)), frames(1);
+    REQUIRE(table.result());
+    CHECK(table.trouble().empty());
+    CHECK(table.result()->steps == 60);
+    CHECK(table.result()->runs.size() == 8);
+    CHECK_FALSE(table.outdated(lab.session()));
+    frames(3);
+    CHECK(lab.state().side == SideTab::methods);
+    CHECK(lab.state().controls.contains("method implicit_euler"));
+    open_method_beside(lab.session(), *table.result(), 0);
+    frames(2);
+    REQUIRE(lab.session().companion());
+    CHECK(lab.session().runner().place().step == 60);
+    CHECK(lab.session().companion()->runner().place().step == 60);
+    lab.session().assign(lab.session().lesson().parameter("omega"), 3);
+    CHECK(table.outdated(lab.session()));
+}
+
+TEST_CASE("what if: half and twice a number, the other options of a choice, and what that does in words", "[methods]") {
+    Session s("mesh/mass_spring");
+    s.run(Until::after_steps(50));
+    const Parameter& dt = s.lesson().parameter("time_step");
+    const auto numbers = what_if(s, dt);
+    REQUIRE(numbers.size() == 2);
+    CHECK_THAT(numbers[0].words, ContainsSubstring("half: "));
+    compare_what_if(s, dt, numbers[0]);
+    REQUIRE(s.companion());
+    CHECK(s.runner().place().step == 50);
+    CHECK(s.companion()->runner().place().step == 100);
+    const std::string words = what_if_words(s);
+    CHECK_THAT(words, ContainsSubstring("With time step ") && ContainsSubstring("in place of") && ContainsSubstring("energy"));
+    s.close_companion();
+    CHECK(what_if_words(s).empty());
+    CHECK(what_if(s, s.lesson().parameter("ground")).size() == 1);
+    CHECK(what_if(s, s.lesson().parameter("integrator")).size() + 1 == s.lesson().parameter("integrator").info.options.size());
+    s.assign(s.lesson().parameter("gravity"), 0);
+    CHECK(what_if(s, s.lesson().parameter("gravity")).empty());
+}

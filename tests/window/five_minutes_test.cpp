@@ -1,0 +1,183 @@
+// "Your first lesson, in five minutes" of README, played word by word: every key that it names in bold is pressed.
+#include "desk.h"
+
+#include <cmath>
+#include <regex>
+#include <set>
+
+using namespace pliant::test;
+
+namespace {
+
+std::string five_minutes() {
+    const std::string readme = contents_of(PLIANT_SOURCE_DIR "/README.md");
+    const auto begin = readme.find("## Your first lesson"), end = readme.find("\n## ", begin + 4);
+    REQUIRE(begin != std::string::npos);
+    return readme.substr(begin, end - begin);
+}
+
+// Presses keys as README names them, and remembers which.
+class Reader {
+public:
+    explicit Reader(Desk& desk) : desk_(desk) {}
+    void press(const std::string& name) {
+        pressed_.insert(name);
+        static const std::map<std::string, std::string> on_keyboard{
+            {"Space", "space"}, {".", "period"},       {"/", "slash"},           {",", "comma"},
+            {"<", "less"},      {"]", "bracketright"}, {"Shift F2", "shift+F2"}, {"Shift F3", "shift+F3"}};
+        const auto found = on_keyboard.find(name);
+        std::string key = found == on_keyboard.end() ? name : found->second;
+        if (key.size() == 1) key[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])));
+        desk_.key(key);
+    }
+    // The keys in bold that were not pressed.
+    std::set<std::string> left_out(const std::string& text) const {
+        std::set<std::string> left;
+        const std::regex bold(R"(\*\*([^*\n]{1,12})\*\*)");
+        for (std::sregex_iterator it(text.begin(), text.end(), bold), none; it != none; ++it)
+            if (!pressed_.contains((*it)[1])) left.insert((*it)[1]);
+        return left;
+    }
+
+private:
+    Desk& desk_;
+    std::set<std::string> pressed_;
+};
+
+const Json& inspected(const Json& state) { return state["inspector"]; }
+
+}  // namespace
+
+TEST_CASE("README's five minutes, word by word", "[window][readme]") {
+    need_screen_and_mouse();
+    const std::string text = five_minutes();
+    Desk desk;
+    Reader reader(desk);
+
+    // 1. A block of springs falls. Drag beside it to turn the view; Home frames it again.
+    REQUIRE(desk.becomes([](const Json& s) { return s["lesson"] == "mesh/mass_spring" && s["step"].get<long>() > 10; }));
+    desk.drag(desk.on("scene", 0.05, 0.9), desk.on("scene", 0.2, 0.8));
+    reader.press("Home");
+
+    // 2. Pause, steps and stages, forth and back; a ring, a condition, V.
+    reader.press("Space");
+    REQUIRE(desk.becomes("playing", false));
+    const long step = desk.state()["step"];
+    reader.press(".");
+    CHECK(desk.becomes("step", step + 1));
+    reader.press("F2");
+    CHECK(desk.becomes("step", step + 2));
+    reader.press("<");
+    CHECK(desk.becomes("step", step + 1));
+    reader.press("Shift F2");
+    CHECK(desk.becomes("step", step));
+    reader.press("/");
+    REQUIRE(desk.becomes([](const Json& s) { return s["passes"] == 1; }));
+    reader.press("F3");
+    REQUIRE(desk.becomes([](const Json& s) { return s["passes"] == 2; }));
+    reader.press(",");
+    CHECK(desk.becomes([&](const Json& s) { return s["passes"] == 1 && s["step"] == step; }));
+    reader.press("Shift F3");
+    CHECK(desk.becomes([&](const Json& s) { return s["passes"] == 0 && s["step"] == step; }));
+    desk.click("stage");
+    CHECK(desk.becomes([](const Json& s) { return s["passes"] == 1; }));
+    desk.click("stage back");
+    CHECK(desk.becomes([](const Json& s) { return s["passes"] == 0; }));
+    desk.click("back");
+    CHECK(desk.becomes("step", step - 1));
+    desk.click(desk.on("past", 0.25));
+    CHECK(desk.becomes([&](const Json& s) { return s["step"].get<long>() < step - 1; }));
+    desk.click("dot integrate");
+    CHECK(desk.becomes([](const Json& s) { return inspected(s)["stops"].size() == 1; }));
+    reader.press("Space");
+    REQUIRE(desk.becomes([](const Json& s) { return s["playing"] == false && inspected(s)["stopped"] != ""; }));
+    desk.click("dot integrate");
+    // The condition that README gives is accepted in the lesson that it opened.
+    const std::smatch condition = [&] {
+        std::smatch found;
+        REQUIRE(std::regex_search(text, found, std::regex("conditions such as `([^`]+)`")));
+        return found;
+    }();
+    reader.press("F9");
+    REQUIRE(desk.becomes([](const Json& s) { return s["controls"].contains("condition"); }));
+    desk.click("condition");
+    desk.type(condition[1]);
+    desk.click("add condition");
+    REQUIRE(desk.becomes([](const Json& s) { return inspected(s).contains("conditions"); }));
+    desk.click("clear breaks");
+    desk.key("Escape");
+    desk.key("Escape");
+    reader.press("V");
+    CHECK(desk.becomes([](const Json& s) { return inspected(s)["compare"] == "before"; }));
+    for (int more = 0; more < 4; ++more) reader.press("V");
+    CHECK(desk.becomes([](const Json& s) { return inspected(s)["compare"] == "now"; }));
+
+    // 3. All numbers of a node, why one is what it is, and why its inputs are, components too.
+    reader.press("I");
+    REQUIRE(desk.becomes([](const Json& s) { return inspected(s)["shown"] == true; }));
+    desk.click("why spring_force");
+    REQUIRE(desk.becomes([](const Json& s) { return inspected(s).contains("answer"); }));
+    const Json inputs = inspected(desk.state())["answer"]["inputs"];
+    REQUIRE(inputs.size() == 3);
+    desk.click("ask " + inputs[1]["symbol"].get<std::string>());
+    REQUIRE(
+        desk.becomes([](const Json& s) { return inspected(s)["questions"] == 2 && inspected(s)["answer"]["component"] == 1; }));
+
+    // 4. Explicit Euler, and what it leads to; a number typed with its unit; pin, second run, cost.
+    reader.press("G");
+    CHECK(desk.becomes("pinned", true));
+    reader.press("G");
+    reader.press("2");
+    REQUIRE(desk.becomes([](const Json& s) { return s["companion"].is_object(); }));
+    reader.press("2");
+    REQUIRE(desk.becomes([](const Json& s) { return s["companion"].is_null(); }));
+    reader.press("C");
+    CHECK(desk.becomes("cost_shown", true));
+    reader.press("C");
+
+    // 6 to 8. Panels by keys, the summary, patterns; claims; the atlas.
+    reader.press("F6");
+    CHECK(desk.becomes([](const Json& s) { return s.contains("focus"); }));
+    reader.press("S");
+    CHECK(desk.becomes([](const Json& s) { return s["summary"] != ""; }));
+    reader.press("S");
+    reader.press("P");
+    CHECK(desk.becomes("patterns", true));
+    reader.press("P");
+    reader.press("K");
+    CHECK(desk.becomes([](const Json& s) { return s["claims"]["shown"] == true; }));
+    reader.press("W");
+    CHECK(desk.becomes([](const Json& s) { return s["atlas"]["shown"] == true; }));
+    reader.press("Y");
+    CHECK(desk.becomes([](const Json& s) { return s["methods"]["shown"] == true; }));
+    REQUIRE(desk.becomes([](const Json& s) { return s["methods"]["rows"].size() >= 3; }));
+
+    // 5. The walkthrough asks, runs and checks; D shows it as a deck; H hands in.
+    reader.press("N");
+    REQUIRE(desk.becomes([](const Json& s) { return s["slide"] == 1 && s["revealed"] == false; }));
+    reader.press("N");
+    REQUIRE(desk.becomes("revealed", true));
+    reader.press("D");
+    REQUIRE(desk.becomes("layout", "deck"));
+    reader.press("D");
+    REQUIRE(desk.becomes("layout", "lab"));
+    reader.press("H");
+    REQUIRE(desk.becomes([](const Json& s) { return s["controls"].contains("hand-in save"); }));
+    desk.click("hand-in close");
+
+    // 9. The next lesson, the slide, the theme, the keys.
+    reader.press("]");
+    REQUIRE(desk.becomes([](const Json& s) { return s["lesson"] != "mesh/mass_spring"; }));
+    reader.press("F7");
+    reader.press("Tab");
+    CHECK(desk.becomes("layout", "slide"));
+    desk.key("Escape");
+    CHECK(desk.becomes("layout", "lab"));
+    reader.press("T");
+    CHECK(desk.becomes("theme", "projector"));
+    reader.press("F1");
+    CHECK(desk.becomes("help", true));
+
+    CHECK(reader.left_out(text) == std::set<std::string>());
+    CHECK(desk.complaints().empty());
+}

@@ -1,0 +1,178 @@
+#include "panels/methods_panel.h"
+
+#include <pliant/text/format.h>
+
+#include "panels/flowing_text.h"
+#include "panels/typeset_text.h"
+#include "session/worker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant::viewer {
+namespace {
+
+using Outcome = MethodRun::Outcome;
+
+void choose_over(PanelContext& lab, MethodTable& table) {
+    const auto choices = comparable_choices(lab.session.lesson());
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##over", fmt::format("every {}", words(table.over)).c_str())) {
+        for (const Parameter* p : choices)
+            if (ImGui::Selectable(fmt::format("every {}", words(p->info.key)).c_str(), p->info.key == table.over))
+                table.over = p->info.key;
+        ImGui::EndCombo();
+    }
+    lab.note_control("methods over");
+    tooltip("The choice whose options are compared", lab.scale);
+}
+
+void compare_or_cancel(PanelContext& lab, MethodsPanelState& panel) {
+    MethodTable& table = panel.table;
+    if (!table.busy()) {
+        const bool pressed =
+            flowing_button(lab, table.result() ? "Compare again" : "Compare all", "methods make",
+                           "Runs the present scene with each of them, beside the lab, as far as it has run", true);
+        if (std::exchange(panel.focus, false)) focus_last_item();
+        if (pressed) table.start(lab.session);
+        return;
+    }
+    if (flowing_button(lab, "Cancel", "methods cancel", "Calls the comparison off", true)) table.cancel();
+    ImGui::SameLine();
+    const Watch::Progress progress = table.progress();
+    ImGui::ProgressBar(static_cast<float>(progress.share().value_or(0)), {-1, 0});
+    lab.note_control("methods progress");
+}
+
+std::string error_text(const MethodRun& r) {
+    if (!r.error) return "–";
+    return *r.error < 1e-4 ? format_quantity(*r.error, "", 2) : fmt::format("{} %", format_quantity(100 * *r.error, "", 3));
+}
+
+Rgba8 colour_of(Outcome outcome) {
+    return outcome == Outcome::stopped || outcome == Outcome::grows || outcome == Outcome::refused ? bad_colour : good_colour;
+}
+
+const char* mark_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::steady:
+        case Outcome::finished:
+            return "✓";
+        case Outcome::loses:
+            return "▾";
+        case Outcome::grows:
+            return "▴";
+        default:
+            return "✗";
+    }
+}
+
+void table_row(PanelContext& lab, const MethodComparison& c, std::size_t k) {
+    const MethodRun& r = c.runs[k];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(k));
+    if (ImGui::Selectable(("##" + r.option).c_str(), false, ImGuiSelectableFlags_SpanAllColumns,
+                          {0, ImGui::GetTextLineHeight()}) &&
+        r.ran())
+        open_method_beside(lab.session, c, k);
+    lab.note_control("method " + r.option);
+    tooltip(fmt::format("{}: {}\n{}", r.label, r.words, r.ran() ? "Click: as run B beside this one" : ""), lab.scale);
+    ImGui::PopID();
+    ImGui::SameLine(0, 0);
+    fitted_text(r.label, ImGui::GetContentRegionAvail().x);
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(colour_of(r.outcome)));
+    ImGui::TextUnformatted(mark_of(r.outcome));
+    ImGui::PopStyleColor();
+    tooltip(std::string(name_of(r.outcome)) + ": " + r.words, lab.scale);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(error_text(r).c_str());
+    ImGui::TableNextColumn();
+    ImGui::Text("%lld", static_cast<long long>(r.passes));
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(r.ran() ? format_quantity(r.ms / 1000, "s", 2).c_str() : "–");
+}
+
+void draw_table(PanelContext& lab, const MethodComparison& c) {
+    ImGui::PushFont(lab.fonts.small);
+    if (ImGui::BeginTable("methods", 5, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::TableSetupColumn(words(c.parameter).c_str(), ImGuiTableColumnFlags_WidthStretch);
+        for (const char* name : {"", "error", "passes", "took"}) ImGui::TableSetupColumn(name);
+        ImGui::TableHeadersRow();
+        for (std::size_t k = 0; k < c.runs.size(); ++k) table_row(lab, c, k);
+        ImGui::EndTable();
+    }
+    ImGui::PopFont();
+}
+
+void plot_runs(PanelContext& lab, MethodsPanelState& panel, const MethodComparison& c) {
+    Plot plot(panel.memory, style_of_plots(lab), {});
+    const float width = ImGui::GetContentRegionAvail().x,
+                height = std::clamp(ImGui::GetContentRegionAvail().y, lab.px(170), width);
+    const Axes axes{.x = c.is_static ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {words(c.probe), c.unit}};
+    if (!plot.begin(fmt::format("{}##methods", words(c.probe)), {0, height}, axes)) return;
+    for (const MethodRun& r : c.runs)
+        if (r.ran() && !r.curve.empty())
+            plot.line(r.label.substr(0, r.label.find(':')), r.curve.at(), r.curve.values(),
+                      {.dash = r.outcome == Outcome::stopped ? Dash::dashed : Dash::solid});
+    if (!c.reference_at.empty())
+        plot.reference(c.reference.starts_with("the exact") ? "exact" : "finer", c.reference_at, c.reference_value);
+    plot.end();
+}
+
+}  // namespace
+
+void draw_methods(PanelContext& lab, MethodsPanelState& panel) {
+    MethodTable& table = panel.table;
+    if (table.over.empty()) {
+        sentence_item(lab, "This scene has no choice of methods to compare.");
+        return;
+    }
+    choose_over(lab, table);
+    compare_or_cancel(lab, panel);
+    if (!table.trouble().empty()) sentence_item(lab, table.trouble());
+    const MethodComparison* c = table.result();
+    if (!c) {
+        if (table.trouble().empty() && !table.busy())
+            sentence_item(
+                lab,
+                "Each of them runs from the start of this scene to where it stands now: which last, how wrong they are, and "
+                "what they cost.");
+        return;
+    }
+    ImGui::PushFont(lab.fonts.small);
+    if (table.outdated(lab.session)) sentence_item(lab, "The scene has changed since: compare again.");
+    sentence_item(lab, c->reference.empty() ? "There is nothing to measure errors against."
+                                            : fmt::format("{} {} each; error of the {} against {}.", c->steps,
+                                                          c->steps == 1 ? "step" : "steps", words(c->probe), c->reference));
+    ImGui::PopFont();
+    draw_table(lab, *c);
+    plot_runs(lab, panel, *c);
+}
+
+void what_if_menu(PanelContext& lab, const Parameter& p) {
+    if (!ImGui::BeginPopupContextItem("what if")) return;
+    ImGui::TextDisabled("What if %s were …", words(p.info.key).c_str());
+    const auto all = what_if(lab.session, p);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (ImGui::MenuItem(all[k].words.c_str())) compare_what_if(lab.session, p, all[k]);
+        lab.note_control(fmt::format("what if {}", k + 1));
+    }
+    if (p.info.kind == Kind::choice && ImGui::MenuItem("all of them, in a table")) {
+        lab.methods_over = std::string(p.info.key);
+        lab.wanted.push_back(Action::methods);
+    }
+    ImGui::EndPopup();
+}
+
+void draw_what_if_words(PanelContext& lab) {
+    const std::string text = what_if_words(lab.session);
+    if (text.empty()) return;
+    sentence_item(lab, text);
+    lab.note_control("what if words");
+}
+
+}  // namespace pliant::viewer

@@ -1,0 +1,12 @@
+// Where a person enters what they predict of a slide, and what came of it once the answer is shown.
+#pragma once
+#include "panels/panel_context.h"
+
+namespace pliant::viewer {
+
+// At the cursor, as wide as there is room; nothing where the slide asks for none. Answers are set in this type.
+void draw_prediction(PanelContext& lab, ImFont* type);
+// As it is drawn at this width, with or without its answer, px.
+float prediction_height(const PanelContext& lab, ImFont* type, float width, bool revealed);
+
+}  // namespace pliant::viewer
