@@ -132,7 +132,8 @@ bool Lab::perform_on_walkthrough(Action action) {
         case Action::unlock:
             return s.toggle_lock(), true;
         case Action::notes:
-            state_.notes_shown = !state_.notes_shown;
+            // Else they would come up before the audience when the window of the lecturer closes.
+            if (!state_.presenter.wanted) state_.notes_shown = !state_.notes_shown;
             return true;
         default:
             return false;
