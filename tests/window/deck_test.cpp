@@ -71,12 +71,13 @@ TEST_CASE("in the deck the arrows and Space are its own behind a click on a slid
     desk.key("Right");
     CHECK(at(desk, 5, true));
     CHECK(desk.parameter("time_step") == 5e-4);
+    desk.key("Right");
+    CHECK(at(desk, 6, false));
+    desk.click(desk.on("time_step", 0.3));
     desk.key("space");
     CHECK(desk.becomes("playing", true));
     desk.key("space");
     CHECK(desk.becomes("playing", false));
-    desk.key("Right");
-    CHECK(at(desk, 6, false));
     desk.type("]");
     CHECK(desk.stays("lesson", "mesh/mass_spring"));
     CHECK(desk.becomes([](const Json& s) { return s["message"].get<std::string>().find("Escape") != std::string::npos; }));

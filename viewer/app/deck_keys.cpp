@@ -41,7 +41,10 @@ void put_ring_out() {
 void DeckKeys::begin_frame(bool deck) {
     if (ImGui::GetIO().WantTextInput) return;
     if (!deck) {
-        if (!ImGui::IsAnyItemActive() && any_pressed({ImGuiKey_Tab})) ImGui::NavMoveRequestCancel();
+        if (ImGui::IsAnyItemActive()) return;
+        if (any_pressed({ImGuiKey_Tab})) ImGui::NavMoveRequestCancel();
+        // Home frames the scene: it lights no ring, which would take Space.
+        if (any_pressed({ImGuiKey_Home})) take_move_back(ring_);
         return;
     }
     if (any_pressed({ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_PageUp, ImGuiKey_PageDown, ImGuiKey_Home, ImGuiKey_End}))
