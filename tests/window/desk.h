@@ -37,12 +37,12 @@ inline void need_screen_and_mouse() {
 // A display that no one else has; what is set on it stays when the last program leaves it.
 class Screen {
 public:
-    explicit Screen(const Scratch& scratch) {
+    explicit Screen(const Scratch& scratch, const std::string& size = "1280x800") {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
         server_ = std::make_unique<Child>(
             "Xvfb",
-            Arguments{"-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"},
+            Arguments{"-displayfd", std::to_string(ends[1]), "-screen", "0", size + "x24", "-nolisten", "tcp", "-noreset"},
             scratch.path("xvfb.out"), scratch.path("xvfb.err"), Environment{}, std::vector<int>{ends[1]});
         close(ends[1]);
         const std::string number = line_from(ends[0]);
@@ -77,8 +77,10 @@ class Desk {
 public:
     // More of the command line: a command, if any, comes first; --size, where the window is not to be as large as the screen.
     // config: where the lab keeps its settings; a folder of this desk's
-    // own when not given. keyboard: its layout, "de" or "fr"; that of the US when not given.
-    explicit Desk(const Arguments& more = {}, const std::string& config = "", const std::string& keyboard = "us") {
+    // own when not given. keyboard: its layout, "de" or "fr"; that of the US when not given. screen: its size in px.
+    explicit Desk(const Arguments& more = {}, const std::string& config = "", const std::string& keyboard = "us",
+                  const std::string& screen = "1280x800")
+        : screen_(scratch_, screen) {
         REQUIRE(run_process("setxkbmap", {"-display", screen_.display(), keyboard}, {}).exit_code == 0);
         Arguments arguments = more;
         arguments.insert(arguments.end(), {"--state", state_path_});
@@ -212,7 +214,7 @@ private:
     }
 
     Scratch scratch_;
-    Screen screen_{scratch_};
+    Screen screen_;
     std::string state_path_ = scratch_.path("state.json"), window_;
     std::unique_ptr<Child> lab_;
 };

@@ -80,6 +80,8 @@ LectureSlide Lab::slide_to_add(Action action) const {
     }
     slide.slide.title = s.entry().info.title;
     slide.scene = scene_file();
+    if (const std::string fill = text_of(state_.fill); !fill.empty())
+        slide.fill = FilledPanel{fill.substr(0, fill.find(' ')), state_.fill.plot};
     if (action == Action::add_map) {
         const Atlas& atlas = state_.atlas.atlas;
         slide.slide.title += ": where it is stable";

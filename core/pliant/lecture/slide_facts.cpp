@@ -201,7 +201,7 @@ private:
                    fmt::format("fill = {}: one of {}, or plot and the name of a probe", only_value(*f), fmt::join(panels, ", ")));
         if (words[0] == "atlas" && !made_.atlas) refuse(*f, "the atlas fills the screen where 'atlas' gives its knobs");
         made_.fill = FilledPanel{words[0], words.size() == 2 ? words[1] : ""};
-        if (words.size() == 2) at(*f, [&] { find_lesson(made_.lesson()).make()->probe(words[1]); });
+        if (words.size() == 2 && words[1] != "cost") at(*f, [&] { find_lesson(made_.lesson()).make()->probe(words[1]); });
     }
 
     void take_title() {
