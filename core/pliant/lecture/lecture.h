@@ -22,11 +22,10 @@
 //
 // Keys of a slide; those of the last group stand in a ```show block of Markdown, a line each with the value behind the name:
 //   title
-//   text formula ask predict do expect answer notes controls     as in a walkthrough (walkthrough.h); a text or a list of lines
-//   minutes    that it is to take
-//   lesson     opens it; with `preset` (a name), `set` (parameters), `field` (that colours the picture)
-//   scene      opens a scene: an object as in a scene file, a share string, or the path of a scene file
-//   beside     with one of these: a second run, B, with these parameters set otherwise; a line of `expect` that begins with "B "
+//   text formula ask predict do expect answer hide notes controls     as in a walkthrough (walkthrough.h); a text or a list of
+//   lines minutes    that it is to take lesson     opens it; with `preset` (a name), `set` (parameters), `field` (that colours
+//   the picture) scene      opens a scene: an object as in a scene file, a share string, or the path of a scene file beside with
+//   one of these: a second run, B, with these parameters set otherwise; a line of `expect` that begins with "B "
 //              is about it
 //   deck       a lesson, of whose walkthrough it shows `slides` (titles or numbers from 1; all when not given), one after the
 //   other claim      the card of a claim, such as E6 atlas      with a lesson or scene: two knobs, across and up:

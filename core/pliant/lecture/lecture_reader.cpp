@@ -94,8 +94,8 @@ private:
         if (kind && *kind != BlockKind::scene && *kind != BlockKind::show) return take_block(said, *kind, value, pointer);
         const auto& facts = slide_fact_keys();
         if (std::ranges::find(facts, key) == facts.end()) {
-            std::vector<std::string> known{"title", "text",   "formula", "ask",   "predict",
-                                           "do",    "expect", "answer",  "notes", "controls"};
+            std::vector<std::string> known{"title",  "text",   "formula", "ask",   "predict", "do",
+                                           "expect", "answer", "hide",    "notes", "controls"};
             std::erase_if(known, [](const std::string& k) { return k != "title" && k != "text" && !block_kind(k); });
             known.insert(known.end(), facts.begin(), facts.end());
             refuse(pointer,

@@ -95,7 +95,8 @@ private:
         if (const SlideFact* f = fact("fill"); f && opened.empty() && !fact("picture"))
             refuse(*f, "there is nothing that could fill the screen: give a lesson, scene, claim, deck or picture");
         for (const Block& b : said_.slide.blocks)
-            if ((b.kind == BlockKind::actions || b.kind == BlockKind::expect || b.kind == BlockKind::controls) &&
+            if ((b.kind == BlockKind::actions || b.kind == BlockKind::expect || b.kind == BlockKind::predict ||
+                 b.kind == BlockKind::controls) &&
                 opened != "lesson" && opened != "scene")
                 throw Refused(fmt::format("{}: '{}' needs 'lesson' or 'scene' on the same slide", said_.place, name_of(b.kind)));
     }
