@@ -61,3 +61,37 @@ TEST_CASE("every lesson that steps in time can be mapped", "[atlas][every_lesson
         }
     }
 }
+
+TEST_CASE("a map shows coarse cells first, in place of those that are not run yet, and ends as the whole", "[atlas]") {
+    const LessonEntry& entry = find_lesson("time/integration");
+    const auto lesson = entry.make();
+    const MapOrder order{.lesson = &entry,
+                         .settings = {{"scheme", "semi_implicit_euler"}, {"omega", "10"}},
+                         .across = parse_knob(*lesson, "time_step=1e-2:1:13:log"),
+                         .up = parse_knob(*lesson, "damping_ratio=0:1.5:12")};
+    MapSoFar so_far;
+    std::vector<StabilityMap> seen;
+    Index first = 0;
+    const auto look = [&](Index done, Index) {
+        CHECK(so_far.done() == done);
+        auto map = so_far.map(order);
+        if (!map) return;
+        if (first == 0) first = done;
+        if (done % 10 == 0) seen.push_back(std::move(*map));
+    };
+    const StabilityMap whole = make_stability_map(order, 1, look, {}, &so_far);
+    // Four cells apart: four columns and three rows of them.
+    CHECK(first == 12);
+    REQUIRE(seen.size() > 5);
+    for (const StabilityMap& map : seen) {
+        CHECK_FALSE(map.complete);
+        REQUIRE(map.cells.size() == whole.cells.size());
+        for (Index j = 0; j < map.rows(); j += 4)
+            for (Index i = 0; i < map.columns(); i += 4) CHECK(map.at(i, j).verdict.reason == whole.at(i, j).verdict.reason);
+    }
+    const auto at_last = so_far.map(order);
+    REQUIRE(at_last);
+    for (std::size_t k = 0; k < whole.cells.size(); ++k) CHECK(at_last->cells[k].verdict.reason == whole.cells[k].verdict.reason);
+    // The order of the cells is nothing that the map depends on.
+    CHECK(map_csv(make_stability_map(order, 2)) == map_csv(whole));
+}

@@ -35,7 +35,7 @@ TEST_CASE("scene file: what does not belong is refused with file, line and colum
         {"{\"pliant\": 1,\n \"lesson\": \"time/bead_chain\"", "s.json:2:", "JSON"},
         {"[1]", "s.json:1:1", "object"},
         {"{\"lesson\": \"time/bead_chain\"}", "s.json:1:1", "\"pliant\" is missing"},
-        {"{\"pliant\": 2, \"lesson\": \"time/bead_chain\"}", "s.json:1:2", "newer"},
+        {"{\"pliant\": 3, \"lesson\": \"time/bead_chain\"}", "s.json:1:2", "newer"},
         {"{\"pliant\": \"1\", \"lesson\": \"time/bead_chain\"}", "s.json:1:2", "give 1"},
         {"{\"pliant\": 1}", "s.json:1:1", "\"lesson\" is missing"},
         {"{\"pliant\": 1,\n\"lesson\": \"time/bead_chian\"}", "s.json:2:1", "did you mean 'time/bead_chain'"},

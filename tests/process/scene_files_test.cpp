@@ -30,7 +30,7 @@ std::vector<Wrong> wrong_scenes() {
         {"a comma too many", head + R"( "parameters": {},})", 2, 19, "not JSON"},
         {"no version", R"({"lesson": "elasticity/moduli"})", 1, 1, "\"pliant\""},
         {"version 0", R"({"pliant": 0, "lesson": "elasticity/moduli"})", 1, 2, "give 1"},
-        {"a newer version", "{\n  \"pliant\": 2, \"lesson\": \"elasticity/moduli\"}", 2, 3, "newer than this program"},
+        {"a newer version", "{\n  \"pliant\": 3, \"lesson\": \"elasticity/moduli\"}", 2, 3, "newer than this program"},
         {"version 1.5", R"({"pliant": 1.5, "lesson": "elasticity/moduli"})", 1, 2, "give 1"},
         {"a version in quotes", R"({"pliant": "1", "lesson": "elasticity/moduli"})", 1, 2, "give 1"},
         {"no lesson", R"({"pliant": 1})", 1, 1, "\"lesson\" is missing"},

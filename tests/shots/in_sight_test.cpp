@@ -1,4 +1,5 @@
 // What moves stays in the picture, from the first moment on and for as long as one looks.
+#include "../every_lesson.h"
 #include "app/deck_layout.h"
 #include "app/lab.h"
 #include "panels/colour_bar.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 
 using namespace pliant;
+using namespace pliant::test;
 using namespace pliant::viewer;
 
 namespace {
@@ -160,6 +162,73 @@ TEST_CASE("two runs beside each other are both in sight", "[shots][sight]") {
             REQUIRE(at.x() <= place.width);
             REQUIRE(at.y() >= 0);
             REQUIRE(at.y() <= place.height);
+        }
+}
+
+namespace {
+// All that moves in a picture lies in its place on the screen.
+void check_part(Onlooker& watch, const Scene& scene, const char* control) {
+    Session& s = watch.lab.session();
+    const Rectangle place = watch.lab.state().controls.at(control);
+    const Projection projection(s.seen_by(), s.lesson().dimension(), place.width, place.height);
+    INFO(control);
+    float most = 0;
+    for (const Position& p : moving_parts(scene)) {
+        const Eigen::Vector3f at = projection.pixel(p);
+        most = std::max({most, std::abs(2 * at.x() / place.width - 1), std::abs(2 * at.y() / place.height - 1)});
+    }
+    CHECK(most <= 1.001f);
+}
+
+// A person's camera from which all is seen, turned where the lesson has three dimensions.
+void choose_camera(Session& s) {
+    Camera& own = s.own_camera();
+    own.distance *= 1.25;
+    if (s.lesson().dimension() == 3) own.yaw += 0.35;
+}
+}  // namespace
+
+TEST_CASE("every lesson: the body is in sight at first, at Home, in both halves, and before and after a stage",
+          "[shots][sight][every_lesson]") {
+    for (const LessonEntry& entry : every_lesson())
+        for (const Size size : {Size{1280, 720}, Size{1920, 1080}}) {
+            CAPTURE(entry.info.id, size.width);
+            Onlooker watch(size, Layout::lab);
+            watch.lab.set_scale(1.5f);
+            Session& s = watch.lab.session();
+            s.open(entry);
+            for (int i = 0; i < 3; ++i) watch.draw();
+            check_in_sight(watch);
+            for (int i = 0; i < 5; ++i) s.step();
+            watch.draw();
+            check_in_sight(watch);
+            for (const bool chosen : {false, true}) {
+                if (chosen) choose_camera(s);
+                const Camera whole = s.seen_by();
+                s.compare(Compare::side_by_side);
+                for (int i = 0; i < 3; ++i) watch.draw();
+                if (const KeptPicture before = s.other_picture()) {
+                    check_part(watch, s.scene(), "scene");
+                    check_part(watch, before->scene, "scene B");
+                }
+                CHECK(s.seen_by().yaw == whole.yaw);
+                s.compare(Compare::now);
+                watch.draw();
+                if (chosen) CHECK(s.seen_by() == whole);
+                s.toggle_companion();
+                for (int i = 0; i < 5; ++i) s.step();
+                for (int i = 0; i < 3; ++i) watch.draw();
+                check_part(watch, s.scene(), "scene");
+                check_part(watch, s.picture_beside()->scene, "scene B");
+                CHECK(s.seen_by().yaw == whole.yaw);
+                s.close_companion();
+                watch.draw();
+            }
+            Camera& away = s.own_camera();
+            away.target += Vec<3>(100, 0, 0);
+            watch.lab.perform(Action::frame);
+            watch.draw();
+            check_in_sight(watch);
         }
 }
 

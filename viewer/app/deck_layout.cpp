@@ -114,9 +114,6 @@ void Lab::deck_layout(float width, float height) {
         }
         return ImGui::PopStyleVar();
     }
-    // A slide with other sliders leaves the picture another place: it is framed for that.
-    if (places.picture.width != deck_picture_.width || places.picture.height != deck_picture_.height) s.session.camera.reset();
-    deck_picture_ = places.picture;
     {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
         const FixedPanel panel("Scene", places.picture, flags | ImGuiWindowFlags_NoScrollWithMouse);

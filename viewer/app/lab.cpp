@@ -44,9 +44,7 @@ void Lab::restyle() {
     restyle_ = false;
 }
 
-void Lab::set_layout(Layout layout) {
-    if (std::exchange(state_.layout, layout) != layout) state_.session.camera.reset();
-}
+void Lab::set_layout(Layout layout) { state_.layout = layout; }
 
 void Lab::open_deck() {
     state_.session.later([this] {
@@ -110,6 +108,7 @@ void Lab::build_frame(Real dt) {
     clear_window();
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
+    state_.cut.clear();
     deck_keys_.begin_frame(in_deck());
     state_.claims.book.update();
     state_.atlas.atlas.follow(state_.session);

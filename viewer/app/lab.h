@@ -128,6 +128,13 @@ private:
     LectureSlide slide_to_add(Action action) const;
     void add_to_lecture(const LectureSlide& slide);
 
+    // --- scenes: lab_scene.cpp ---
+    void show_scene(const SceneFile& scene);
+    void show_plots(const SceneFile& scene);
+    void show_atlas_of(const SceneAtlas& atlas);
+    ScenePlots scene_plots() const;
+    std::optional<SceneAtlas> scene_atlas() const;
+
     // --- files: lab_files.cpp ---
     void ask_to_open();
     void ask_to_save();
@@ -156,7 +163,6 @@ private:
     std::optional<PlotShot> plot_to_save_;
     DeckKeys deck_keys_;
     Lens lens_;
-    Rectangle deck_picture_;  // where the deck's picture was in the last frame
     std::optional<Capture> capture_;
     std::string hand_in_path_;  // "" where nothing is kept
     long hand_in_kept_ = 0;     // the changes of the notebook that it holds

@@ -33,6 +33,16 @@ std::string lesson_file(const Session& session, std::string_view ending) {
     return file_name(id.substr(id.find('/') + 1), ending);
 }
 
+// A scene runs again to its place: how long that takes here, where it is worth a word.
+std::string time_to_open(const Session& session) {
+    constexpr Real soon = 5;  // s
+    const Runner& run = session.runner();
+    Real seconds = 0;
+    for (const Stage& stage : run.lesson().stages) seconds += run.cost(stage).total_ms / 1000;
+    if (seconds < soon) return "";
+    return fmt::format(" It opens at step {}: to run there takes about {:.0f} s.", run.place().step, seconds);
+}
+
 }  // namespace
 
 void Lab::perform_on_files(Action action) {
@@ -65,15 +75,11 @@ void Lab::perform_on_files(Action action) {
 
 // ------------------------------------------------------------------------------------------------------------- scenes
 
-SceneFile Lab::scene_file() const { return state_.session.scene_file(); }
-
-void Lab::open_scene(const SceneFile& scene) { state_.session.open_scene(scene); }
-
 void Lab::open_file(const std::string& path) {
     const std::string text = read_file(path);
     if (looks_like_lecture(text)) return open_lecture_file(path);
     const SceneFile scene = parse_scene(text, path);
-    Runner::check(find_lesson(scene.lesson), scene.parameters, scene.events);
+    Session::check(scene);
     state_.session.later([this, scene, path] {
         open_scene(scene);
         remember(path);
@@ -131,8 +137,8 @@ void Lab::copy_share() {
         const std::string text = share_text(scene_file());
         ImGui::SetClipboardText(text.c_str());
         s.say(Told::info,
-              fmt::format("Copied: {} letters that hold this scene. Whoever pastes them into Pliant (Ctrl Shift V) opens it.",
-                          text.size()));
+              fmt::format("Copied: {} letters that hold this scene. Whoever pastes them into Pliant (Ctrl Shift V) opens it.{}",
+                          text.size(), time_to_open(s)));
     } catch (const Error& e) {
         s.say(Told::refused, e.what());
     }

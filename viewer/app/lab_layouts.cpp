@@ -30,7 +30,8 @@ void Lab::lab_layout(float width, float height) {
     LabState& s = state_;
     draw_menu_bar(s);
     const float top = ImGui::GetFrameHeight();
-    const float status = ImGui::GetFrameHeight() + s.px(8), body = height - status - top, least_middle = s.px(360);
+    const float status = ImGui::GetFrameHeight() + s.px(8), body = height - status - top,
+                least_middle = std::min(s.px(360), 0.34f * width);
     const float left =
         size_at_border(s, {.name = "border left", .edge = 0, .from = top, .length = body, .unit = s.scale},
                        {std::min(s.px(238), width * 0.28f), std::min(s.px(180), width * 0.28f), 0.4f * width}, s.sizes.left);

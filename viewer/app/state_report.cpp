@@ -58,8 +58,11 @@ nlohmann::ordered_json atlas_json(const LabState& lab) {
                              {"busy", a.busy()},
                              {"progress", a.progress().share().value_or(0)},
                              {"trouble", a.trouble()},
-                             {"mapped", a.map() != nullptr}};
+                             {"mapped", a.map() && a.map()->complete},
+                             {"cells_done", a.map() ? a.cells_done() : 0}};
     if (lab.atlas.cell) j["cell"] = {lab.atlas.cell->first, lab.atlas.cell->second};
+    if (a.across_span) j["across_range"] = {a.across_span->range.min, a.across_span->range.max};
+    if (a.up_span) j["up_range"] = {a.up_span->range.min, a.up_span->range.max};
     if (!a.map()) return j;
     j["columns"] = a.map()->columns(), j["rows"] = a.map()->rows();
     for (int k = 0; k < stability_kinds; ++k)
@@ -187,6 +190,7 @@ std::string state_json(const LabState& lab) {
     j["resting"] = lab.resting;
     j["busy"] = nullptr;
     j["computing"] = lab.session.under_way();
+    j["cut"] = lab.cut;
     for (const auto& [name, c] : lab.controls) j["controls"][name] = {c.x, c.y, c.width, c.height};
     return j.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -56,6 +56,8 @@ Until until_from(const RunOptions& o, const LessonEntry& entry, bool is_static) 
     return Until::after_steps(entry.info.demo_steps);
 }
 
+bool runs_to_place(const RunOptions& o, const SceneFile& scene) { return scene.place && !o.steps && !o.time && !o.rest; }
+
 Size size_from(const std::string& text) {
     Size size;
     const char* const end = text.data() + text.size();

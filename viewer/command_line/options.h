@@ -32,8 +32,9 @@ struct RunOptions {
     bool strict = false;  // what is set without effect is refused
 };
 
+// layout "": as the scene has it, or slide.
 struct PictureOptions {
-    std::string stage, field, size = "1280x720", theme = "dark", layout = "slide", backend = "any", out;
+    std::string stage, field, size = "1280x720", theme = "dark", layout, backend = "any", out;
     int component = -1;
     std::optional<Index> slide;  // of the walkthrough, from 1
     bool revealed = false, patterns = false;
@@ -75,6 +76,8 @@ SceneFile scene_from(const RunOptions& options);
 const std::vector<UnusedSetting>& tell_unused(const std::vector<UnusedSetting>& unused, bool strict);
 // How far: what was asked for; without any, a static lesson runs to rest and another one for its demo steps.
 Until until_from(const RunOptions& options, const LessonEntry& entry, bool is_static);
+// Does the scene say how far, and the options nothing else?
+bool runs_to_place(const RunOptions& options, const SceneFile& scene);
 
 // "key=value" of an option, as pairs. Throws Refused.
 Runner::Assignments assignments_from(const std::vector<std::string>& settings, std::string_view option = "--set");

@@ -72,7 +72,7 @@ void check_deck(const RunOptions& run, const PictureOptions& picture) {
 // What both runs of a picture, or its walkthrough, set without effect: once a key.
 std::vector<UnusedSetting> unused_in(const SceneFile& scene, const PictureOptions& picture, Layout layout) {
     const LessonEntry& entry = find_lesson(scene.lesson);
-    if (of_slide(layout)) return unused_settings(entry, walkthrough_of(entry));
+    if (of_slide(layout) && !scene.slide) return unused_settings(entry, walkthrough_of(entry));
     std::vector<UnusedSetting> unused = unused_settings(scene);
     if (picture.beside.empty()) return unused;
     SceneFile second = scene;
@@ -80,6 +80,11 @@ std::vector<UnusedSetting> unused_in(const SceneFile& scene, const PictureOption
     for (UnusedSetting& u : unused_settings(second))
         if (std::ranges::find(unused, u.key, &UnusedSetting::key) == unused.end()) unused.push_back(std::move(u));
     return unused;
+}
+
+// The picture's own, where the scene is of the first version.
+Layout layout_of(const SceneFile& scene) {
+    return scene.version() < 2 ? Layout::slide : layout_from(scene.layout.value_or(SceneLayout{}).layout);
 }
 
 // The card of a claim, measured.
@@ -105,6 +110,7 @@ void show_atlas(LabState& lab) {
 }
 
 void show_filled(Lab& lab, const PictureOptions& o) {
+    if (o.fill.empty()) return;
     const Fill fill = fill_from(o.fill);
     if (fill.what == Filled::plot && !has_plot(lab.state(), fill.plot))
         throw Refused(
@@ -190,8 +196,8 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     const SceneFile scene = scene_from(options);
     const Size size = size_from(picture.size);
     const Theme theme = theme_from(picture.theme);
-    const Layout layout = layout_from(picture.layout);
-    if (of_slide(layout)) check_deck(options, picture);
+    const Layout layout = picture.layout.empty() ? layout_of(scene) : layout_from(picture.layout);
+    if (of_slide(layout) && !scene.slide) check_deck(options, picture);
     if (!of_slide(layout) && (picture.slide || picture.revealed))
         throw Refused("--slide and --revealed show a slide of the walkthrough: give --layout deck or presenter as well");
     check_claim(picture, layout);
@@ -214,17 +220,21 @@ int shot(const RunOptions& options, const PictureOptions& picture) {
     lab.state().layout = layout;
     lab.state().scene.hints_shown = false;
     Session& s = lab.session();
-    lab.open_scene(scene);
+    SceneFile opened = scene;
+    if (!runs_to_place(options, scene)) opened.place.reset();
+    lab.open_scene(opened);
+    lab.state().layout = layout;
+    if (const auto& told = s.message(); told && told->kind == Session::Message::Kind::refused) throw Refused(told->text);
     if (!picture.beside.empty()) s.open_companion(assignments_from(picture.beside, "--beside"));
-    s.patterns = picture.patterns;
+    s.patterns = s.patterns || picture.patterns;
     if (!picture.claim.empty()) show_claim(lab.state(), picture.claim);
     if (picture.atlas) show_atlas(lab.state());
     const bool from_start = animation && !options.steps && !options.time && !options.rest;
     std::optional<Diverged> divergence;
     try {
-        if (of_slide(layout))
+        if (of_slide(layout) && !scene.slide)
             show_slide(s, static_cast<std::size_t>(picture.slide.value_or(1) - 1), picture.revealed);
-        else
+        else if (!runs_to_place(options, scene))
             s.run(from_start ? Until::after_steps(0) : until_from(options, s.entry(), s.runner().is_static()));
         choose_view(s, picture);
     } catch (const Diverged& e) {

@@ -12,10 +12,12 @@
 #include "command_line/output_paths.h"
 #include "command_line/terminal.h"
 #include "panels/keys.h"
+#include "session/companion.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 
 namespace pliant::viewer {
 namespace {
@@ -81,6 +83,32 @@ int describe(const std::string& lesson, bool json, bool markdown, const std::str
     return 0;
 }
 
+namespace {
+
+// The second run of a scene; null where it has none.
+std::unique_ptr<Companion> beside_of(const LessonEntry& entry, const Runner& a, const SceneFile& scene) {
+    if (!scene.beside) return nullptr;
+    auto b = std::make_unique<Companion>(entry, a, scene.beside->set);
+    if (scene.beside->events) b->follow_script(*scene.beside->events);
+    return b;
+}
+
+// Into the step at which the scene stands, and what was done there.
+void go_into_step(Runner& runner, const ScenePlace& to) {
+    while (runner.place() < to.place()) runner.step_pass();
+    apply_to(runner, to.changes);
+}
+
+std::string report_of(const RunOptions& o, const Runner& runner, const std::vector<UnusedSetting>& unused, const Companion* b) {
+    if (o.json) return run_json(runner, unused, b ? &b->runner() : nullptr);
+    const auto words = [&](const Runner& run) { return o.summary ? summary_text(run) : run_text(run); };
+    if (!b) return words(runner);
+    const std::string stopped = b->stopped().empty() ? "" : fmt::format("B stopped: {}\n", b->stopped());
+    return fmt::format("A\n{}\nB\n{}{}", words(runner), stopped, words(b->runner()));
+}
+
+}  // namespace
+
 int run(const RunOptions& options) {
     const SceneFile scene = scene_from(options);
     const LessonEntry& entry = find_lesson(scene.lesson);
@@ -88,23 +116,28 @@ int run(const RunOptions& options) {
     Runner runner(entry, scene.parameters, 0);
     runner.set_events(scene.events);
     const auto unused = tell_unused(unused_settings(scene), options.strict);
-    const Until until = until_from(options, entry, runner.is_static());
+    const bool to_place = runs_to_place(options, scene);
+    const Until until = to_place ? Until::after_steps(scene.place->step) : until_from(options, entry, runner.is_static());
+    const auto beside = beside_of(entry, runner, scene);
     std::string csv = csv_header(runner.lesson());
     const auto record = [&] {
         if (!options.csv_path.empty()) csv += csv_row(runner);
+        if (beside) beside->follow(runner);
     };
 
     std::optional<Diverged> divergence;
     try {
         record();
         advance(runner, until, record);
+        if (to_place) go_into_step(runner, *scene.place);
+        if (to_place && beside) beside->apply(scene.beside->changes);
         runner.check_probes();
     } catch (const Diverged& e) {
         divergence = e;
     }
     if (!options.csv_path.empty()) write_file(options.csv_path, csv);
     if (divergence) runner.note_failure(divergence->failure);
-    print(options.json ? run_json(runner, unused) : options.summary ? summary_text(runner) : run_text(runner));
+    print(report_of(options, runner, unused, beside.get()));
     if (divergence) throw *divergence;
     if (until.what == Until::What::time && !runner.is_static() && std::abs(runner.time() - until.time) > 1e-9 * until.time)
         tell(fmt::format("the time was rounded to whole steps: {} s", runner.time()));

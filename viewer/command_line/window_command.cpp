@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace pliant::viewer {
@@ -37,11 +38,17 @@ void open_lecture_of(Lab& lab, const WindowOptions& o) {
 
 void open_first(Lab& lab, const WindowOptions& o) {
     Session& s = lab.session();
-    if (is_share(o.scene_path))
-        lab.open_scene(read_share(o.scene_path));
-    else if (!o.scene_path.empty())
-        lab.open_file(o.scene_path);
-    s.playing = !o.deck && o.lecture.empty();
+    const bool is_string = is_share(o.scene_path);
+    std::optional<SceneFile> scene;
+    if (!o.scene_path.empty()) scene = open_scene_text(o.scene_path);
+    if (scene) Session::check(*scene);
+    // Where it stood is where it opens, behind the first frame, so that a long way there shows how far it is.
+    const bool stands = scene && scene->version() > 1;
+    if (stands)
+        is_string ? lab.state().wanted_scenes.push_back(*scene) : lab.state().wanted_files.push_back(o.scene_path);
+    else if (scene)
+        is_string ? lab.open_scene(*scene) : lab.open_file(o.scene_path);
+    s.playing = !o.deck && !stands && o.lecture.empty();
     if (!o.lecture.empty()) return open_lecture_of(lab, o);
     if (!o.deck) return;
     walkthrough_of(s.entry());  // refused, rather than a message, when there is none

@@ -2,6 +2,7 @@
 #include "panels/atlas_panel.h"
 
 #include <pliant/study/stability_report.h>
+#include <pliant/text/format.h>
 
 #include "panels/companion_panel.h"
 #include "panels/flowing_text.h"
@@ -23,7 +24,8 @@ void flowing_words(const std::string& text, bool quiet = false) {
     if (quiet) ImGui::PopStyleColor();
 }
 
-void choose_knob(PanelContext& lab, const char* label, std::string& key, const std::string& other, const char* help) {
+void choose_knob(PanelContext& lab, const char* label, std::string& key, std::optional<Atlas::Span>& span,
+                 const std::string& other, const char* help) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize("across").x - lab.px(10));
     const bool open = ImGui::BeginCombo(label, words(key).c_str());
     lab.note_control(fmt::format("atlas {}", label));
@@ -31,11 +33,54 @@ void choose_knob(PanelContext& lab, const char* label, std::string& key, const s
     for (const Parameter* p : lab.session.lesson().parameters) {
         if (!can_be_knob(*p) || p->info.key == other) continue;
         const bool chosen = p->info.key == key;
-        if (ImGui::Selectable(words(p->info.key).c_str(), chosen)) key = p->info.key;
+        if (ImGui::Selectable(words(p->info.key).c_str(), chosen) && !chosen) key = p->info.key, span.reset();
         lab.note_control(fmt::format("atlas knob {}", p->info.key));
         tooltip(std::string(p->info.help), lab.scale);
     }
     ImGui::EndCombo();
+}
+
+// What the map spans of a knob: from, to, and whether its values are spaced by factors. Options have no range.
+void range_row(PanelContext& lab, const char* label, const std::string& key, std::optional<Atlas::Span>& span, Index cells) {
+    const Parameter* p = key.empty() ? nullptr : &lab.session.lesson().parameter(key);
+    if (!p || p->info.kind == Kind::choice || p->info.kind == Kind::toggle) return;
+    const Atlas::Span now = span.value_or(Atlas::Span{p->info.useful, p->info.scale == Scale::log});
+    const auto set = [&](const Atlas::Span& wanted) {
+        lab.take_typed([&] {
+            knob_of(*p, wanted.range.min, wanted.range.max, cells, wanted.log ? Spacing::log : Spacing::linear);
+            span = wanted;
+        });
+    };
+    ImGui::PushID(label);
+    const float words_width = ImGui::CalcTextSize("to").x + ImGui::CalcTextSize("log").x + ImGui::GetFrameHeight(),
+                gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = std::max(lab.px(48), (ImGui::GetContentRegionAvail().x - words_width - 5 * gap) / 2);
+    const auto field = [&](const char* name, Real Interval::*end) {
+        ImGui::SetNextItemWidth(width);
+        const auto text =
+            number_field(lab.typed, fmt::format("##{}", name).c_str(), format_quantity(now.range.*end, p->info.unit, 4));
+        lab.note_control(fmt::format("atlas {} {}", label, name));
+        tooltip(fmt::format("The {} value of {} in the map; accepted {}", end == &Interval::min ? "least" : "largest",
+                            words(p->info.key), p->accepted().text()),
+                lab.scale);
+        if (!text) return;
+        lab.take_typed([&] {
+            Atlas::Span wanted = now;
+            wanted.range.*end = p->parse(*text);
+            set(wanted);
+        });
+    };
+    field("from", &Interval::min);
+    ImGui::SameLine(0, gap);
+    ImGui::TextDisabled("to");
+    ImGui::SameLine(0, gap);
+    field("to", &Interval::max);
+    ImGui::SameLine(0, gap);
+    bool log = now.log;
+    if (ImGui::Checkbox("log", &log)) set({now.range, log});
+    lab.note_control(fmt::format("atlas {} log", label));
+    tooltip("The values of the knob are spaced by equal factors rather than by equal steps", lab.scale);
+    ImGui::PopID();
 }
 
 void whole_slider(PanelContext& lab, const char* label, float width, Index& value, int least, int most, const char* help) {
@@ -81,33 +126,54 @@ std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, In
         return setting_text(lesson.parameter(knob.key), knob.values[static_cast<std::size_t>(k)]);
     };
     std::string text = fmt::format("{}, {}\n{}", value(map.order.across, i), value(map.order.up, j), words_of(c.verdict.kind));
-    if (c.verdict.growth) text += fmt::format(": amplitude × {:.7g} per step", *c.verdict.growth);
+    if (c.verdict.growth)
+        text += fmt::format("\ngrowth of the amplitude, in each step: × {:.7g}\nwhich is the root of that of the energy",
+                            *c.verdict.growth);
     if (const std::string theory = theory_text(c); !theory.empty()) text += "\n" + theory;
-    return text + "\n" + c.verdict.reason;
+    return text + "\nin the whole run: " + c.verdict.reason;
 }
 
-void hover(PanelContext& lab, AtlasPanelState& panel, const StabilityMap& map, Index i, Index j) {
-    panel.cell = {i, j};
-    tooltip(cell_text(lab.session.lesson(), map, i, j) + "\nClick to open this scene", lab.scale);
+// Beside the map, at the height of the pointer: on the left where there is room, else on the right, else above or below.
+void tip_beside(const PanelContext& lab, const Box& map, const std::string& text) {
+    const float gap = lab.px(10), wrap = lab.px(300);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap), screen = ImGui::GetIO().DisplaySize,
+                 pad = ImGui::GetStyle().WindowPadding, mouse = ImGui::GetMousePos();
+    const ImVec2 whole{size.x + 2 * pad.x, size.y + 2 * pad.y};
+    ImVec2 at{map.min.x - gap - whole.x, std::clamp(mouse.y - whole.y / 2, 0.f, std::max(0.f, screen.y - whole.y))};
+    if (at.x < 0) at.x = map.max.x + gap;
+    if (at.x + whole.x > screen.x) {
+        at.x = std::clamp(mouse.x - whole.x / 2, 0.f, std::max(0.f, screen.x - whole.x));
+        at.y = map.min.y - gap - whole.y >= 0 ? map.min.y - gap - whole.y : map.max.y + gap;
+    }
+    ImGui::SetNextWindowPos(at);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(wrap);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
-void draw_picture(PanelContext& lab, AtlasPanelState& panel) {
+// legend_beside: where the map has the whole screen.
+void draw_picture(PanelContext& lab, AtlasPanelState& panel, bool legend_beside) {
     const StabilityMap& map = *panel.atlas.map();
     MapPicture picture = panel.atlas.picture();
     picture.present = panel.atlas.present(lab.session);
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-    const float height = std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(240), 1.5f * room.x);
+    const float height =
+        legend_beside ? room.y : std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(240), 1.5f * room.x);
     const bool pressed = ImGui::InvisibleButton("map", {room.x, height});
     lab.note_control("atlas map");
     const PlotStyle style = style_of_plots(lab);
     ImguiCanvas canvas(*ImGui::GetWindowDrawList(), style.mathematics);
-    const MapPlaces places = draw_map(canvas, {{at.x, at.y}, {at.x + room.x, at.y + height}}, picture, style, false);
+    const MapPlaces places = draw_map(canvas, {{at.x, at.y}, {at.x + room.x, at.y + height}}, picture, style, legend_beside);
     lab.controls["atlas area"] = {places.area.min.x, places.area.min.y, places.area.width(), places.area.height()};
     panel.cell.reset();
     const ImVec2 mouse = ImGui::GetMousePos();
     const auto cell = ImGui::IsItemHovered() ? places.cell(map, {mouse.x, mouse.y}) : std::nullopt;
     if (!cell) return;
-    hover(lab, panel, map, cell->first, cell->second);
+    const auto [i, j] = *cell;
+    panel.cell = cell;
+    tip_beside(lab, places.area, cell_text(lab.session.lesson(), map, i, j) + "\nClick to open this scene.");
     if (pressed) open_cell(lab.session, map, cell->first, cell->second);
 }
 
@@ -132,11 +198,15 @@ void start_atlas(PanelContext& lab, AtlasPanelState& panel) {
     }
 }
 
-void draw_atlas(PanelContext& lab, AtlasPanelState& panel) {
+namespace {
+
+void draw_knobs(PanelContext& lab, AtlasPanelState& panel) {
     Atlas& atlas = panel.atlas;
-    choose_knob(lab, "across", atlas.across, atlas.up, "The knob along the map");
+    choose_knob(lab, "across", atlas.across, atlas.across_span, atlas.up, "The knob along the map");
     if (std::exchange(panel.focus, false)) focus_last_item();
-    choose_knob(lab, "up", atlas.up, atlas.across, "The knob up the map");
+    range_row(lab, "across", atlas.across, atlas.across_span, atlas.cells);
+    choose_knob(lab, "up", atlas.up, atlas.up_span, atlas.across, "The knob up the map");
+    range_row(lab, "up", atlas.up, atlas.up_span, atlas.cells);
     const float half = 0.5f * ImGui::GetContentRegionAvail().x;
     whole_slider(lab, "cells", half, atlas.cells, 8, 48, "Values of each knob");
     ImGui::SameLine();
@@ -144,20 +214,44 @@ void draw_atlas(PanelContext& lab, AtlasPanelState& panel) {
                  "Steps of each cell; one that is in doubt makes up to 16 times as many");
     make_or_cancel(lab, panel);
     if (!atlas.trouble().empty()) flowing_words(atlas.trouble());
-    if (!atlas.map()) {
-        if (!atlas.busy() && atlas.trouble().empty())
-            flowing_words(
-                "A map shows for which values of two parameters this lesson is stable: every cell is a run, classed by its "
-                "energy, and the line is the limit of theory.",
-                true);
-        return;
-    }
-    ImGui::BeginChild("atlas", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
-    draw_picture(lab, panel);
+    if (!atlas.map() && !atlas.busy() && atlas.trouble().empty())
+        flowing_words(
+            "A map shows for which values of two parameters this lesson is stable: every cell is a run, classed by its energy, "
+            "and the line is the limit of theory.",
+            true);
+}
+
+void draw_words(PanelContext& lab, AtlasPanelState& panel) {
+    const Atlas& atlas = panel.atlas;
+    const StabilityMap& map = *atlas.map();
     ImGui::PushFont(lab.fonts.small);
-    flowing_words(agreement_text(*atlas.map()), true);
+    if (map.complete)
+        flowing_words(agreement_text(map), true);
+    else
+        flowing_words(fmt::format("{} of {} cells so far; each stands for those around it that are not run yet.",
+                                  atlas.cells_done(), map.cells.size()),
+                      true);
     ImGui::PopFont();
     tell_present(lab, panel);
+}
+
+}  // namespace
+
+void draw_atlas(PanelContext& lab, AtlasPanelState& panel) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool wide = room.x > 1.2f * room.y && room.x > lab.px(560);
+    const bool mapped = panel.atlas.map() != nullptr;
+    if (wide) ImGui::BeginChild("knobs", {lab.px(250), 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
+    draw_knobs(lab, panel);
+    if (wide && mapped) draw_words(lab, panel);
+    if (wide) {
+        ImGui::EndChild();
+        ImGui::SameLine(0, lab.px(16));
+    }
+    if (!mapped) return;
+    ImGui::BeginChild("atlas", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
+    draw_picture(lab, panel, wide);
+    if (!wide) draw_words(lab, panel);
     ImGui::EndChild();
 }
 

@@ -1,5 +1,7 @@
 #include "panels/panel_context.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -26,8 +28,19 @@ void PanelContext::take_typed(const std::function<void()>& action) {
 void PanelContext::note_control(const std::string& name) {
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     controls[name] = {a.x, a.y, b.x - a.x, b.y - a.y};
+    const ImGuiWindow& w = *ImGui::GetCurrentWindow();
+    const ImRect& shown = w.ClipRect;
+    constexpr float hair = 1.5f;  // px
+    const bool bar = !(w.Flags & ImGuiWindowFlags_NoScrollbar);
+    const bool across = (a.x < shown.Min.x - hair || b.x > shown.Max.x + hair) && !(bar && w.ScrollMax.x > 0),
+               up = (a.y < shown.Min.y - hair || b.y > shown.Max.y + hair) && !(bar && w.ScrollMax.y > 0);
+    if (across || up) cut.insert(name);
 }
 
+std::string_view name_of(SideTab tab) {
+    constexpr std::string_view names[]{"plots", "inspect", "claims", "atlas", "methods"};
+    return names[static_cast<std::size_t>(tab)];
+}
 std::string_view name_of(Layout layout) {
     switch (layout) {
         case Layout::lab:

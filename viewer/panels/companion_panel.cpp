@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pliant::viewer {
@@ -24,15 +25,32 @@ struct Row {
     std::string name, symbol, a, b, difference, help;
 };
 
-std::string text_or_dash(std::optional<Real> value, std::string_view unit, int digits) {
-    return value ? format_quantity(*value, unit, digits) : "–";
+// Of the size of what this number has been: less is rounding.
+constexpr Real rounding = 1e-12;
+
+std::string number_text(std::optional<Real> value, std::string_view unit, int digits, Real size) {
+    if (!value) return "–";
+    if (*value != 0 && std::abs(*value) < rounding * size) return "≈ 0";
+    return format_quantity(*value, unit, digits);
 }
 
-Row row_of(std::string name, std::string_view unit, std::optional<Real> a, std::optional<Real> b, std::string help,
-           int digits = 4) {
+// size: the largest that either number has been.
+Row row_of(std::string name, std::string_view unit, std::optional<Real> a, std::optional<Real> b, std::string help, int digits,
+           Real size) {
     const auto difference = a && b ? std::optional(*a - *b) : std::nullopt;
-    return {std::move(name), "", text_or_dash(a, unit, digits), text_or_dash(b, unit, digits), text_or_dash(difference, unit, 3),
+    return {std::move(name),
+            "",
+            number_text(a, unit, digits, size),
+            number_text(b, unit, digits, size),
+            number_text(difference, unit, std::min(digits, 3), size),
             std::move(help)};
+}
+
+Real largest(const TimeSeries& series) {
+    Real size = 0;
+    for (const Real value : series.values())
+        if (std::isfinite(value)) size = std::max(size, std::abs(value));
+    return size;
 }
 
 std::optional<Real> seconds(std::optional<Real> ms) { return ms ? std::optional(*ms / 1000) : std::nullopt; }
@@ -46,29 +64,57 @@ std::optional<Real> value_of(const Runner& runner, const Probe& probe) {
     }
 }
 
-std::vector<Row> rows_of(const Session& s) {
+std::vector<Row> rows_of(const Session& s, int digits) {
     const Companion& b = *s.companion();
     const auto& probes = s.lesson().probes;
     std::vector<Row> rows;
     for (const Probe* p : key_probes(s.lesson())) {
-        rows.push_back(row_of(words(p->name), p->unit, value_of(s.runner(), *p), value_of(b.runner(), b.lesson().probe(p->name)),
-                              fmt::format("{}\n{}", named_with_symbol(p->name, p->symbol), p->help), 3));
+        const auto i = static_cast<std::size_t>(p - probes.data());
+        const auto of_a = value_of(s.runner(), *p), of_b = value_of(b.runner(), b.lesson().probe(p->name));
+        Real size = std::max(std::abs(of_a.value_or(0)), std::abs(of_b.value_or(0)));
+        for (const Recorder* r : {&s.recorder(), &b.recorder()})
+            if (!r->empty()) size = std::max(size, largest(r->series(i)));
+        rows.push_back(row_of(words(p->name), p->unit, of_a, of_b,
+                              fmt::format("{}\n{}", named_with_symbol(p->name, p->symbol), p->help), digits, size));
         rows.back().symbol = p->symbol;
     }
     rows.push_back(row_of("Per step", "s", seconds(s.costs().step_ms()), seconds(b.costs().step_ms()),
-                          "what a step costs: the median of the latest", 3));
+                          "what a step costs: the median of the latest", digits, 0));
     const auto measured = std::ranges::find(probes, s.lesson().error_probe(), &Probe::name);
     if (measured == probes.end() || !measured->exact) return rows;
     const auto i = static_cast<std::size_t>(measured - probes.begin());
     const auto error = [&](const Recorder& r) { return r.empty() ? std::nullopt : error_against_exact(r.series(i)).latest(); };
     const auto of_a = error(s.recorder()), of_b = error(b.recorder());
     if (!of_a && !of_b) return rows;
-    rows.push_back(row_of("Error", "", of_a, of_b, fmt::format("|value − exact| / max|exact| of {}", words(measured->name)), 3));
+    const Real size = std::max(std::abs(of_a.value_or(0)), std::abs(of_b.value_or(0)));
+    rows.push_back(
+        row_of("Error", "", of_a, of_b, fmt::format("|value − exact| / max|exact| of {}", words(measured->name)), digits, size));
     return rows;
+}
+
+// The columns of numbers, px.
+float numbers_width(const std::vector<Row>& rows) {
+    float sum = 0;
+    for (const auto& [column, title] : {std::pair{&Row::a, "A"}, {&Row::b, "B"}, {&Row::difference, "A − B"}}) {
+        float width = ImGui::CalcTextSize(title).x;
+        for (const Row& row : rows) width = std::max(width, ImGui::CalcTextSize((row.*column).c_str()).x);
+        sum += width + 2 * ImGui::GetStyle().CellPadding.x + 1;
+    }
+    return sum;
+}
+
+// With as many digits as leave the names some room.
+std::vector<Row> fitting_rows(const Session& s, float width, float least_names) {
+    for (const int digits : {3, 2}) {
+        std::vector<Row> rows = rows_of(s, digits);
+        if (numbers_width(rows) + least_names <= width) return rows;
+    }
+    return rows_of(s, 1);
 }
 
 // A button that stays lit while what it stands for is on.
 bool toggle_button(PanelContext& lab, const char* name, const char* control, bool on, const char* help) {
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(name).x + 2 * ImGui::GetStyle().FramePadding.x) ImGui::NewLine();
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     const bool used = ImGui::Button(name);
     if (on) ImGui::PopStyleColor();
@@ -155,23 +201,31 @@ void draw_run_switch(PanelContext& lab) {
 float companion_table_height(const PanelContext& lab) {
     if (!lab.session.companion() || lab.layout != Layout::lab) return 0;
     const float row = lab.fonts.small->FontSize + 2 * ImGui::GetStyle().CellPadding.y;
-    return static_cast<float>(rows_of(lab.session).size() + 1) * row + lab.px(6);
+    return static_cast<float>(rows_of(lab.session, 1).size() + 1) * row + lab.px(6);
 }
 
 void draw_companion_table(PanelContext& lab) {
     if (!lab.session.companion()) return;
-    ImGui::PushFont(lab.layout == Layout::lab ? lab.fonts.small : lab.fonts.normal);
+    ImFont* font = lab.layout == Layout::lab ? lab.fonts.small : lab.fonts.normal;
+    const float room = ImGui::GetContentRegionAvail().x, names = lab.px(36);
+    ImGui::PushFont(font);
+    std::vector<Row> rows = fitting_rows(lab.session, room, names);
+    const bool fits = numbers_width(rows) + names <= room;
+    ImGui::PopFont();
+    if (!fits) font = lab.fonts.small;
+    ImGui::PushFont(font);
+    if (!fits) rows = fitting_rows(lab.session, room, names);
     if (ImGui::BeginTable("two runs", 4,
                           ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
         for (const char* column : {"A", "B", "A − B"}) ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed);
         ImGui::TableHeadersRow();
-        for (const Row& row : rows_of(lab.session)) {
+        for (const Row& row : rows) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             // Where the name has no room the symbol stands for it, and the tooltip has both.
-            const bool fits = ImGui::CalcTextSize(row.name.c_str()).x <= ImGui::GetContentRegionAvail().x;
-            fitted_sentence(lab, fits || row.symbol.empty() ? row.name : as_formula(row.symbol),
+            const bool whole = ImGui::CalcTextSize(row.name.c_str()).x <= ImGui::GetContentRegionAvail().x;
+            fitted_sentence(lab, whole || row.symbol.empty() ? row.name : as_formula(row.symbol),
                             ImGui::GetContentRegionAvail().x);
             sentence_tooltip(lab, row.help);
             for (const std::string* cell : {&row.a, &row.b, &row.difference}) {

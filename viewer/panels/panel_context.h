@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,6 +57,7 @@ struct WalkthroughFold {
 
 // The tabs at the right of the lab.
 enum class SideTab { plots, inspect, claims, atlas, methods };
+std::string_view name_of(SideTab tab);
 
 struct PanelContext {
     Session session{};
@@ -86,6 +88,8 @@ struct PanelContext {
 
     // Where the controls are, by name, in px: for tests that move a real mouse, and for screen readers.
     std::map<std::string, Rectangle> controls{};
+    // Those of the frame that their panel cuts off, and that cannot be scrolled to.
+    std::set<std::string> cut{};
     // Remembers the last item under a name.
     void note_control(const std::string& name);
 

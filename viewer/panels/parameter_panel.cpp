@@ -27,7 +27,9 @@ std::string describe(const Parameter& p) {
                 ".\nCtrl+click, or Enter, types a number, with a unit if you like; it may lie outside the usual range. A double "
                 "click "
                 "restores the default.";
-    text += p.info.effect == Effect::live ? "\nTakes effect with the next step." : "\nRestarts the lesson (↻).";
+    text += p.looks()                       ? "\nOnly chooses what is shown: the run stays as it is."
+            : p.info.effect == Effect::live ? "\nTakes effect with the next step."
+                                            : "\nRestarts the lesson (↻).";
     return text;
 }
 

@@ -111,7 +111,7 @@ void plot_pin(PanelContext& lab, Plot& plot, Pin& pin, Point size) {
     const Field* field = lab.session.lesson().find_field(pin.field);
     const std::string name = field ? name_with_symbol(pin.field, field->symbol, " ") : words(pin.field);
     const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {name, pin.unit}};
-    if (!plot.begin(fmt::format("{}##pin", pin.title), size, axes)) return;
+    if (!plot.begin(fmt::format("{0}##followed {0}", pin.title), size, axes)) return;
     plot.line("pinned", pin.series.at(), pin.series.values());
     mark_now(lab, plot);
     pin.series.watch(zoomed_part(plot));
@@ -185,6 +185,8 @@ std::vector<std::string> shown_plots(const PanelContext& lab, const PlotPanelSta
         deck && !first.empty() ? std::vector<std::string>(first.begin(), first.end()) : panel.chosen;
     std::vector<std::string> shown;
     std::ranges::copy_if(wanted, std::back_inserter(shown), [&](const std::string& n) { return shown_now(lab, n); });
+    if (lab.layout == Layout::lab)
+        for (const Pin& pin : lab.session.inspector.pins) shown.push_back(pin.title);
     if (deck && shown.size() > 2) shown.resize(2);
     return shown;
 }

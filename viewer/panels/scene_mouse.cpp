@@ -14,9 +14,6 @@ Eigen::Vector2f pointer_in(const View& view) {
     return {m.x - view.origin.x, m.y - view.origin.y};
 }
 
-// The person's from now on: it no longer goes along with what moves.
-Camera& own_camera(Session& s) { return s.camera ? *s.camera : s.camera.emplace(s.viewpoint.camera()); }
-
 void begin_drag(PanelContext& lab, ScenePanelState& panel) {
     const auto can_pull = lab.session.lesson().can_pull();
     panel.turning = true;
@@ -38,9 +35,9 @@ void go_on_dragging(PanelContext& lab, ScenePanelState& panel, const View& view)
     const ImVec2 d = ImGui::GetIO().MouseDelta;
     if (!panel.turning || (d.x == 0 && d.y == 0)) return;
     if (view.dimension == 2)
-        pan(own_camera(s), 2, view.projection, d.x, d.y);
+        pan(s.own_camera(), 2, view.projection, d.x, d.y);
     else
-        s.camera ? orbit(*s.camera, d.x, d.y) : s.viewpoint.turn(d.x, d.y);
+        s.camera ? orbit(s.own_camera(), d.x, d.y) : s.viewpoint.turn(d.x, d.y);
 }
 
 // A lesson that looks at one cell, with a handle on it, looks at the one that is clicked.
@@ -49,8 +46,8 @@ void look_at_cell(PanelContext& lab, ScenePanelState& panel) {
     if (panel.hovered->on != On::cell || lesson.can_pull() != On::handle) return;
     const Pull there{0, panel.hovered->at, panel.hovered->at};
     const auto chosen = lesson.dragged(there);
-    const auto of_cell = [](const auto& assignment) { return assignment.first == "cell_x" || assignment.first == "cell_y"; };
-    if (chosen.empty() || !std::ranges::all_of(chosen, of_cell)) return;
+    const auto only_looks = [&](const auto& assignment) { return lesson.parameter(assignment.first).looks(); };
+    if (chosen.empty() || !std::ranges::all_of(chosen, only_looks)) return;
     lab.session.pull(there);
     lab.session.pull(std::nullopt);
 }
@@ -80,10 +77,10 @@ void handle_mouse(PanelContext& lab, ScenePanelState& panel, const View& view) {
     if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) go_on_dragging(lab, panel, view);
     const bool drags = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
     if (ImGui::IsItemActive() && drags && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
-        pan(own_camera(lab.session), view.dimension, view.projection, io.MouseDelta.x, io.MouseDelta.y);
+        pan(lab.session.own_camera(), view.dimension, view.projection, io.MouseDelta.x, io.MouseDelta.y);
     if (ImGui::IsItemDeactivated()) end_drag(lab, panel);
     if (inside && io.MouseWheel != 0)
-        zoom(own_camera(lab.session), view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
+        zoom(lab.session.own_camera(), view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
     if (inside && view.lesson && panel.hovered && !panel.turning && !panel.pulling) read_out(lab, view, *panel.hovered);
 }
 

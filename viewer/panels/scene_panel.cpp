@@ -46,12 +46,13 @@ void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& rend
         draw_matrices(lab, view.picture->scene.matrices,
                       {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y - low});
     }
-    if (!lab.session.message() && !lab.session.autopsy() && view.above > 0) draw_notes(lab, panel, view);
+    if (!lab.session.autopsy() && view.above > 0) draw_notes(lab, panel, view);
 }
 
 // The viewpoint of this frame; the ghost of a pinned run, in the ink of guides, is not followed.
 void look_at(PanelContext& lab, ScenePanelState& panel, const Frame& frame, std::span<const Position> moving, float aspect) {
     Session& s = lab.session;
+    s.see_in(std::max(aspect, 0.05f));
     s.viewpoint.look({.frame = frame,
                       .moving = moving,
                       .aspect = std::max(aspect, 0.05f),
@@ -211,8 +212,9 @@ void draw_scene(PanelContext& lab, ScenePanelState& panel, SceneRenderer& render
         draw_alone(lab, panel, renderer, std::move(picture), place, bar.right);
     draw_colour_bar(lab, {place.x, place.y, place.width, place.height + bar.below});
     name_pinned(lab, panel, place);
-    draw_hints(lab, panel, place);
-    draw_banner(lab, place);
+    draw_hints(lab, panel, {place.x, place.y, place.width - bar.right, place.height});
+    // Below the names of the pictures and what is said of them.
+    draw_banner(lab, lab.layout == Layout::deck ? place : below(place, panel.notes_strip.height));
     draw_autopsy(lab, panel, place);
 }
 

@@ -1,4 +1,4 @@
-// The buttons of time, and the stages of a step with where we are in them.
+// The stages of a step, with where we are in them.
 #include "panels/stage_bar.h"
 
 #include <pliant/text/format.h>
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -17,61 +18,6 @@
 
 namespace pliant::viewer {
 namespace {
-
-bool button(PanelContext& lab, const char* name, const char* control, const char* help) {
-    const bool used = ImGui::Button(name);
-    lab.note_control(control);
-    tooltip(help, lab.scale);
-    ImGui::SameLine(0, lab.px(4));
-    return used;
-}
-
-constexpr float least_colour_menu = 84;  // px at scale 1
-// Of the switches behind the menu of colours, likewise.
-float switches_width(const PanelContext& lab) { return lab.scene_has_grid ? 270 : 190; }
-
-void colour_menu(PanelContext& lab) {
-    Session& s = lab.session;
-    const Field* shown = s.lesson().find_field(s.colours.field);
-    std::string current = shown ? words(shown->name) : "none";
-    if (shown && s.colours.component >= 0)
-        current += "." + component_names(*shown)[static_cast<std::size_t>(s.colours.component)];
-    // Small enough for the switches behind it.
-    ImGui::SetNextItemWidth(
-        std::clamp(ImGui::GetContentRegionAvail().x - lab.px(switches_width(lab)), lab.px(least_colour_menu), lab.px(140)));
-    if (ImGui::BeginCombo("##colour", current.c_str(), ImGuiComboFlags_HeightLarge)) {
-        if (ImGui::Selectable("none", !shown)) s.colours = {};
-        for (const Field& f : s.lesson().fields) {
-            if (!f.in_use()) continue;
-            const auto names = component_names(f);
-            for (int c = -1; c < (f.rank == Rank::scalar ? 0 : f.components); ++c) {
-                const std::string name =
-                    words(f.name) + (c < 0 ? (f.rank == Rank::vector ? "  | |" : "") : "." + names[static_cast<std::size_t>(c)]);
-                if (ImGui::Selectable(name.c_str(), shown == &f && s.colours.component == c))
-                    s.colours = {std::string(f.name), c}, s.range = {}, s.view_changed();
-                if (!f.help.empty()) tooltip(std::string(f.help), lab.scale);
-            }
-        }
-        ImGui::EndCombo();
-    }
-    lab.note_control("colour");
-    tooltip("The field that colours the picture", lab.scale);
-    ImGui::SameLine();
-    if (ImGui::Checkbox("auto", &s.range.automatic)) s.view_changed();
-    tooltip("The colour bar follows the numbers; switched off, its range stays", lab.scale);
-}
-
-void speed_menu(PanelContext& lab) {
-    Session& s = lab.session;
-    ImGui::SetNextItemWidth(lab.px(60));
-    if (ImGui::BeginCombo("##speed", fmt::format("{:g}×", s.speed).c_str())) {
-        for (const Real speed : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0})
-            if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), s.speed == speed)) s.speed = speed;
-        ImGui::EndCombo();
-    }
-    lab.note_control("speed");
-    tooltip("Simulated seconds per second to play at", lab.scale);
-}
 
 // A ring, or a filled disc where the run is to stop before this stage. True when it was pressed.
 bool break_dot(PanelContext& lab, const Stage& stage, std::size_t i, ImVec2 at, float size) {
@@ -115,20 +61,31 @@ float stage_width(const PanelContext& lab, std::string_view formula) {
     return lab.px(width);
 }
 
-// What each asks for where there is room for all, and a share of what is spare; narrower ones down to the least where that keeps
-// all in sight.
+// Its number and name, in small type, behind the ring.
+float name_width(const PanelContext& lab, const Stage& stage, std::size_t i) {
+    const ImFont* font = lab.fonts.small;
+    const std::string name = fmt::format("{} {}", i + 1, words(stage.name));
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, name.c_str()).x + 4 * stage_pad(lab) + 0.5f * font->FontSize;
+}
+
+// What each asks for where there is room for all, and a share of what is spare; narrower ones down to their names where that
+// keeps all in sight.
 std::vector<float> stage_widths(const PanelContext& lab, const std::vector<const Stage*>& stages, float room) {
-    std::vector<float> widths;
-    for (const Stage* stage : stages) widths.push_back(stage_width(lab, stage->formula_now()));
-    const auto count = static_cast<float>(stages.size());
-    const float least = lab.px(least_stage_width), spare = room - std::accumulate(widths.begin(), widths.end(), 0.f);
-    if (spare >= 0 || least * count > room) {
-        for (float& width : widths) width += std::max(spare, 0.f) / count;
+    std::vector<float> widths, least;
+    for (const Stage* stage : stages) {
+        widths.push_back(stage_width(lab, stage->formula_now()));
+        least.push_back(std::min(name_width(lab, *stage, least.size()), lab.px(most_stage_width)));
+        widths.back() = std::max(widths.back(), least.back());
+    }
+    const auto sum = [](const std::vector<float>& all) { return std::accumulate(all.begin(), all.end(), 0.f); };
+    const float spare = room - sum(widths), all_least = sum(least);
+    if (spare >= 0 || all_least > room) {
+        for (float& width : widths) width += std::max(spare, 0.f) / static_cast<float>(stages.size());
         return widths;
     }
     // All give up the same part of what they have beyond the least.
-    const float part = (room - least * count) / (room - spare - least * count);
-    for (float& width : widths) width = least + part * (width - least);
+    const float part = (room - all_least) / (sum(widths) - all_least);
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = least[i] + part * (widths[i] - least[i]);
     return widths;
 }
 
@@ -218,39 +175,6 @@ void stage_box(PanelContext& lab, const Stage& stage, const StageCost& cost, std
 }
 
 }  // namespace
-
-void draw_transport(PanelContext& lab, StageBarState& panel) {
-    Session& s = lab.session;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(5), ImGui::GetStyle().FramePadding.y});
-    if (button(lab, s.playing ? "Pause" : "Play", "play", "Play or pause (Space)")) s.toggle_play();
-    if (button(lab, "Pass", "pass", "One pass of the stage's inner loop (;)")) s.step_pass();
-    if (button(lab, "Stage", "stage", "One stage (/)")) s.step_stage();
-    if (button(lab, "Step", "step", "One step (.)")) s.step();
-    if (button(lab, "‹ Stage", "stage back", "One stage back, from stored states (,)")) s.stage_back();
-    if (button(lab, "‹ Step", "back",
-               "One step back, from stored states; inside a step, to the same stage of the step before (<)"))
-        s.step_back();
-    if (button(lab, "Reset", "reset", "Start again from the parameters (R)")) s.reset();
-    draw_pin_button(lab);
-    ImGui::PopStyleVar();
-    // What does not fit beside the buttons stands below them.
-    const float speed = s.runner().is_static() ? 0.f : 68.f;
-    const bool below = ImGui::GetContentRegionAvail().x < lab.px(speed + least_colour_menu + switches_width(lab));
-    if (below) ImGui::NewLine();
-    if (!s.runner().is_static()) {
-        speed_menu(lab);
-        ImGui::SameLine(0, lab.px(8));
-    }
-    panel.transport_rows = below ? 2 : 1;
-    colour_menu(lab);
-    ImGui::SameLine();
-    ImGui::Checkbox("arrows", &s.show_arrows);
-    if (lab.scene_has_grid) {
-        ImGui::SameLine();
-        ImGui::Checkbox("smooth", &s.smooth);
-        tooltip("Interpolate between cell centres, or show the cells as they are", lab.scale);
-    }
-}
 
 void draw_stage_bar(PanelContext& lab, StageBarState& panel) {
     const Runner& runner = lab.session.runner();

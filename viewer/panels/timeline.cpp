@@ -161,29 +161,33 @@ void draw_timeline(PanelContext& lab, TimelineState& panel) {
     const Session& s = lab.session;
     const History& history = s.runner().history();
     const std::size_t recorded = s.recorded_bytes() + lab.live_error.bytes(), most = s.recorded_cap() + lab.live_error.cap();
-    const std::string memory = fmt::format("past {:.0f}/{:.0f}, plots {:.0f}/{:.0f} MB", megabytes(history.bytes()),
-                                           megabytes(history.cap()), megabytes(recorded), megabytes(most));
+    std::string memory = fmt::format("past {:.0f}/{:.0f}, plots {:.0f}/{:.0f} MB", megabytes(history.bytes()),
+                                     megabytes(history.cap()), megabytes(recorded), megabytes(most));
     breaks_menu(lab, panel);
     ImGui::SameLine();
     compare_menu(lab);
     ImGui::SameLine();
     const std::string stopped = s.inspector.stopped.empty() ? "" : "stopped: " + s.inspector.stopped;
     ImGui::PushFont(lab.fonts.small);
-    const float memory_width = ImGui::CalcTextSize(memory.c_str()).x + ImGui::GetStyle().ItemSpacing.x,
-                room = ImGui::GetContentRegionAvail().x - memory_width,
+    // Where the slider would have no room, it goes before the memory, which its tooltip has too.
+    float memory_width = ImGui::CalcTextSize(memory.c_str()).x + ImGui::GetStyle().ItemSpacing.x;
+    if (ImGui::GetContentRegionAvail().x - memory_width < lab.px(120)) memory.clear(), memory_width = 0;
+    const float room = ImGui::GetContentRegionAvail().x - memory_width,
                 wanted = stopped.empty() ? 0 : std::min(ImGui::CalcTextSize(stopped.c_str()).x + lab.px(10), room * 0.6f);
     ImGui::PopFont();
     scrubber(lab, room - wanted);
-    ImGui::SameLine();
     ImGui::PushFont(lab.fonts.small);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", memory.c_str());
-    tooltip(
-        fmt::format("Memory, and what it may take: of the stored past {:.1f} of {:.0f} MB; of what is recorded for plots and "
+    if (!memory.empty()) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", memory.c_str());
+        tooltip(fmt::format(
+                    "Memory, and what it may take: of the stored past {:.1f} of {:.0f} MB; of what is recorded for plots and "
                     "errors {:.1f} of {:.1f} MB. As a run goes on its older steps are thinned out, both ends and all extremes "
                     "stay; pliant run --csv writes every step",
                     megabytes(history.bytes()), megabytes(history.cap()), megabytes(recorded), megabytes(most)),
-        lab.scale);
+                lab.scale);
+    }
     if (!stopped.empty()) {
         ImGui::SameLine();
         ImGui::PushStyleColor(ImGuiCol_Text, lab.ink(Ink::accent));

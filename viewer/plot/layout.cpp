@@ -1,6 +1,7 @@
 #include "plot/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -8,11 +9,13 @@ namespace pliant::viewer {
 namespace {
 
 // Lengths in heights of a line of type.
-constexpr float small_height = 9, small_width = 15;    // below: no labels
-constexpr float legend_height = 11, legend_width = 8;  // below, of a plot so small: no legend
-constexpr float least_area = 1.5f;                     // of either side
-constexpr float sample_length = 1.7f;                  // of the line beside a name in the legend
-constexpr float widest_name = 16, between_entries = 0.9f;
+constexpr float small_height = 9, small_width = 15;                             // below: no labels
+constexpr float legend_height = 11, least_legend_height = 6, legend_width = 8;  // of a plot so small: a row at most, or none
+constexpr float least_area = 1.5f;                                              // of either side
+constexpr float sample_length = 1.7f;                                           // of the line beside a name in the legend
+constexpr float between_entries = 0.9f;
+// Names are shortened as far as it takes for all curves to be named.
+constexpr std::array widest_names{16.f, 11.f, 8.f, 6.f, 4.5f, 3.f, 2.f};
 
 class Layouter {
 public:
@@ -26,7 +29,7 @@ public:
 
     PlotLayout run() {
         place_title();
-        if (!small_ || (whole_height() >= legend_height && out_.whole.width() >= legend_width * em_)) place_legend();
+        place_legend();
         if (!small_ && !label_is_title()) label_row_ = take_row();
         const float below = (small_ || !names_x() ? 1.4f : 2.45f) * em_;
         out_.area.min.y = inner_.min.y + 0.5f * em_;  // half a number above the top end
@@ -80,25 +83,44 @@ private:
     }
 
     // The legend stands above the picture, so that it hides no data: at the end of the title's row if it fits, else in rows of
-    // its own.
+    // its own. In a small plot it has a row where there are curves to tell apart.
     void place_legend() {
-        const bool tells_nothing =
-            model_.series.empty() || (model_.series.size() == 1 && (model_.heat || model_.series[0].name == model_.title));
+        const std::size_t count = model_.series.size();
+        const bool tells_nothing = count == 0 || (count == 1 && (model_.heat || model_.series[0].name == model_.title));
         if (tells_nothing) return;
-        float total = 0;
-        for (std::size_t i = 0; i < model_.series.size(); ++i) total += add_entry(i) + between_entries * em_;
         const float room = out_.menu.min.x - out_.title.at.x - width(out_.title.text) - 1.5f * em_;
-        if (total <= room)
-            move_legend(out_.menu.min.x - total, out_.title.at.y);
-        else
-            wrap_legend();
+        const int most_rows = rows_of_legend();
+        for (const float widest : widest_names) {
+            out_.legend.clear();
+            float total = 0;
+            for (std::size_t i = 0; i < count; ++i) total += add_entry(i, widest) + between_entries * em_;
+            if (total <= room) return move_legend(out_.menu.min.x - total, out_.title.at.y);
+            if (rows_taken() <= most_rows) return wrap_legend(most_rows);
+        }
+        wrap_legend(most_rows);
     }
-    float add_entry(std::size_t series) {
+    int rows_of_legend() const {
+        if (small_ && (whole_height() < least_legend_height || out_.whole.width() < legend_width * em_)) return 0;
+        if (small_ && whole_height() < legend_height) return 1;
+        // A narrow plot has no other words, and needs a row for each name.
+        const float height_for_row = small_ ? 1.5f : 2.5f;
+        return std::clamp(static_cast<int>((whole_height() - small_height) / height_for_row) + 1, 1, 4);
+    }
+    float add_entry(std::size_t series, float widest) {
         const std::string name =
-            fit(model_.series[series].name, std::min(widest_name * em_, inner_.max.x - inner_.min.x - (sample_length + 1) * em_));
+            fit(model_.series[series].name, std::min(widest * em_, inner_.max.x - inner_.min.x - (sample_length + 1) * em_));
         const float length = (sample_length + 0.4f) * em_ + width(name);
         out_.legend.push_back({series, {{0, 0}, {length, em_}}, {name, {(sample_length + 0.4f) * em_, 0}}});
         return length;
+    }
+    int rows_taken() const {
+        float x = inner_.min.x;
+        int rows = 1;
+        for (const LegendEntry& entry : out_.legend) {
+            if (x > inner_.min.x && x + entry.box.width() > inner_.max.x) ++rows, x = inner_.min.x;
+            x += entry.box.width() + between_entries * em_;
+        }
+        return rows;
     }
     static void move_entry(LegendEntry& entry, float x, float y) {
         const float dx = x - entry.box.min.x, dy = y - entry.box.min.y;
@@ -110,10 +132,8 @@ private:
             x = entry.box.max.x + between_entries * em_;
         }
     }
-    void wrap_legend() {
-        // A narrow plot has no other words, and needs a row for each name.
-        const float height_for_row = small_ ? 1.5f : 2.5f;
-        const int most_rows = std::clamp(static_cast<int>((whole_height() - small_height) / height_for_row) + 1, 1, 4);
+    void wrap_legend(int most_rows) {
+        if (most_rows == 0) return out_.legend.clear();
         float x = inner_.min.x, y = take_row();
         int rows = 1;
         for (std::size_t i = 0; i < out_.legend.size(); ++i) {

@@ -203,11 +203,13 @@ private:
 
 }  // namespace
 
-MapPicture::MapPicture(const StabilityMap& shown) : map(&shown), bound(theory_bound(shown)) {
+MapPicture::MapPicture(const StabilityMap& shown) : map(&shown) {
+    // Between coarse cells the limit would be a staircase.
+    if (shown.complete) bound = theory_bound(shown);
     const auto lesson = shown.order.lesson->make();
     across = axis_of(*lesson, shown.order.across), up = axis_of(*lesson, shown.order.up);
     for (Index j = 0; j < shown.rows(); ++j)
-        for (Index i = 0; i < shown.columns(); ++i) wrong.push_back(contradicts_theory(shown, i, j));
+        for (Index i = 0; i < shown.columns(); ++i) wrong.push_back(shown.complete && contradicts_theory(shown, i, j));
 }
 
 std::optional<std::pair<Index, Index>> MapPlaces::cell(const StabilityMap& map, Point at) const {

@@ -45,6 +45,42 @@ PlotShot shot_of(const std::string& title, Box whole) {
 
 }  // namespace
 
+namespace {
+std::string name_in(const std::string& title) {
+    const auto at = title.find("##");
+    return at == title.npos ? title : title.substr(at + 2);
+}
+
+PlotSetting setting_of(const PlotMemory& m) { return {m.x.fixed, m.y.fixed, m.x.scale, m.y.scale, m.hidden}; }
+}  // namespace
+
+PlotRecord& PlotState::of(unsigned id, const std::string& title) {
+    const auto [at, is_new] = records_.try_emplace(id);
+    PlotRecord& record = at->second;
+    if (!is_new) return record;
+    record.name = name_in(title);
+    if (const auto found = wanted_.find(record.name); found != wanted_.end()) {
+        const PlotSetting& s = found->second;
+        record.memory.x.fixed = s.x, record.memory.y.fixed = s.y;
+        record.memory.x.scale = s.x_scale, record.memory.y.scale = s.y_scale;
+        record.memory.hidden = s.hidden;
+    }
+    return record;
+}
+
+std::map<std::string, PlotSetting> PlotState::settings() const {
+    std::map<std::string, PlotSetting> all = wanted_;
+    for (const auto& [id, record] : records_)
+        if (!record.name.empty()) all[record.name] = setting_of(record.memory);
+    std::erase_if(all, [](const auto& named) { return named.second == PlotSetting{}; });
+    return all;
+}
+
+void PlotState::begin_with(std::map<std::string, PlotSetting> settings) {
+    records_.clear();
+    wanted_ = std::move(settings);
+}
+
 void PlotState::refit() {
     for (auto& [id, record] : records_) {
         for (AxisMemory* axis : {&record.memory.x, &record.memory.y, &record.memory.colour}) axis->automatic.forget();
@@ -68,6 +104,7 @@ bool Plot::begin(const std::string& title, Point size, const Axes& axes) {
     whole_ = {{std::floor(at.x), std::floor(at.y)}, {std::floor(at.x) + size.x, std::floor(at.y) + size.y}};
     model_ = PlotModel{title.substr(0, title.find("##")), axes, {}, {}, {}};
     open_ = true;
+    state_.of(id_, title);
     return true;
 }
 

@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,8 +45,17 @@ struct PlotHooks {
 
 enum class PlotDrag { none, pan, pan_x, pan_y, box, click };
 
+// What a person has set of a plot: the part that is shown, the scales, and the curves that are hidden.
+struct PlotSetting {
+    std::optional<Range> x{}, y{};
+    std::optional<AxisScale> x_scale{}, y_scale{};
+    std::set<std::string, std::less<>> hidden{};
+    bool operator==(const PlotSetting&) const = default;
+};
+
 // What one plot remembers.
 struct PlotRecord {
+    std::string name{};  // what follows ## in its title, or the title
     PlotMemory memory;
     DrawBuffers buffers;
     PlotDrag drag = PlotDrag::none;
@@ -58,6 +68,11 @@ struct PlotRecord {
 class PlotState {
 public:
     PlotRecord& of(unsigned id) { return records_[id]; }
+    // The plot of this title; made where there is none, with what was set of its name.
+    PlotRecord& of(unsigned id, const std::string& title);
+    // By the names of plots: what is set of those that were drawn, and what is to be set of those that will be.
+    std::map<std::string, PlotSetting> settings() const;
+    void begin_with(std::map<std::string, PlotSetting> settings);
     // Plots of one title in one place are the same one, in whichever window they are drawn; 0: those of one id of ImGui are.
     unsigned place = 0;
     // Automatic ranges are made anew from the data to come: call when a lesson is reset. What the person has set stays.
@@ -65,10 +80,11 @@ public:
     // Each plot in sight in this frame is given to PlotHooks::save_svg.
     bool save_all_svg = false;
     // Forgets everything.
-    void clear() { records_.clear(); }
+    void clear() { records_.clear(), wanted_.clear(); }
 
 private:
     std::map<unsigned, PlotRecord> records_;
+    std::map<std::string, PlotSetting> wanted_;  // of plots that are not drawn yet
 };
 
 class Plot {

@@ -15,6 +15,11 @@ bool is_knob(const MapOrder& order, std::string_view key) { return order.across.
 // One core is left to the lab.
 int jobs_beside_lab() { return std::max(1, most_threads() - 1); }
 
+Knob knob_with(const Parameter& p, const std::optional<Atlas::Span>& span, Index cells) {
+    if (!span) return useful_knob(p, cells);
+    return knob_of(p, span->range.min, span->range.max, cells, span->log ? Spacing::log : Spacing::linear);
+}
+
 // What a map assigns to a parameter beside its knobs.
 Real value_in(const MapOrder& order, const Parameter& p) {
     for (const auto& [key, text] : order.settings)
@@ -30,6 +35,7 @@ void Atlas::follow(const Session& session) {
         cancel();
         map_.reset(), picture_.reset();
         across = up = trouble_ = "";
+        across_span.reset(), up_span.reset();
         try {
             const auto [x, y] = first_knobs(session.lesson());
             across = x->info.key, up = y->info.key;
@@ -37,6 +43,7 @@ void Atlas::follow(const Session& session) {
             trouble_ = e.what();
         }
     }
+    if (under_way_ && !under_way_->work->done()) take_so_far();
     if (!under_way_ || !under_way_->work->done()) return;
     trouble_.clear();
     try {
@@ -47,10 +54,13 @@ void Atlas::follow(const Session& session) {
     under_way_.reset();
 }
 
+bool Atlas::follows(const Session& session) const { return lesson_ == session.entry().info.id; }
+
 MapOrder Atlas::order_of(const Session& session) const {
     const Lesson& lesson = session.lesson();
     MapOrder order{.lesson = &session.entry(), .steps = steps};
-    order.across = useful_knob(lesson.parameter(across), cells), order.up = useful_knob(lesson.parameter(up), cells);
+    order.across = knob_with(lesson.parameter(across), across_span, cells);
+    order.up = knob_with(lesson.parameter(up), up_span, cells);
     for (const Parameter* p : lesson.parameters)
         if (const Real value = session.runner().wanted(*p); value != p->info.initial && !is_knob(order, p->info.key))
             order.settings.emplace_back(p->info.key, p->text(value));
@@ -65,7 +75,7 @@ void Atlas::start(const Session& session) {
     job->watch.tell("map", 0, static_cast<Index>(job->order.across.values.size() * job->order.up.values.size()));
     job->work.emplace([&j = *job](const std::stop_token& stop) {
         const auto tell = [&j](Index done, Index total) { j.watch.tell("map", done, total); };
-        return make_stability_map(j.order, jobs_beside_lab(), tell, stop);
+        return make_stability_map(j.order, jobs_beside_lab(), tell, stop, &j.so_far);
     });
     under_way_ = std::move(job);
 }
@@ -84,14 +94,28 @@ void Atlas::cancel() {
 
 Watch::Progress Atlas::progress() const { return under_way_ ? under_way_->watch.progress() : Watch::Progress{}; }
 
+// As soon as the coarse cells are there, and then whenever a twentieth more is.
+void Atlas::take_so_far() {
+    const MapSoFar& so_far = under_way_->so_far;
+    const Index done = so_far.done(), total = under_way_->watch.progress().total;
+    if (under_way_->shown && done < done_ + total / 20) return;
+    auto map = so_far.map(under_way_->order);
+    if (!map) return;
+    take(std::move(*map));
+    under_way_->shown = true;
+    done_ = done;
+}
+
 void Atlas::take(StabilityMap map) {
+    done_ = static_cast<Index>(map.cells.size());
     map_ = std::make_unique<StabilityMap>(std::move(map));
     picture_.emplace(*map_);
 }
 
 bool Atlas::outdated(const Session& session) const {
     return map_ && std::ranges::any_of(session.lesson().parameters, [&](const Parameter* p) {
-               return !is_knob(map_->order, p->info.key) && session.runner().wanted(*p) != value_in(map_->order, *p);
+               return !p->looks() && !is_knob(map_->order, p->info.key) &&
+                      session.runner().wanted(*p) != value_in(map_->order, *p);
            });
 }
 

@@ -25,12 +25,22 @@ public:
     ~Atlas() = default;
 
     // --- what is asked for ---
+    static constexpr Index first_cells = 24, first_steps = 200;
     std::string across{}, up{};  // keys of the knobs
-    Index cells = 24;            // along each knob, at most
-    Index steps = 200;
+    Index cells = first_cells;   // along each knob, at most
+    Index steps = first_steps;
+    // What a person has set of a knob in place of what its slider spans. Belongs to the key: another knob has none.
+    struct Span {
+        Interval range{};
+        bool log = false;
+        bool operator==(const Span&) const = default;
+    };
+    std::optional<Span> across_span{}, up_span{};
 
     // The knobs of the lesson that is open; another lesson cancels what is being made and forgets the map. Call in every frame.
     void follow(const Session& session);
+    // Are the knobs those of the lesson that is open?
+    bool follows(const Session& session) const;
 
     // Of the parameters as they are. Throws Refused, and then nothing has changed.
     void start(const Session& session);
@@ -40,7 +50,9 @@ public:
     Watch::Progress progress() const;  // in cells
 
     // --- what came out ---
+    // While it is made what there is of it so far: coarse at first, and then finer; it is not complete.
     const StabilityMap* map() const { return map_.get(); }
+    Index cells_done() const { return done_; }               // of the map that is shown
     const MapPicture& picture() const { return *picture_; }  // only with a map
     // The present scene on the map; empty when it lies outside, or has other parameters beside the knobs.
     std::optional<MapPlace> present(const Session& session) const;
@@ -53,15 +65,19 @@ private:
         explicit Job(MapOrder wanted) : order(std::move(wanted)) {}
         MapOrder order;
         Watch watch;
+        MapSoFar so_far;
+        bool shown = false;                              // of it
         std::optional<Background<StabilityMap>> work{};  // last: it is waited for before the others go
     };
     MapOrder order_of(const Session& session) const;
     void take(StabilityMap map);
+    void take_so_far();
 
     std::string_view lesson_{};
     std::unique_ptr<StabilityMap> map_;  // where the picture looks for it
     std::optional<MapPicture> picture_;
     std::string trouble_;
+    Index done_ = 0;
     std::unique_ptr<Job> under_way_;
     std::list<std::unique_ptr<Job>> cancelled_;  // until their threads are done
 };

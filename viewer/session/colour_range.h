@@ -12,6 +12,7 @@ struct ColourRange {
     ColourScale scale;
     void update(const std::vector<Real>& values);
     void forget() { fresh_ = true; }
+    void begin_with(const ColourScale& wanted) { scale = wanted, fresh_ = false; }
 
 private:
     bool fresh_ = true;  // the next numbers set the range, whatever it was

@@ -39,6 +39,15 @@ void Companion::assign(const Parameter& parameter, Real value) {
     stopped_.clear();
 }
 
+void Companion::look(const std::vector<std::pair<std::string, Real>>& values) { look_at(runner_, recorder_, values); }
+
+void Companion::follow_script(std::vector<Event> events) {
+    runner_.set_events(std::move(events));
+    restart();
+}
+
+void Companion::apply(const SceneChanges& changes) { apply_to(runner_, changes); }
+
 void Companion::pull(const std::optional<Pull>& pull, const Lesson& of_a) {
     if (!pull || rows_to_pull(of_a) == rows_to_pull(lesson())) runner_.pull(pull);
 }
@@ -102,6 +111,19 @@ bool Companion::follow_a_pass(const Runner& a) {
 
 void Companion::follow(const Runner& a) {
     while (!caught_up(a) && follow_a_pass(a)) continue;
+}
+
+void look_at(Runner& runner, Recorder& recorder, const std::vector<std::pair<std::string, Real>>& values) {
+    const Recorder::Readings before = Recorder::readings(runner);
+    Runner::Values parameters;
+    for (const auto& [key, value] : values) parameters.emplace_back(&runner.lesson().parameter(key), value);
+    runner.assign_values(parameters);
+    recorder.look_again(runner, before);
+}
+
+void apply_to(Runner& runner, const SceneChanges& changes) {
+    if (!changes.set.empty()) runner.assign(changes.set);
+    if (changes.pull || changes.release) runner.pull(changes.pull);
 }
 
 std::vector<Differing> differing(const Runner& a, const Runner& b) {

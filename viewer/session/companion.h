@@ -1,6 +1,7 @@
 // A second run, B, beside the present one, A: the same lesson with parameters of its own, its clock tied to that of A. It draws
 // nothing.
 #pragma once
+#include <pliant/document/scene_parts.h>
 #include <pliant/run/recorder.h>
 #include <pliant/run/runner.h>
 
@@ -27,6 +28,12 @@ public:
 
     // Throws Refused, and then nothing has changed.
     void assign(const Parameter& parameter, Real value);
+    // At another thing, by the keys of parameters that only look.
+    void look(const std::vector<std::pair<std::string, Real>>& values);
+    // A script of its own in place of that of A; from the start on.
+    void follow_script(std::vector<Event> events);
+    // Throws Refused.
+    void apply(const SceneChanges& changes);
     // The same hand as in A; ignored where the two runs have other things to pull.
     void pull(const std::optional<Pull>& pull, const Lesson& of_a);
     void restart();
@@ -52,6 +59,12 @@ private:
     CostHistory costs_;
     std::string stopped_;
 };
+
+// Sets parameters that only look, by key: the run stays where it is, and numbers that read otherwise now are recorded anew.
+void look_at(Runner& runner, Recorder& recorder, const std::vector<std::pair<std::string, Real>>& values);
+
+// Does to a run what a person did where it stands. Throws Refused.
+void apply_to(Runner& runner, const SceneChanges& changes);
 
 // A parameter in which two runs of one lesson differ, with the values that they have or will have from the next step on.
 struct Differing {

@@ -114,7 +114,8 @@ void Inspector::pin(const Runner& runner, const Field& field, Index index, int c
                     .index = index,
                     .component = component,
                     .title = fmt::format("{}{} of {} {}", field.name, part, name_of(field.on), index),
-                    .unit = std::string(field.unit)});
+                    .unit = std::string(field.unit),
+                    .from = runner.place().step + (runner.inside_step() ? 1 : 0)});
     record(runner);
 }
 
@@ -188,7 +189,7 @@ void Inspector::forget_run() {
     trace.clear();
     asked.clear();
     answer.reset();
-    for (Pin& p : pins) p.series.clear();
+    for (Pin& p : pins) p.series.clear(), p.from = 0;
 }
 
 void Inspector::forget_lesson() { *this = {}; }

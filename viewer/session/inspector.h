@@ -30,6 +30,7 @@ struct Pin {
     Index index = 0;
     int component = -1;
     std::string title, unit;
+    Index from = 0;  // the whole step that it was followed from
     TimeSeries series{};
 };
 

@@ -1,5 +1,6 @@
 // A run that was pinned.
 #pragma once
+#include <pliant/document/scene_parts.h>
 #include <pliant/lesson/scene.h>
 #include <pliant/run/recorder.h>
 
@@ -13,7 +14,8 @@ struct Pinned {
     Recorder recorder;
     std::vector<Real> settings;  // in the order of the parameters
     Index step;
-    Real time;  // s
+    Real time;          // s
+    ScenePinned scene;  // by which it is run again
 };
 
 }  // namespace pliant::viewer

@@ -63,24 +63,6 @@ void Session::open_next(int direction) {
     guarded([&] { open(all[static_cast<std::size_t>((here + direction + count) % count)]); });
 }
 
-void Session::open_scene(const SceneFile& scene) {
-    if (put_off([this, scene] { open_scene(scene); })) return;
-    open(find_lesson(scene.lesson), scene.parameters, scene.events);
-    camera = scene.camera;
-    if (!scene.view) return;
-    if (!scene.view->field.empty()) colours = {scene.view->field, scene.view->component};
-    if (!scene.view->stage.empty()) guarded([&] { runner_->run_to_stage(scene.view->stage); });
-}
-
-SceneFile Session::scene_file() const {
-    SceneFile file = scene_of(*runner_);
-    if (camera || viewpoint.turned()) file.camera = seen_by();
-    const auto last = runner_->last_stage();
-    file.view = SceneView{colours.field, colours.component,
-                          runner_->inside_step() && last ? std::string(runner_->stages()[*last]->name) : ""};
-    return file;
-}
-
 bool Session::guarded(const std::function<void()>& action) {
     try {
         action();
@@ -112,8 +94,6 @@ void Session::begin_run() {
 
 void Session::compare(Compare what) {
     if (put_off([this, what] { compare(what); })) return;
-    // Half of the place asks for another frame.
-    if ((what == Compare::side_by_side) != (inspector.compare == Compare::side_by_side)) camera.reset();
     inspector.compare = what;
     change_range_.forget();
     view_changed();

@@ -56,8 +56,11 @@ public:
     // --- lessons and scenes ---
     void open(const LessonEntry& entry, const Runner::Assignments& assignments = {}, std::vector<Event> events = {});
     void open_next(int direction);
+    // Runs again to its place, with B and the pinned run. Throws Refused for runs that cannot begin; the rest becomes a message.
     void open_scene(const SceneFile& scene);
+    static void check(const SceneFile& scene);  // throws Refused for runs that cannot begin
     SceneFile scene_file() const;
+    bool holding() const { return holding_; }
     const LessonEntry& entry() const { return *entry_; }
     Runner& runner() { return *runner_; }
     const Runner& runner() const { return *runner_; }
@@ -137,8 +140,11 @@ public:
     Viewpoint viewpoint;
     // The camera is no longer the person's.
     void frame_afresh() { camera.reset(), viewpoint.turn_back(); }
-    // As the picture is seen.
-    const Camera& seen_by() const { return camera ? *camera : viewpoint.camera(); }
+    // As the picture is seen: in a narrower one than it was chosen in, the person's camera stands farther away.
+    Camera seen_by() const;
+    void see_in(float aspect);  // width over height of the free part of the picture
+    // From now on the person moves it, from where it is: it no longer goes along with what moves.
+    Camera& own_camera();
     void view_changed();  // after a change of the colours: their range is found again
     // The picture, as the inspector asks for it: of now, of before the stage that is looked at, or of what that changed. It is
     // drawn by the lesson only when something that it depends on has changed.
@@ -241,6 +247,8 @@ public:
     void pick_failed();
 
 private:
+    friend class SceneOpening;
+    friend class SceneTaking;
     // While held: puts it off, and true.
     bool put_off(std::function<void()> act);
     using Values = Runner::Values;
@@ -250,6 +258,7 @@ private:
     };
     bool guarded(const std::function<void()>& action);  // an error becomes a message and a pause
     bool set(const Values& values);
+    void look(const std::vector<std::pair<std::string, Real>>& values);
     bool set_beside(const Parameter& parameter, Real value);
     void start_both();
     void settle(bool all_was_done);
@@ -275,8 +284,9 @@ private:
     void after_walkthrough();
     void keep_hand();  // after a move back: the hand is where it is now, not where it was then
     bool advance_pass(bool obeys_stops);
-    void trace();         // copies what the stages do, while someone looks
-    Scene drawn() const;  // empty, with what the person wants to see
+    std::vector<Real> shown_values() const;  // that give the colours their range
+    void trace();                            // copies what the stages do, while someone looks
+    Scene drawn() const;                     // empty, with what the person wants to see
     PictureKey picture_key() const;
     struct Keeping {
         std::optional<PictureKey> key{};
@@ -316,6 +326,7 @@ private:
     bool armed_ = false;  // have the breakpoints seen where the run stood when it was let go?
     bool shows_change_ = false;
     ColourRange change_range_;
+    float aspect_ = 0, own_aspect_ = 0;  // of the picture, and of that in which the camera was chosen; 0 until it is drawn
     Keeping now_, before_, beside_;
     long pictures_drawn_ = 0;
     int pin_count_ = 0, companion_count_ = 0;

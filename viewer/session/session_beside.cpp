@@ -38,7 +38,8 @@ void Session::toggle_pin() {
         pinned_.reset();
     } else {
         Scene ghost = ghost_of(scene());
-        pinned_ = Pinned{std::move(ghost), recorder_, settings_of(*runner_), runner_->place().step, runner_->time()};
+        pinned_ = Pinned{std::move(ghost),      recorder_,       settings_of(*runner_),
+                         runner_->place().step, runner_->time(), {run_of(*runner_), colours.field, colours.component}};
     }
     ++pin_count_;
 }
@@ -49,7 +50,6 @@ void Session::open_companion(const Runner::Assignments& changes) {
     if (walkthrough) throw Refused("A second run is not made while a walkthrough plays: end the walkthrough, then press 2.");
     companion_ = std::make_unique<Companion>(*entry_, *runner_, changes);
     ++companion_count_;
-    camera.reset();
     start_both();
 }
 
@@ -67,7 +67,6 @@ void Session::close_companion() {
     companion_.reset();
     addresses_b_ = difference_ = false;
     std::erase_if(undo_, [](const Undo& u) { return u.beside; });
-    camera.reset();
     range.forget();
     view_changed();
 }
@@ -112,7 +111,6 @@ void Session::show_difference(bool on) {
                    companion_ ? "The two runs hold the field that is shown in different sizes: there is no difference to show."
                               : "There is one run only: press 2 for a second one.");
     difference_ = on;
-    camera.reset();
     range.forget();
     view_changed();
 }

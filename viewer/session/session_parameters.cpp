@@ -16,7 +16,9 @@ bool Session::set(const Values& values) {
     if (!guarded([&] { runner_->assign_values(values); })) return false;
     dismiss();
     if (!rebuilds) {
-        moved();
+        // What is recorded of this step is how the step left it.
+        if (companion_ && !sliced) companion_->follow(*runner_);
+        seen();
         settle(all_was_done);
         return true;
     }
@@ -41,12 +43,25 @@ void Session::assign(const Parameter& parameter, Real value, bool same_drag) {
         }))
         return;
     const bool beside = companion_ && companion_->owns(parameter);
+    if (parameter.looks()) {
+        if (!refuse_locked(parameter)) look({{std::string(parameter.info.key), value}});
+        return;
+    }
     const Real before = (beside ? companion_->runner() : *runner_).wanted(parameter);
     if (before == value || refuse_locked(parameter)) return;
     if (!(beside ? set_beside(parameter, value) : set({{&parameter, value}}))) return;
     const bool joins = same_drag && !undo_.empty() && undo_.back().values.size() == 1 &&
                        undo_.back().values[0].first == &parameter && undo_.back().beside == beside;
     if (!joins) undo_.push_back({{{&parameter, before}}, beside});
+}
+
+// In both runs, at once, and no part of what can be undone.
+void Session::look(const std::vector<std::pair<std::string, Real>>& values) {
+    guarded([&] {
+        look_at(*runner_, recorder_, values);
+        if (companion_) companion_->look(values);
+    });
+    seen();
 }
 
 void Session::enter(const Parameter& parameter, std::string_view text) {
@@ -110,13 +125,18 @@ void Session::move_handle(const std::vector<std::pair<std::string, Real>>& value
     Values before, wanted;
     for (const auto& [key, value] : values) {
         const Parameter& p = lesson().parameter(key);
-        if (refuse_locked(p)) return;
+        if (!p.looks() && refuse_locked(p)) return;
         const Interval span = extreme ? p.accepted() : p.info.useful;
         const Real within = std::clamp(value, span.min, span.max);
         before.emplace_back(&p, runner_->wanted(p));
         wanted.emplace_back(&p, p.info.kind == Kind::number ? within : std::trunc(within));
     }
     if (wanted == before) return;
+    if (std::ranges::all_of(wanted, [](const auto& w) { return w.first->looks(); })) {
+        std::vector<std::pair<std::string, Real>> looked_at;
+        for (const auto& [p, value] : wanted) looked_at.emplace_back(p->info.key, value);
+        return look(looked_at);
+    }
     const auto kept = camera;  // what is under the pointer stays there
     const bool moved_it = set(wanted);
     camera = kept;

@@ -7,12 +7,10 @@
 
 namespace pliant::viewer {
 
-void Session::view_changed() {
-    if (put_off([this] { view_changed(); })) return;
+std::vector<Real> Session::shown_values() const {
     const Field* field = lesson().find_field(colours.field);
-    shows_change_ = false;
-    if (!field || !field->in_use()) return;
     std::vector<Real> values;
+    if (!field || !field->in_use()) return values;
     row_values(*field, colours.component, values);
     if (shows_difference()) {
         values = difference();
@@ -22,13 +20,40 @@ void Session::view_changed() {
         row_values(*beside, colours.component, of_b);
         values.insert(values.end(), of_b.begin(), of_b.end());
     }
-    range.update(values);
+    return values;
+}
+
+void Session::view_changed() {
+    if (put_off([this] { view_changed(); })) return;
+    const Field* field = lesson().find_field(colours.field);
+    shows_change_ = false;
+    if (!field || !field->in_use()) return;
+    range.update(shown_values());
     if (inspector.compare != Compare::difference) return;
     guarded([&] { inspector.renew_trace(*runner_); });
     if (const auto change = inspector.change(*runner_, *field, colours.component)) {
         change_range_.update(*change);
         shows_change_ = true;
     }
+}
+
+Camera Session::seen_by() const {
+    if (!camera) return viewpoint.camera();
+    Camera seen = *camera;
+    if (own_aspect_ > aspect_ && aspect_ > 0) seen.distance *= Real{own_aspect_} / Real{aspect_};
+    return seen;
+}
+
+void Session::see_in(float aspect) {
+    aspect_ = aspect;
+    if (!camera) own_aspect_ = 0;
+    if (camera && own_aspect_ == 0) own_aspect_ = aspect;
+}
+
+Camera& Session::own_camera() {
+    camera = seen_by();
+    own_aspect_ = aspect_;
+    return *camera;
 }
 
 Scene Session::drawn() const {

@@ -41,6 +41,11 @@ const Camera& Viewpoint::look(const Sighting& s) {
     return camera_ = keeping_in_sight(camera_, s.moving, s.frame.dimension, {s.aspect, seen_part, 2 * there.distance});
 }
 
+void Viewpoint::turn_to(Real yaw, Real pitch) {
+    camera_.yaw = yaw, camera_.pitch = pitch;
+    turned_ = true;
+}
+
 void Viewpoint::turn(float dx, float dy) {
     orbit(camera_, dx, dy);
     turned_ = true;

@@ -28,6 +28,7 @@ public:
     // The person looks from another side, px.
     void turn(float dx, float dy);
     bool turned() const { return turned_; }
+    void turn_to(Real yaw, Real pitch);  // rad
     void turn_back() { turned_ = false; }
 
 private:

@@ -39,7 +39,7 @@ Json parameter_json(const Parameter& p) {
                          {"open_max", p.accepted().open_max}};
         j["scale"] = info.scale == Scale::log ? "log" : "linear";
     }
-    j["effect"] = info.effect == Effect::live ? "live" : "rebuild";
+    j["effect"] = name_of(info.effect);
     return j;
 }
 
@@ -139,14 +139,19 @@ std::string describe_text(const LessonEntry& entry) {
     return text;
 }
 
+namespace {
+std::string_view when_in_effect(Effect effect) {
+    return effect == Effect::live ? "live" : effect == Effect::rebuild ? "restarts" : "only shown";
+}
+}  // namespace
+
 std::string describe_markdown(const Lesson& lesson, std::string_view id) {
     std::string text =
         "\n### Parameters\n\n| key | symbol | unit | default | accepted | takes effect | meaning "
         "|\n|---|---|---|---|---|---|---|\n";
     for (const Parameter* p : lesson.parameters)
         text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", p->info.key, p->info.symbol, p->info.unit,
-                            p->text(p->info.initial), range_text(*p), p->info.effect == Effect::live ? "live" : "restarts",
-                            cell(p->info.help));
+                            p->text(p->info.initial), range_text(*p), when_in_effect(p->info.effect), cell(p->info.help));
     text += "\n### Fields\n\n| field | symbol | unit | kind | meaning |\n|---|---|---|---|---|\n";
     for (const Field& f : lesson.fields)
         text += fmt::format("| `{}` | {} | {} | {} per {} | {} |\n", f.name, cell(f.symbol), f.unit, pliant::name_of(f.rank),

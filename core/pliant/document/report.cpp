@@ -99,11 +99,13 @@ std::string_view status_of(const Runner& runner) {
     return runner.failure() ? "diverged" : runner.lesson().at_rest() ? "at_rest" : "ok";
 }
 
-std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused) {
+namespace {
+Json json_of_run(const Runner& runner, const std::vector<UnusedSetting>& unused) {
     const Lesson& lesson = runner.lesson();
     Json j{{"lesson", runner.info().id},      {"parameters", Json::object()}, {"unused", unused_json(unused)},
            {"dimension", lesson.dimension()}, {"steps", runner.place().step}, {"time", runner.time()},
            {"status", status_of(runner)}};
+    if (runner.inside_step()) j["passes"] = runner.place().passes;
     for (const Parameter* p : lesson.parameters) j["parameters"][std::string(p->info.key)] = value_json(*p, p->value());
     j["probes"] = Json::object();
     for (const Probe& p : lesson.probes)
@@ -114,6 +116,13 @@ std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unu
     j["conserved"] = conserved_json(runner);
     j["cost"] = cost_json(runner);
     if (runner.failure()) j["failure"] = failure_json(*runner.failure());
+    return j;
+}
+}  // namespace
+
+std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused, const Runner* beside) {
+    Json j = json_of_run(runner, unused);
+    if (beside) j["beside"] = json_of_run(*beside, {});
     return j.dump(2) + "\n";
 }
 
@@ -121,6 +130,8 @@ std::string run_text(const Runner& runner) {
     const Lesson& lesson = runner.lesson();
     const Index steps = runner.place().step;
     std::string text = fmt::format("{}: {} step{}", runner.info().id, steps, steps == 1 ? "" : "s");
+    if (const Index passes = runner.place().passes)
+        text += fmt::format(" and {} pass{} of the next", passes, passes == 1 ? "" : "es");
     if (!runner.is_static()) text += fmt::format(", t = {}", format_quantity(runner.time(), "s"));
     text += fmt::format(", {}\n\nProbes\n", status_of(runner));
     for (const Probe& p : lesson.probes) {

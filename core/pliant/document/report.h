@@ -18,8 +18,9 @@ std::string describe_json(const LessonEntry& entry);
 std::string describe_markdown(const Lesson& lesson, std::string_view id);
 
 // `pliant run LESSON`: one object with lesson, parameters, unused (what is set without effect, and what it needs), dimension,
-// steps, time, status, probes, lines, assumptions, conserved, cost and, when the run stopped early, failure.
-std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused);
+// steps, time, status, probes, lines, assumptions, conserved, cost and, when the run stopped early, failure; inside a step also
+// passes, and beside: the same of the run that stands beside it.
+std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused, const Runner* beside = nullptr);
 // The same for people: probes against exact, assumptions, conserved quantities, milliseconds per stage.
 std::string run_text(const Runner& runner);
 

@@ -1,217 +1,20 @@
-#include <pliant/document/scene_file.h>
-#include <pliant/text/file.h>
-#include <pliant/text/json_positions.h>
-#include <pliant/text/suggest.h>
+#include <pliant/document/scene_json.h>
 #include <pliant/text/texts.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pliant {
 namespace {
 
-using Json = nlohmann::ordered_json;
-constexpr int version = 1;
+using Written = SceneJson;
 
-// Walks the JSON of a scene and refuses what does not belong, with its place.
-class SceneReader {
-public:
-    SceneReader(std::string_view text, std::string_view path) : path_(path), json_(parse_json(text, path)) {}
+Written json_vector(const Vec<3>& v) { return Written::array({v[0], v[1], v[2]}); }
+Written json_range(const Interval& range) { return Written::array({range.min, range.max}); }
 
-    SceneFile read() {
-        const Json& root = json_.value;
-        if (!root.is_object())
-            refuse("", "a scene file is one JSON object: {\"pliant\": 1, \"lesson\": ..., \"parameters\": {...}}");
-        check_version(root);
-        known_keys(root, "", {"pliant", "lesson", "parameters", "camera", "view", "events"});
-        SceneFile scene;
-        if (!root.contains("lesson")) refuse("", "the key \"lesson\" is missing: name a lesson such as \"mesh/mass_spring\"");
-        const LessonEntry* entry = nullptr;
-        const std::string name = text_at(root, "lesson", "/lesson");
-        checked("/lesson", [&] { entry = &find_lesson(name); });
-        scene.lesson = entry->info.id;
-        lesson_ = entry->make();
-        if (root.contains("parameters")) scene.parameters = assignments(root["parameters"], "/parameters");
-        if (root.contains("camera")) scene.camera = camera(root["camera"]);
-        if (root.contains("view")) scene.view = view(root["view"]);
-        if (root.contains("events")) scene.events = events(root["events"]);
-        return scene;
-    }
-
-private:
-    [[noreturn]] void refuse(const std::string& pointer, const std::string& what) const {
-        const TextPlace p = json_.at(pointer);
-        throw Refused(fmt::format("{}:{}:{}: {}", path_, p.line, p.column, what));
-    }
-    // Adds the place to an error that the lesson raises.
-    template <class Check>
-    void checked(const std::string& pointer, Check check) const {
-        try {
-            check();
-        } catch (const Refused& e) {
-            refuse(pointer, e.what());
-        }
-    }
-
-    void check_version(const Json& root) const {
-        if (!root.contains("pliant")) refuse("", "the key \"pliant\" is missing: a scene file begins with {\"pliant\": 1, ...}");
-        const Json& v = root["pliant"];
-        if (!v.is_number_integer() || v.get<long long>() < 1)
-            refuse("/pliant", "\"pliant\" is the version of the format: give 1");
-        if (v.get<long long>() > version)
-            refuse("/pliant",
-                   fmt::format("this scene is of version {}, newer than this program, which reads version {}: update Pliant",
-                               v.dump(), version));
-    }
-
-    void known_keys(const Json& object, const std::string& pointer, const std::vector<std::string>& known) const {
-        if (!object.is_object()) refuse(pointer, fmt::format("an object in braces is expected here, not {}", object.type_name()));
-        for (const auto& [key, value] : object.items())
-            if (std::ranges::find(known, key) == known.end())
-                refuse(pointer + "/" + pointer_part(key),
-                       fmt::format("unknown key '{}'{}; known here: {}", key, did_you_mean(key, known), fmt::join(known, ", ")));
-    }
-
-    std::string text_at(const Json& object, const std::string& key, const std::string& pointer) const {
-        const Json& v = object[key];
-        if (!v.is_string()) refuse(pointer, fmt::format("'{}' is a text in quotes, not {}", key, v.dump()));
-        return v.get<std::string>();
-    }
-
-    Real number_at(const Json& v, const std::string& pointer, const std::string& name) const {
-        if (!v.is_number() || !std::isfinite(v.get<Real>()))
-            refuse(pointer, fmt::format("'{}' is a finite number, not {}", name, v.dump()));
-        return v.get<Real>();
-    }
-
-    Index whole_at(const Json& v, const std::string& pointer, const std::string& name, Index least) const {
-        const Real value = number_at(v, pointer, name);
-        if (value < static_cast<Real>(least) || value != std::floor(value) || value > 1e15)
-            refuse(pointer, fmt::format("'{}' is a whole number from {} on, not {}", name, least, v.dump()));
-        return static_cast<Index>(value);
-    }
-
-    Runner::Assignments assignments(const Json& object, const std::string& pointer) const {
-        if (!object.is_object()) refuse(pointer, "parameters are an object of keys and values: {\"key\": value}");
-        Runner::Assignments result;
-        for (const auto& [key, value] : object.items()) {
-            const std::string here = pointer + "/" + pointer_part(key);
-            checked(here, [&, &name = key, &given = value] {
-                const Parameter& p = lesson_->parameter(name);
-                result.emplace_back(name, parameter_text(p, given));
-                p.parse(result.back().second);
-            });
-        }
-        return result;
-    }
-
-    // A choice is a string, a switch true or false, a number a number.
-    static std::string parameter_text(const Parameter& p, const Json& value) {
-        const auto wrong = [&](std::string_view expected) {
-            return Refused(fmt::format("{} = {}: {} is expected", p.info.key, value.dump(), expected));
-        };
-        switch (p.info.kind) {
-            case Kind::choice:
-                if (!value.is_string()) throw wrong("an option's name in quotes");
-                return value.get<std::string>();
-            case Kind::toggle:
-                if (!value.is_boolean()) throw wrong("true or false");
-                return value.get<bool>() ? "true" : "false";
-            default:
-                if (!value.is_number()) throw wrong("a number");
-                return value.dump();
-        }
-    }
-
-    Vec<3> vector_at(const Json& v, const std::string& pointer, const std::string& name) const {
-        if (!v.is_array() || v.size() != 3)
-            refuse(pointer, fmt::format("'{}' is three numbers in brackets, not {}", name, v.dump()));
-        Vec<3> result;
-        for (std::size_t i = 0; i < 3; ++i) result[static_cast<Index>(i)] = number_at(v[i], pointer, name);
-        return result;
-    }
-
-    Camera camera(const Json& object) const {
-        known_keys(object, "/camera", {"target", "distance", "yaw", "pitch"});
-        Camera c;
-        if (object.contains("target")) c.target = vector_at(object["target"], "/camera/target", "target");
-        for (const auto& [key, member] :
-             {std::pair{"distance", &Camera::distance}, {"yaw", &Camera::yaw}, {"pitch", &Camera::pitch}})
-            if (object.contains(key)) c.*member = number_at(object[key], std::string("/camera/") + key, key);
-        if (c.distance <= 0) refuse("/camera/distance", "distance is in metres and above 0");
-        return c;
-    }
-
-    SceneView view(const Json& object) const {
-        known_keys(object, "/view", {"field", "component", "stage"});
-        SceneView v;
-        if (object.contains("field")) {
-            v.field = text_at(object, "field", "/view/field");
-            if (!v.field.empty() && !lesson_->find_field(v.field)) checked("/view/field", [&] { lesson_->field(v.field); });
-        }
-        if (object.contains("stage")) v.stage = stage(text_at(object, "stage", "/view/stage"));
-        if (object.contains("component")) {
-            const Field* field = lesson_->find_field(v.field);
-            const Real component = number_at(object["component"], "/view/component", "component");
-            const int count = field ? field->components : 0;
-            if (component != std::floor(component) || component < -1 || component >= count)
-                refuse("/view/component", fmt::format("component counts from 0 to {}, or is -1 for the whole", count - 1));
-            v.component = static_cast<int>(component);
-        }
-        return v;
-    }
-
-    std::string stage(const std::string& name) const {
-        std::vector<std::string> known;
-        for (const Stage& s : lesson_->stages) known.emplace_back(s.name);
-        if (!name.empty() && std::ranges::find(known, name) == known.end())
-            refuse("/view/stage", fmt::format("no stage is called '{}'{}; there are: {}", name, did_you_mean(name, known),
-                                              fmt::join(known, ", ")));
-        return name;
-    }
-
-    std::vector<Event> events(const Json& list) const {
-        if (!list.is_array()) refuse("/events", "events are a list in brackets");
-        std::vector<Event> result;
-        for (std::size_t i = 0; i < list.size(); ++i) result.push_back(event(list[i], "/events/" + std::to_string(i)));
-        return result;
-    }
-
-    Event event(const Json& object, const std::string& pointer) const {
-        known_keys(object, pointer, {"step", "set", "pull", "release"});
-        Event e;
-        if (!object.contains("step")) refuse(pointer, "an event needs a 'step': a whole number from 0 on");
-        e.step = whole_at(object["step"], pointer + "/step", "step", 0);
-        if (object.contains("set")) e.assign = assignments(object["set"], pointer + "/set");
-        if (object.contains("pull")) e.pull = pull(object["pull"], pointer + "/pull");
-        if (object.contains("release")) {
-            if (!object["release"].is_boolean()) refuse(pointer + "/release", "'release' is true or false");
-            e.release = object["release"].get<bool>();
-        }
-        return e;
-    }
-
-    Pull pull(const Json& object, const std::string& pointer) const {
-        known_keys(object, pointer, {"index", "from", "to"});
-        Pull p;
-        if (object.contains("index")) p.index = whole_at(object["index"], pointer + "/index", "index", -1);
-        if (object.contains("from")) p.from = vector_at(object["from"], pointer + "/from", "from");
-        if (!object.contains("to")) refuse(pointer, "a pull needs 'to': where the thing is drawn to, three numbers in metres");
-        p.to = vector_at(object["to"], pointer + "/to", "to");
-        return p;
-    }
-
-    std::string path_;
-    PlacedJson json_;
-    std::unique_ptr<Lesson> lesson_;
-};
-
-Json json_vector(const Vec<3>& v) { return Json::array({v[0], v[1], v[2]}); }
-
-Json json_assignments(const Lesson& lesson, const Runner::Assignments& assignments) {
-    Json object = Json::object();
+Written json_assignments(const Lesson& lesson, const Runner::Assignments& assignments) {
+    Written object = Written::object();
     for (const auto& [key, text] : assignments) {
         const Parameter& p = lesson.parameter(key);
         const Real value = p.parse(text);
@@ -227,48 +30,219 @@ Json json_assignments(const Lesson& lesson, const Runner::Assignments& assignmen
     return object;
 }
 
-Json json_event(const Lesson& lesson, const Event& e) {
-    Json object{{"step", e.step}};
-    if (!e.assign.empty()) object["set"] = json_assignments(lesson, e.assign);
-    if (e.pull) object["pull"] = {{"index", e.pull->index}, {"from", json_vector(e.pull->from)}, {"to", json_vector(e.pull->to)}};
-    if (e.release) object["release"] = true;
-    return object;
+void put_changes(Written& object, const Lesson& lesson, const SceneChanges& done) {
+    if (!done.set.empty()) object["set"] = json_assignments(lesson, done.set);
+    if (done.pull)
+        object["pull"] = {
+            {"index", done.pull->index}, {"from", json_vector(done.pull->from)}, {"to", json_vector(done.pull->to)}};
+    if (done.release) object["release"] = true;
 }
 
-}  // namespace
-
-SceneFile parse_scene(std::string_view text, std::string_view path) { return SceneReader(text, path).read(); }
-
-SceneFile read_scene(const std::string& path) { return parse_scene(read_file(path), path); }
-
-namespace {
-Json json_scene(const SceneFile& scene) {
-    const auto lesson = find_lesson(scene.lesson).make();
-    Json root{{"pliant", version}, {"lesson", scene.lesson}, {"parameters", json_assignments(*lesson, scene.parameters)}};
-    if (scene.camera) {
-        const Camera& c = *scene.camera;
-        root["camera"] = {{"target", json_vector(c.target)}, {"distance", c.distance}, {"yaw", c.yaw}, {"pitch", c.pitch}};
+Written json_events(const Lesson& lesson, const std::vector<Event>& events) {
+    Written list = Written::array();
+    for (const Event& e : events) {
+        Written object{{"step", e.step}};
+        put_changes(object, lesson, {e.assign, e.pull, e.release});
+        list.push_back(std::move(object));
     }
-    if (scene.view)
-        root["view"] = {{"field", scene.view->field}, {"component", scene.view->component}, {"stage", scene.view->stage}};
-    for (const Event& e : scene.events) root["events"].push_back(json_event(*lesson, e));
+    return list;
+}
+
+void put_place(Written& object, const Lesson& lesson, const ScenePlace& place) {
+    object["step"] = place.step;
+    if (place.passes > 0) object["passes"] = place.passes;
+    put_changes(object, lesson, place.changes);
+    if (place.fails) object["fails"] = true;
+}
+
+// What is at its default is left out.
+template <class Value>
+void put(Written& object, const char* key, const Value& value, const Value& at_first) {
+    if (value != at_first) object[key] = value;
+}
+
+Written json_camera(const SceneFile& scene) {
+    const Camera& c = *scene.camera;
+    if (scene.camera_follows) return {{"yaw", c.yaw}, {"pitch", c.pitch}, {"follows", true}};
+    Written j{{"target", json_vector(c.target)}, {"distance", c.distance}, {"yaw", c.yaw}, {"pitch", c.pitch}};
+    put(j, "aspect", scene.camera_aspect, Real{0});
+    return j;
+}
+
+Written json_view(const SceneView& v) {
+    const SceneView at_first;
+    Written j{{"field", v.field}, {"component", v.component}, {"stage", v.stage}};
+    if (v.range) j["range"] = json_range(*v.range);
+    put(j, "diverging", v.diverging, false), put(j, "fixed", v.fixed, false);
+    if (v.change_range) j["change_range"] = json_range(*v.change_range);
+    put(j, "change_diverging", v.change_diverging, false);
+    put(j, "arrows", v.arrows, true), put(j, "labels", v.labels, true), put(j, "smooth", v.smooth, true);
+    put(j, "patterns", v.patterns, false), put(j, "extreme", v.extreme, false);
+    put(j, "compare", v.compare, at_first.compare), put(j, "of_stage", v.of_stage, at_first.of_stage);
+    put(j, "swipe", v.swipe, at_first.swipe);
+    return j;
+}
+
+Written json_beside(const Lesson& lesson, const SceneBeside& b) {
+    Written j = Written::object();
+    if (!b.set.empty()) j["set"] = json_assignments(lesson, b.set);
+    if (b.events) j["events"] = json_events(lesson, *b.events);
+    if (!b.changes.empty()) put_changes(j["now"] = Written::object(), lesson, b.changes);
+    put(j, "addressed", b.addressed, false), put(j, "difference", b.difference, false);
+    return j;
+}
+
+Written json_pinned(const Lesson& lesson, const ScenePinned& p) {
+    Written j = Written::object();
+    if (!p.run.parameters.empty()) j["parameters"] = json_assignments(lesson, p.run.parameters);
+    if (!p.run.events.empty()) j["events"] = json_events(lesson, p.run.events);
+    put_place(j, lesson, p.run.place);
+    put(j, "field", p.field, std::string()), put(j, "component", p.component, -1);
+    return j;
+}
+
+Written json_stops(const SceneStops& s) {
+    Written j = Written::object();
+    const std::vector<std::string> none;
+    put(j, "stages", s.stages, none), put(j, "passes", s.passes, none), put(j, "conditions", s.conditions, none);
+    put(j, "assumptions", s.assumptions, false), put(j, "laws", s.laws, false);
+    return j;
+}
+
+Written json_numbers(const std::vector<SceneNumber>& numbers) {
+    Written list = Written::array();
+    for (const SceneNumber& n : numbers) {
+        Written j{{"field", n.field}, {"index", n.index}};
+        put(j, "component", n.component, -1), put(j, "from", n.from, Index{0});
+        if (n.when) j["step"] = n.when->step, j["passes"] = n.when->passes;
+        list.push_back(std::move(j));
+    }
+    return list;
+}
+
+Written json_inspector(const SceneInspector& in) {
+    Written j = Written::object();
+    if (!in.on.empty()) j["on"] = in.on;
+    put(j, "index", in.index, Index{0});
+    if (!in.asked.empty()) j["asked"] = json_numbers(in.asked);
+    if (!in.pinned.empty()) j["pinned"] = json_numbers(in.pinned);
+    return j;
+}
+
+Written json_slide(const SceneSlide& s) {
+    Written j{{"number", s.number}};
+    put(j, "extension", s.extension, std::size_t{0});
+    put(j, "revealed", s.revealed, false), put(j, "unlocked", s.unlocked, false);
+    return j;
+}
+
+Written json_layout(const SceneLayout& l) {
+    const SceneLayout at_first;
+    Written j = Written::object();
+    put(j, "layout", l.layout, at_first.layout), put(j, "tab", l.tab, at_first.tab), put(j, "claim", l.claim, at_first.claim);
+    put(j, "fill", l.fill, at_first.fill);
+    return j;
+}
+
+Written json_plots(const ScenePlots& all) {
+    const ScenePlots at_first;
+    Written j = Written::object();
+    if (all.shown) j["shown"] = *all.shown;
+    for (const ScenePlot& p : all.plots) {
+        Written& plot = j["plots"][p.name] = Written::object();
+        if (p.x) plot["x"] = json_range(*p.x);
+        if (p.y) plot["y"] = json_range(*p.y);
+        if (p.x_log) plot["x_log"] = *p.x_log;
+        if (p.y_log) plot["y_log"] = *p.y_log;
+        if (!p.hidden.empty()) plot["hidden"] = p.hidden;
+    }
+    put(j, "cost", all.cost, false), put(j, "axis", all.axis, 0), put(j, "across", all.across, at_first.across);
+    return j;
+}
+
+Written json_knob(const SceneKnob& k) {
+    Written j{{"key", k.key}};
+    if (k.range) j["range"] = json_range(*k.range);
+    put(j, "log", k.log, false);
+    return j;
+}
+
+Written json_atlas(const SceneAtlas& a) {
+    Written j{{"across", json_knob(a.across)}, {"up", json_knob(a.up)}};
+    if (a.cells) j["cells"] = *a.cells;
+    if (a.steps) j["steps"] = *a.steps;
+    return j;
+}
+
+Written json_scene(const SceneFile& scene) {
+    const auto lesson = find_lesson(scene.lesson).make();
+    Written root{
+        {"pliant", scene.version()}, {"lesson", scene.lesson}, {"parameters", json_assignments(*lesson, scene.parameters)}};
+    if (scene.camera) root["camera"] = json_camera(scene);
+    if (scene.view) root["view"] = json_view(*scene.view);
+    if (!scene.events.empty()) root["events"] = json_events(*lesson, scene.events);
+    if (scene.place) put_place(root["place"] = Written::object(), *lesson, *scene.place);
+    if (scene.beside) root["beside"] = json_beside(*lesson, *scene.beside);
+    if (scene.pinned) root["pinned"] = json_pinned(*lesson, *scene.pinned);
+    if (!scene.stops.empty()) root["stops"] = json_stops(scene.stops);
+    if (!scene.inspector.empty()) root["inspector"] = json_inspector(scene.inspector);
+    if (scene.slide) root["slide"] = json_slide(*scene.slide);
+    if (scene.layout) root["layout"] = json_layout(*scene.layout);
+    if (!scene.plots.empty()) root["plots"] = json_plots(scene.plots);
+    if (scene.atlas) root["atlas"] = json_atlas(*scene.atlas);
     return root;
 }
+
 }  // namespace
+
+int SceneFile::version() const {
+    const bool looks = view && *view != SceneView{.field = view->field, .component = view->component, .stage = view->stage};
+    const bool more = camera_follows || camera_aspect != 0 || looks || place || beside || pinned || slide || layout || atlas ||
+                      !stops.empty() || !inspector.empty() || !plots.empty();
+    return more ? 2 : 1;
+}
 
 std::string scene_text(const SceneFile& scene) { return json_scene(scene).dump(2) + "\n"; }
 
 std::string compact_scene_text(const SceneFile& scene) { return json_scene(scene).dump(); }
 
-SceneFile scene_of(const Runner& runner) {
-    SceneFile scene{.lesson = std::string(runner.info().id), .parameters = {}, .events = runner.events()};
-    const Recording& played = runner.recording();
+// --------------------------------------------------------------------------------------------------- the scene of a run
+
+namespace {
+Runner::Assignments start_of(const Runner& runner) {
+    Runner::Assignments parameters;
     for (const Parameter* p : runner.lesson().parameters)
-        if (const Real value = played.start(*p); value != p->info.initial)
-            scene.parameters.emplace_back(p->info.key, p->text(value));
-    scene.events.insert(scene.events.end(), played.events().begin(), played.events().end());
-    std::ranges::stable_sort(scene.events, {}, &Event::step);
-    return scene;
+        if (const Real value = runner.recording().start(*p); value != p->info.initial)
+            parameters.emplace_back(p->info.key, p->text(value));
+    return parameters;
+}
+
+std::vector<Event> both(std::vector<Event> script, const std::vector<Event>& recorded) {
+    script.insert(script.end(), recorded.begin(), recorded.end());
+    std::ranges::stable_sort(script, {}, &Event::step);
+    return script;
+}
+}  // namespace
+
+SceneFile scene_of(const Runner& runner) {
+    return {.lesson = std::string(runner.info().id),
+            .parameters = start_of(runner),
+            .events = both(runner.events(), runner.recording().events())};
+}
+
+SceneRun run_of(const Runner& runner) {
+    SceneRun run{.parameters = start_of(runner)};
+    run.place.step = runner.place().step, run.place.passes = runner.place().passes;
+    // What takes effect with the next step. Before the first one it is an event like any other.
+    const Index next = runner.inside_step() ? run.place.step + 1 : run.place.step;
+    std::vector<Event> recorded = runner.recording().events();
+    if (next > 0 && !recorded.empty() && recorded.back().step >= next) {
+        const Event& last = recorded.back();
+        run.place.changes = {last.assign, last.pull, last.release};
+        recorded.pop_back();
+    }
+    run.events = both(runner.events(), recorded);
+    return run;
 }
 
 SceneFile preset(const LessonEntry& entry, std::string_view name) {

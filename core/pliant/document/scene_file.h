@@ -1,15 +1,33 @@
-// Scene files: a lesson, its parameters and what the person was looking at, as JSON.
+// Scene files: a lesson, its parameters and all that a person had before them, as JSON.
 //
 //   {"pliant": 1, "lesson": "mesh/mass_spring", "parameters": {"cells_x": 6, "integrator": "implicit_euler", "ground": true},
 //    "camera": {"target": [0, 0.5, 0], "distance": 3, "yaw": 0.6, "pitch": 0.3},
-//    "view": {"field": "velocity", "component": -1, "stage": "contact", "line": "u_center"},
+//    "view": {"field": "velocity", "component": -1, "stage": "contact"},
 //    "events": [{"step": 20, "set": {"gravity": 0}}, {"step": 40, "pull": {"index": 3, "from": [0,0,0], "to": [0,1,0]}}, {"step":
 //    60, "release": true}]}
 //
-// Only "pliant" and "lesson" must be there. An unknown key, a wrong type or a newer version is refused with file, line and
-// column.
+// Only "pliant" and "lesson" must be there. Version 2 has more, and each key of it is optional too:
+//
+//   "place": {"step": 40, "passes": 3, "set": {...}, "pull": {...}, "release": true, "fails": true}
+//   "beside": {"set": {"stiffness": 400}, "events": [...], "now": {"set": {...}}, "addressed": true, "difference": true}
+//   "pinned": {"parameters": {...}, "events": [...], "step": 40, "field": "velocity"}
+//   "camera": {"yaw": 0.6, "pitch": 0.3, "follows": true}        turned, and otherwise where the lab puts it
+//   "camera": {..., "aspect": 1.6}                               of the picture that it was chosen in
+//   "view": {"range": [0, 2], "diverging": true, "fixed": true, "change_range": [0, 1], "change_diverging": true, "arrows":
+//   false, "labels": false, "smooth": false,
+//            "patterns": true, "extreme": true, "compare": "swipe", "of_stage": "contact", "swipe": 0.3}
+//   "stops": {"stages": ["contact"], "passes": [...], "conditions": ["energy > 2"], "assumptions": true, "laws": true}
+//   "inspector": {"on": "node", "index": 5, "asked": [{"field": "velocity", "index": 5}], "pinned": [{..., "from": 20}]}
+//   "slide": {"number": 3, "revealed": true, "unlocked": true, "extension": 1}
+//   "layout": {"layout": "slide", "tab": "atlas", "claim": "E4", "fill": "plot energy"}
+//   "plots": {"shown": ["energy"], "plots": {"energy": {"x": [0, 1], "y_log": true, "hidden": ["exact"]}}, "cost": true,
+//             "axis": 1, "across": [0.5, 0.2]}
+//   "atlas": {"across": {"key": "time_step", "range": [0.001, 0.1], "log": true}, "up": {...}, "cells": 40, "steps": 200}
+//
+// A scene is written as version 2 only if it needs to be, so that an older program opens what it can and says "newer" of the
+// rest. An unknown key, a wrong type or a newer version is refused with file, line and column.
 #pragma once
-#include <pliant/run/runner.h>
+#include <pliant/document/scene_parts.h>
 
 #include <optional>
 #include <string>
@@ -18,26 +36,27 @@
 
 namespace pliant {
 
-struct Camera {
-    Vec<3> target = Vec<3>::Zero();  // m
-    Real distance = 1;               // m; in 2D the height of what is seen
-    Real yaw = 0, pitch = 0;         // rad
-    bool operator==(const Camera&) const = default;
-};
-
-struct SceneView {
-    std::string field;  // that colours the picture
-    int component = -1;
-    std::string stage;  // to stop after, in the step being shown
-    bool operator==(const SceneView&) const = default;
-};
-
 struct SceneFile {
     std::string lesson;
     Runner::Assignments parameters;
     std::optional<Camera> camera{};
     std::optional<SceneView> view{};
     std::vector<Event> events{};
+    // --- of version 2 ---
+    bool camera_follows = false;  // of the camera only yaw and pitch are the person's
+    Real camera_aspect = 0;       // width over height of the picture that it was chosen in; 0 where nobody knows
+    std::optional<ScenePlace> place{};
+    std::optional<SceneBeside> beside{};
+    std::optional<ScenePinned> pinned{};
+    SceneStops stops{};
+    SceneInspector inspector{};
+    std::optional<SceneSlide> slide{};
+    std::optional<SceneLayout> layout{};
+    ScenePlots plots{};
+    std::optional<SceneAtlas> atlas{};
+
+    // The version that it is written in, 1 or 2.
+    int version() const;
 };
 
 // `path` is for messages. Checks the lesson, its keys, types and values against what the lesson declares. Throws Refused as
@@ -53,6 +72,8 @@ std::string compact_scene_text(const SceneFile& scene);
 // The scene of a run: its lesson, the parameters that it began with where they differ from their initial values, its script and
 // what was done since. Run as many steps, the scene ends in the same state.
 SceneFile scene_of(const Runner& runner);
+// The same, with the place where it stands, and apart from it what was done there.
+SceneRun run_of(const Runner& runner);
 
 // A scene that came with a lesson, by its name; throws Refused with the nearest known name.
 SceneFile preset(const LessonEntry& entry, std::string_view name);

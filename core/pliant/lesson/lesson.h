@@ -176,6 +176,7 @@ struct Conserved {
 struct Pull {
     Index index = -1;
     Vec<3> from = Vec<3>::Zero(), to = Vec<3>::Zero();
+    bool operator==(const Pull&) const = default;
 };
 
 class Lesson {
@@ -209,6 +210,10 @@ public:
     // The initial state, from the parameters alone: two resets give equal bits. Every field in use has its size and finite
     // numbers afterwards.
     virtual void reset() = 0;
+
+    // A parameter that only chooses what is looked at (Effect::look) has another value. What stages have made for the former one
+    // is made again for this one, in place; nothing that goes into a later number may depend on it.
+    virtual void looked() {}
 
     // Size of a step in s; 0 for a static lesson, whose step is one whole solve.
     virtual Real time_step() const = 0;

@@ -79,6 +79,10 @@ ParameterInfo log_quantity(std::string_view key, std::string_view symbol, std::s
     return quantity(key, symbol, unit, initial, useful, accepted, help).log();
 }
 
+std::string_view name_of(Effect effect) {
+    return effect == Effect::live ? "live" : effect == Effect::rebuild ? "rebuild" : "look";
+}
+
 ParameterInfo ParameterInfo::log() const {
     ParameterInfo info = *this;
     info.scale = Scale::log;
@@ -92,6 +96,11 @@ ParameterInfo ParameterInfo::accepts(Interval interval) const {
 ParameterInfo ParameterInfo::rebuilds() const {
     ParameterInfo info = *this;
     info.effect = Effect::rebuild;
+    return info;
+}
+ParameterInfo ParameterInfo::looks() const {
+    ParameterInfo info = *this;
+    info.effect = Effect::look;
     return info;
 }
 ParameterInfo ParameterInfo::when(std::function<bool()> uses) const {

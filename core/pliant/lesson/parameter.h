@@ -15,14 +15,19 @@ namespace pliant {
 class Lesson;
 
 enum class Kind { number, whole, choice, toggle };
-enum class Scale { linear, log };     // of the slider
-enum class Effect { live, rebuild };  // live: from the next step on; rebuild: the lesson starts again
+enum class Scale { linear, log };  // of the slider
+// live: from the next step on; rebuild: the lesson starts again; look: it chooses what is shown, at once, and the run is the
+// same.
+enum class Effect { live, rebuild, look };
+
+std::string_view name_of(Effect effect);  // "live", "rebuild", "look"
 
 struct Interval {
     Real min = 0, max = 1;
     bool open_min = false, open_max = false;  // open: the end itself is not accepted
     bool contains(Real value) const;
     std::string text() const;  // "(-1, 0.5)", "[0, 10]"
+    bool operator==(const Interval&) const = default;
 };
 
 // One of the values of a choice: its key in scene files and its name on the screen.
@@ -45,6 +50,7 @@ struct ParameterInfo {
     ParameterInfo log() const;
     ParameterInfo accepts(Interval interval) const;
     ParameterInfo rebuilds() const;
+    ParameterInfo looks() const;
     ParameterInfo when(std::function<bool()> uses) const;
 };
 
@@ -69,6 +75,8 @@ public:
     Parameter& operator=(const Parameter&) = delete;
 
     const ParameterInfo info;
+
+    bool looks() const { return info.effect == Effect::look; }
 
     // A choice counts its options from 0; a switch is 0 or 1.
     Real value() const { return value_; }

@@ -3,7 +3,7 @@
 namespace pliant {
 namespace {
 thread_local Watch* watch_of_thread = nullptr;
-thread_local int uncancelled = 0;
+thread_local int uncancelled = 0, overviews = 0;
 
 void tell_cancellable() {
     if (watch_of_thread) watch_of_thread->allow_cancel(uncancelled == 0);
@@ -54,13 +54,20 @@ Uncancelled::~Uncancelled() {
     tell_cancellable();
 }
 
+Overview::Overview(std::string_view what, Index total) : what_(what), total_(total) { ++overviews; }
+Overview::~Overview() { --overviews; }
+
+void Overview::tell(Index done) const {
+    if (watch_of_thread && overviews == 1) watch_of_thread->tell(what_, done, total_);
+}
+
 void cancel_point() {
     if (watch_of_thread && uncancelled == 0 && watch_of_thread->take_cancel()) throw Cancelled();
 }
 
 void tell_progress(std::string_view what, Index done, Index total) {
     if (!watch_of_thread) return;
-    watch_of_thread->tell(what, done, total);
+    if (overviews == 0) watch_of_thread->tell(what, done, total);
     cancel_point();
 }
 

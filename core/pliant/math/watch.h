@@ -76,6 +76,20 @@ public:
     Uncancelled& operator=(const Uncancelled&) = delete;
 };
 
+// While one lives, whoever waits is told of the whole: what its parts tell is not shown. They can be called off as before.
+class Overview {
+public:
+    Overview(std::string_view what, Index total);
+    ~Overview();
+    Overview(const Overview&) = delete;
+    Overview& operator=(const Overview&) = delete;
+    void tell(Index done) const;
+
+private:
+    const std::string what_;
+    const Index total_;
+};
+
 // Between two parts of a long computation, where it can be left: throws Cancelled when that is asked for. Costs nothing to speak
 // of. Not to be called in a parallel loop.
 void cancel_point();

@@ -26,6 +26,19 @@ void Recorder::record(const Runner& runner) {
                        runner.exact(probes[i]).value_or(TimeSeries::undefined));
 }
 
+Recorder::Readings Recorder::readings(const Runner& runner) {
+    Readings all;
+    for (const Probe& p : runner.lesson().probes) all.push_back(runner.value(p)), all.push_back(runner.exact(p));
+    return all;
+}
+
+void Recorder::look_again(const Runner& runner, const Readings& before) {
+    const Readings now = readings(runner);
+    for (std::size_t i = 0; i < series_.size(); ++i)
+        if (now[2 * i] != before[2 * i] || now[2 * i + 1] != before[2 * i + 1]) series_[i].clear();
+    if (last_ == runner.place().step && !runner.inside_step()) record(runner);
+}
+
 void Recorder::watch(std::size_t probe, const std::optional<Interval>& part) {
     if (probe < series_.size()) series_[probe].watch(part);
 }

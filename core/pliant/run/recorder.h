@@ -16,6 +16,10 @@ public:
     // forward or back.
     void record(const Runner& runner);
     void clear();
+    // What is looked at is another thing now. Numbers that read otherwise than `before` are recorded anew from here on.
+    using Readings = std::vector<std::optional<Real>>;  // a value and an exact value of each probe
+    static Readings readings(const Runner& runner);
+    void look_again(const Runner& runner, const Readings& before);
 
     // Over the time in s, or over the steps where the lesson is static.
     const TimeSeries& series(std::size_t probe) const { return series_[probe]; }

@@ -17,12 +17,13 @@ Event& Recording::event(Index step) {
     return *events_.insert(at, Event{.step = step});
 }
 
+void Recording::look_at(const Parameter& parameter, Real value) {
+    for (auto& [known, start] : start_)
+        if (known == &parameter) start = value;
+}
+
 void Recording::assign(const Parameter& parameter, Real value, Index step, bool before_start) {
-    if (before_start) {
-        for (auto& [known, start] : start_)
-            if (known == &parameter) start = value;
-        return;
-    }
+    if (before_start) return look_at(parameter, value);
     auto& assigned = event(step).assign;
     const auto same = std::ranges::find(assigned, parameter.info.key, [](const auto& a) { return a.first; });
     if (same != assigned.end())

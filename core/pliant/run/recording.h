@@ -15,6 +15,7 @@ struct Event {
     std::vector<std::pair<std::string, std::string>> assign{};  // parameter key, value as text
     std::optional<Pull> pull{};
     bool release = false;
+    bool operator==(const Event&) const = default;
 };
 
 // The parameters that a run began with, and the live changes and pulls since, at most one event a step.
@@ -24,6 +25,8 @@ public:
     void begin(const Lesson& lesson);
     // A live parameter has this value from the start of `step` on. Before anything has run it belongs to the start.
     void assign(const Parameter& parameter, Real value, Index step, bool before_start);
+    // What is looked at is no part of the run: whoever opens it begins with the latest.
+    void look_at(const Parameter& parameter, Real value);
     // The hand, or its release, from the start of `step` on.
     void pull(const std::optional<Pull>& pull, Index step);
     // The run has gone back to the start of this step or into it: what was done later has not happened.

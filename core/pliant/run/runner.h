@@ -55,7 +55,8 @@ public:
     const Lesson& lesson() const { return *lesson_; }
 
     // --- parameters and the hand ---
-    // Inside a step a live parameter takes effect when the next step starts; a rebuild one resets. Throws Refused, and then
+    // Inside a step a live parameter takes effect when the next step starts; a rebuild one resets; one that looks takes effect at
+    // once and is no part of the past: going back leaves it as it is. Throws Refused, and then
     // nothing has changed.
     void assign(const Assignments& assignments);
     void assign(std::string_view key, Real value);
@@ -151,6 +152,7 @@ private:
     Writes own(const Values& values) const;
     void write(const Writes& values);  // all or, when the lesson refuses them, none
     void write_or_reset(const Writes& values);
+    void look(const Writes& values);
     void apply_events();
     void apply(const Event& event);
     void note_assigned(const Writes& values);

@@ -26,7 +26,8 @@ void Runner::store_snapshot() {
 
 void Runner::restore(const Snapshot& s) {
     ++revision_;
-    for (std::size_t i = 0; i < s.parameters.size(); ++i) lesson_->parameters[i]->set(s.parameters[i]);
+    for (std::size_t i = 0; i < s.parameters.size(); ++i)
+        if (!lesson_->parameters[i]->looks()) lesson_->parameters[i]->set(s.parameters[i]);
     if (s.step == 0) start_fresh();
     load_state(*lesson_, s.state);
     pull_ = s.pull;

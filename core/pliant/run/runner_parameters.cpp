@@ -3,6 +3,7 @@
 #include <pliant/run/runner.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -55,16 +56,31 @@ void Runner::assign(const Assignments& assignments) { write_or_reset(parse(assig
 
 void Runner::assign(std::string_view key, Real value) { write_or_reset({{&lesson_->parameter(key), value}}); }
 
+namespace {
+bool looks(const std::pair<Parameter*, Real>& write) { return write.first->looks(); }
+}  // namespace
+
+// The run stays where it is, and what it has been.
+void Runner::look(const Writes& values) {
+    write(values);
+    lesson_->looked();
+    note_assigned(values);
+}
+
 void Runner::write_or_reset(const Writes& values) {
+    if (std::ranges::all_of(values, looks)) return look(values);
     // What was run before after this place is another future now.
     reach_ = place();
     const bool rebuild = std::ranges::any_of(
         values, [](const auto& v) { return v.first->info.effect == Effect::rebuild && v.first->value() != v.second; });
     if (!rebuild && inside_step()) {
         for (const auto& [parameter, value] : values) parameter->check(value);
-        note_assigned(values);
-        ++revision_;
-        pending_.insert(pending_.end(), values.begin(), values.end());
+        Writes at_once, later = values;
+        std::ranges::copy_if(values, std::back_inserter(at_once), looks);
+        std::erase_if(later, looks);
+        look(at_once);
+        note_assigned(later);
+        pending_.insert(pending_.end(), later.begin(), later.end());
         return;
     }
     std::vector<Real> before;
@@ -83,7 +99,9 @@ void Runner::write_or_reset(const Writes& values) {
 // Inside a step they take effect with the next one; before anything has run they are what the run begins with.
 void Runner::note_assigned(const Writes& values) {
     for (const auto& [parameter, value] : values)
-        if (parameter->info.effect == Effect::live)
+        if (parameter->looks())
+            recording_.look_at(*parameter, value);
+        else if (parameter->info.effect == Effect::live)
             recording_.assign(*parameter, value, inside_step() ? step_ + 1 : step_, place() == Place{});
 }
 
@@ -128,7 +146,10 @@ void Runner::apply_events() {
 }
 
 void Runner::apply(const Event& e) {
-    if (!e.assign.empty()) write(parse(e.assign)), renew_laws();
+    Writes values = parse(e.assign);
+    // Going back, one looks at the same thing as before.
+    if (replaying_) std::erase_if(values, looks);
+    if (!values.empty()) write(values), renew_laws();
     if (e.pull) pull_ = e.pull;
     if (e.release) pull_.reset();
 }

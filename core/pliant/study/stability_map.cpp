@@ -107,18 +107,52 @@ private:
     TurnMeter turn_;
 };
 
+// Cells from one that comes first to the next: three of them at least in each direction, where there are so many.
+Index coarsest(Index columns, Index rows) {
+    Index width = 8;
+    while (width > 1 && std::min(columns, rows) < 3 * width) width /= 2;
+    return width;
+}
+
+// The coarsest cells of which this one is the corner are so many wide.
+Index width_of(Index i, Index j, Index most) {
+    while (i % most != 0 || j % most != 0) most /= 2;
+    return most;
+}
+
+// The numbers of the cells, the coarse ones first.
+std::vector<Index> coarse_to_fine(Index columns, Index rows) {
+    std::vector<Index> order;
+    const Index most = coarsest(columns, rows);
+    for (Index width = most; width >= 1; width /= 2)
+        for (Index j = 0; j < rows; ++j)
+            for (Index i = 0; i < columns; ++i)
+                if (width_of(i, j, most) == width) order.push_back(i + columns * j);
+    return order;
+}
+
 // What the threads share.
 class Work {
 public:
-    Work(StabilityMap& map, const MapProgress& progress, const std::stop_token& stop)
-        : map_(map), progress_(progress), stop_(stop), total_(static_cast<Index>(map.cells.size())) {}
+    Work(StabilityMap& map, const MapProgress& progress, const std::stop_token& stop, MapSoFar* so_far)
+        : map_(map),
+          progress_(progress),
+          stop_(stop),
+          so_far_(so_far),
+          order_(coarse_to_fine(map.columns(), map.rows())),
+          total_(static_cast<Index>(map.cells.size())) {
+        if (so_far_) so_far_->begin(map.columns(), map.rows());
+    }
 
     void take_part() {
         if (next_ >= total_) return;
         try {
             CellRunner runner(map_.order, stop_);
-            for (Index k = next_++; k < total_ && !stop_.stop_requested(); k = next_++) {
-                map_.cells[static_cast<std::size_t>(k)] = runner.run(k % map_.columns(), k / map_.columns());
+            for (Index n = next_++; n < total_ && !stop_.stop_requested(); n = next_++) {
+                const Index k = order_[static_cast<std::size_t>(n)], i = k % map_.columns(), j = k / map_.columns();
+                MapCell& cell = map_.cells[static_cast<std::size_t>(k)];
+                cell = runner.run(i, j);
+                if (so_far_ && !stop_.stop_requested()) so_far_->add(i, j, cell);
                 tell();
             }
         } catch (...) {
@@ -142,6 +176,8 @@ private:
     StabilityMap& map_;
     const MapProgress& progress_;
     const std::stop_token& stop_;
+    MapSoFar* const so_far_;
+    const std::vector<Index> order_;
     const Index total_;
     std::atomic<Index> next_ = 0;
     std::mutex mutex_;
@@ -150,6 +186,42 @@ private:
 };
 
 }  // namespace
+
+void MapSoFar::begin(Index columns, Index rows) {
+    const std::scoped_lock lock(mutex_);
+    columns_ = columns, rows_ = rows, done_ = 0;
+    coarsest_ = coarsest(columns, rows);
+    coarse_left_ = ((columns + coarsest_ - 1) / coarsest_) * ((rows + coarsest_ - 1) / coarsest_);
+    cells_.assign(static_cast<std::size_t>(columns * rows), std::nullopt);
+}
+
+void MapSoFar::add(Index i, Index j, const MapCell& cell) {
+    const std::scoped_lock lock(mutex_);
+    cells_[static_cast<std::size_t>(i + columns_ * j)] = cell;
+    ++done_;
+    if (i % coarsest_ == 0 && j % coarsest_ == 0) --coarse_left_;
+}
+
+Index MapSoFar::done() const {
+    const std::scoped_lock lock(mutex_);
+    return done_;
+}
+
+std::optional<StabilityMap> MapSoFar::map(const MapOrder& order) const {
+    const std::scoped_lock lock(mutex_);
+    if (cells_.empty() || coarse_left_ > 0) return std::nullopt;
+    StabilityMap map{.order = order, .probe = {}, .cells = {}};
+    for (Index j = 0; j < rows_; ++j)
+        for (Index i = 0; i < columns_; ++i) {
+            Index width = 1;
+            const auto covering = [&] {
+                return cells_[static_cast<std::size_t>(i / width * width + columns_ * (j / width * width))];
+            };
+            while (!covering()) width *= 2;
+            map.cells.push_back(*covering());
+        }
+    return map;
+}
 
 Index StabilityMap::count(Stability kind) const {
     return std::ranges::count_if(cells, [&](const MapCell& c) { return c.verdict.kind == kind; });
@@ -183,7 +255,8 @@ void check_order(const MapOrder& order) {
     watched(lesson, order.probe);
 }
 
-StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgress& progress, std::stop_token stop) {
+StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgress& progress, std::stop_token stop,
+                                MapSoFar* so_far) {
     if (jobs < 1) throw Refused("--jobs", jobs, "", "a whole number from 1 on");
     check_order(order);
     StabilityMap map{.order = order, .probe = {}, .cells = {}};
@@ -193,7 +266,7 @@ StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgre
         map.probe = probe ? probe->name : "";
     }
     map.cells.resize(order.across.values.size() * order.up.values.size());
-    Work work(map, progress, stop);
+    Work work(map, progress, stop, so_far);
     const auto most = static_cast<int>(std::min<std::size_t>(map.cells.size(), 256));
     parallel_jobs(std::min(jobs, most), [&work](int) { work.take_part(); });
     map.complete = work.finish();

@@ -7,6 +7,7 @@
 #include <pliant/study/stability_verdict.h>
 
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -61,8 +62,27 @@ std::vector<UnusedSetting> unused_settings(const MapOrder& order);
 // Called after each cell, one call at a time, in any of the threads.
 using MapProgress = std::function<void(Index done, Index total)>;
 
-// Runs every cell, at most `jobs` at a time, each of which has a Runner of its own. The result is the same to the bit for any
-// number of jobs. A stop that is asked for ends it after the steps that are being made. Throws as check_order does.
-StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgress& progress = {}, std::stop_token stop = {});
+// The cells of a map while it is made, in any thread.
+class MapSoFar {
+public:
+    // Row by row.
+    void begin(Index columns, Index rows);
+    void add(Index i, Index j, const MapCell& cell);
+    Index done() const;
+    // A map of these cells, in which one that is not there yet has what the next coarser one has; empty until the coarsest are
+    // all there. It is not complete.
+    std::optional<StabilityMap> map(const MapOrder& order) const;
+
+private:
+    mutable std::mutex mutex_;
+    Index columns_ = 0, rows_ = 0, done_ = 0, coarsest_ = 1, coarse_left_ = 0;
+    std::vector<std::optional<MapCell>> cells_;
+};
+
+// Runs every cell, at most `jobs` at a time, each of which has a Runner of its own, some far apart first, and those between
+// them behind. The result is the same to the bit for any number of jobs. A stop that is asked for ends it after the
+// steps that are being made. so_far: gets each cell when it is done, if given. Throws as check_order does.
+StabilityMap make_stability_map(const MapOrder& order, int jobs, const MapProgress& progress = {}, std::stop_token stop = {},
+                                MapSoFar* so_far = nullptr);
 
 }  // namespace pliant

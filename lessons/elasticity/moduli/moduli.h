@@ -61,7 +61,8 @@ struct ModuliLesson final : Lesson {
                                              "of the solver at each load; more are needed on fine meshes and near ν = ½")
                                     .rebuilds()};
     Number magnification{*this, quantity("magnification", "", "", 0, {0, 100}, {0, 1e12},
-                                         "of the drawn deformation, the numbers are not touched; 0 chooses one")};
+                                         "of the drawn deformation, the numbers are not touched; 0 chooses one")
+                                    .looks()};
 
     void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
 

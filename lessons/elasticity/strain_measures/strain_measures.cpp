@@ -42,6 +42,13 @@ void StrainMeasuresLesson::reset() {
     v_ = deformed_v_ = direction();
     stretch_ = cauchy_stretch_ = VecX::Ones(samples);
     done_.setZero();
+    stretched_ = false;
+}
+
+// Of another direction v; before the stretches are measured v is as it will be.
+void StrainMeasuresLesson::looked() {
+    v_ = direction();
+    deformed_v_ = stretched_ ? Vec<3>(of(deformation_) * v_) : v_;
 }
 
 // ------------------------------------------------------------------------------------------------------------ stages
@@ -94,6 +101,7 @@ void StrainMeasuresLesson::measure_stretches() {
     const Mat<3> F = of(deformation_), strain = of(cauchy_);
     v_ = direction();
     deformed_v_ = F * v_;
+    stretched_ = true;
     for (Index k = 0; k < samples; ++k) {
         const Vec<3> n = sampled(k);
         stretch_[k] = (F * n).norm();

@@ -21,6 +21,7 @@ struct StrainMeasuresLesson final : Lesson {
     int dimension() const override { return 2; }
     void check() const override { material(); }
     void reset() override;
+    void looked() override;
     Real time_step() const override { return 0; }
     bool at_rest() const override { return done_[0] != 0; }
     void draw(Scene& scene) const override;
@@ -43,10 +44,10 @@ struct StrainMeasuresLesson final : Lesson {
                            .rebuilds()};
     Number v_angle{*this, quantity("v_angle", "ψ", "°", 30, {-180, 180}, {-3600, 3600},
                                    "of the direction v in the plane of the picture, from x; drag the head of v")
-                              .rebuilds()};
+                              .looks()};
     Number v_elevation{
-        *this, quantity("v_elevation", "η", "°", 0, {-90, 90}, {-90, 90}, "of the direction v out of that plane, towards you")
-                   .rebuilds()};
+        *this,
+        quantity("v_elevation", "η", "°", 0, {-90, 90}, {-90, 90}, "of the direction v out of that plane, towards you").looks()};
     Number youngs_modulus{*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})};
     Number poisson_ratio{*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})};
 
@@ -88,6 +89,7 @@ struct StrainMeasuresLesson final : Lesson {
     Nine deformation_, slope_, C_, green_, cauchy_, stress_green_, stress_cauchy_;
     Vec<3> v_, deformed_v_;
     VecX stretch_, cauchy_stretch_;  // of the sampled directions
+    bool stretched_ = false;         // are the stretches measured?
     One done_;
 };
 

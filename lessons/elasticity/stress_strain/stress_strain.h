@@ -27,6 +27,9 @@ struct StressStrainLesson final : Lesson {
     int dimension() const override { return 3; }
     void check() const override;
     void reset() override;
+    void looked() override {
+        if (loading == Load::cut && at_rest()) cut();
+    }
     Real time_step() const override { return 0; }
     bool at_rest() const override { return done_[0] != 0; }
     void draw(Scene& picture) const override;
@@ -70,7 +73,7 @@ struct StressStrainLesson final : Lesson {
     Number sigma_yy{*this, stress_of("sigma_yy", "σ_yy", "pull along y on the faces across y", -1e4), of(Load::cut)};
     Number sigma_xy{*this, stress_of("sigma_xy", "σ_xy", "shear on all four of these faces", 1e4), of(Load::cut)};
     Number angle{*this,
-                 quantity("angle", "θ", "°", 30, {-90, 90}, {-360, 360}, "from the x axis to the normal of the cut").rebuilds(),
+                 quantity("angle", "θ", "°", 30, {-90, 90}, {-360, 360}, "from the x axis to the normal of the cut").looks(),
                  of(Load::cut)};
     Number length{*this, metres("length", "L", "height of the disc, or length of the rod or block", 0.2, {0.05, 0.5})};
     Number width{*this, metres("width", "w", "thickness of the rod or block", 0.1, {0.05, 0.2}),

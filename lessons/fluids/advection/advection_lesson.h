@@ -99,8 +99,9 @@ struct AdvectionLesson final : Lesson {
     Whole cell_x{*this,
                  quantity("cell_x", "i", "", 22, {0, 159}, {0, 319},
                           "column of the cell whose way is drawn, counted from the left; drag its mark in the picture. Beyond "
-                          "the last it is the last")};
-    Whole cell_y{*this, quantity("cell_y", "j", "", 47, {0, 159}, {0, 319}, "row of that cell, from below")};
+                          "the last it is the last")
+                     .looks()};
+    Whole cell_y{*this, quantity("cell_y", "j", "", 47, {0, 159}, {0, 319}, "row of that cell, from below").looks()};
 
     void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 

@@ -114,10 +114,12 @@ struct DiffusionLesson final : Lesson {
     Number wall_high{*this, quantity("wall_high", "U₁", "m/s", 1, {-1, 1}, {-1e3, 1e3}, "value of the right wall").rebuilds(),
                      [this] { return couette(); }};
     Whole cell_x{*this, quantity("cell_x", "i", "", 12, {0, 127}, {0, 255},
-                                 "column of the cell whose stencil is drawn; drag the handle in the picture")};
+                                 "column of the cell whose stencil is drawn; drag the handle in the picture")
+                            .looks()};
     Whole cell_y{*this,
                  quantity("cell_y", "j", "", 12, {0, 127}, {0, 255},
-                          "row of the cell whose stencil is drawn; drag the handle in the picture"),
+                          "row of the cell whose stencil is drawn; drag the handle in the picture")
+                     .looks(),
                  [this] { return dims() == 2; }};
     Number tolerance{*this,
                      log_quantity("tolerance", "ε", "", 1e-10, {1e-12, 0.1}, {1e-14, 1},

@@ -159,10 +159,10 @@ struct Projection final : Lesson {
                [this] { return given == Given::random; }};
     Number cell_x{
         *this, quantity("cell_x", "x_c", "m", 0.34, {0, 1}, "place of the cell that is drawn large; drag its dot in the picture")
-                   .rebuilds()};
+                   .looks()};
     Number cell_y{
         *this, quantity("cell_y", "y_c", "m", 0.62, {0, 1}, "place of the cell that is drawn large; drag its dot in the picture")
-                   .rebuilds()};
+                   .looks()};
     std::deque<DrawnArrow> drawn;
 
     enum Tally : Index { done, projected, passes, initial, energy_given, overlap, tally_count };
