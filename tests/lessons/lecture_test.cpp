@@ -90,7 +90,7 @@ TEST_CASE("lecture: what is not there is told with its place and what is accepte
          {R"({"title": "x", "claim": "E6", "lesson": "mesh/rod"})", "a slide opens one"},
          {R"({"title": "x", "lesson": "time/integration", "atlas": ["time_step=1:0.1:3", "omega=1:2:3"]})", "time_step"},
          {R"({"title": "x", "lesson": "time/integration", "fill": "everything"})", "picture, plot"},
-         {R"({"title": "x", "lesson": "time/integration", "beside": {"scheme": "none"}})", "scheme"},
+         {R"({"title": "x", "lesson": "time/integration", "beside": {"scheme": "none"}})", "integrator"},
          {R"({"title": "x", "do": ["reset"]})", "needs 'lesson'"},
          {R"({"text": "no title"})", "title"},
          {R"(17)", "object"}}));

@@ -129,7 +129,7 @@ TEST_CASE("mass-spring: a step above the limit is reported with the limit, and t
         for (int n = 0; n < 100; ++n) run.step();
         FAIL("it should have diverged");
     } catch (const Diverged& e) {
-        CHECK_THAT(e.what(), ContainsSubstring("stability limit") && ContainsSubstring("implicit_euler"));
+        CHECK_THAT(e.what(), ContainsSubstring("stability limit") && ContainsSubstring("implicit Euler"));
         CHECK(e.failure.index >= 0);
     }
     CHECK(run.probe("stretch") < 100);

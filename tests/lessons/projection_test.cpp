@@ -156,7 +156,7 @@ TEST_CASE("projection: one pass of the stage is one pass of the solver", "[proje
     Real last = value(runner, "max_divergence_before");
     for (int k = 1; k <= 5; ++k) {
         runner.step_pass();
-        CHECK(value(runner, "iterations") == k);
+        CHECK(value(runner, "solver_iterations") == k);
         CHECK(value(runner, "max_divergence") < 3 * last);
         last = value(runner, "max_divergence");
     }
@@ -166,7 +166,7 @@ TEST_CASE("projection: one pass of the stage is one pass of the solver", "[proje
     CHECK_THAT(curve.value[4], WithinRel(last / value(runner, "max_divergence_before"), 1e-12));
     // Back by a pass, and forward again.
     REQUIRE(runner.pass_back());
-    CHECK(value(runner, "iterations") == 4);
+    CHECK(value(runner, "solver_iterations") == 4);
     runner.step();
     CHECK(value(runner, "max_divergence") <= 1.01e-6 * value(runner, "max_divergence_before"));
 }
@@ -183,8 +183,8 @@ TEST_CASE("projection: the other solvers stand beside the chosen one", "[project
     REQUIRE(passes.size() == 4);
     Curve chosen;
     line.sample(chosen);
-    CHECK(passes[1] == 0);  // drawn as "now"
-    CHECK(static_cast<Real>(chosen.value.size()) == value(runner, "iterations"));
+    CHECK(passes[1] == chosen.value.size());  // in its own colour too, whichever is chosen
+    CHECK(static_cast<Real>(chosen.value.size()) == value(runner, "solver_iterations"));
     CHECK(passes[0] > 3 * passes[2]);
     CHECK(passes[2] > 2 * passes[3]);
     CHECK(chosen.value.size() > 3 * passes[2]);
@@ -194,7 +194,7 @@ TEST_CASE("projection: the collocated grid has one solver and one curve", "[proj
     const Runner runner = done({{"grid", "collocated"}, {"field", "random"}, {"resolution", "20"}});
     Curve curve, other;
     residual(runner).sample(curve);
-    CHECK(static_cast<Real>(curve.value.size()) == value(runner, "iterations"));
+    CHECK(static_cast<Real>(curve.value.size()) == value(runner, "solver_iterations"));
     CHECK(curve.value.size() > 10);
     CHECK(curve.value.back() <= 1e-6);
     for (const CompareCurve& c : residual(runner).others) {
@@ -233,7 +233,7 @@ TEST_CASE("projection: nothing to solve is solved at once", "[projection]") {
     for (const char* obstacle : {"all_solid", "one_cell"}) {
         const Runner runner = done({{"field", "random"}, {"obstacle", obstacle}, {"resolution", "9"}});
         INFO(obstacle);
-        CHECK(value(runner, "iterations") == 0);
+        CHECK(value(runner, "solver_iterations") == 0);
         CHECK(value(runner, "kinetic_energy") == 0);
         CHECK(value(runner, "max_divergence") == 0);
         for (const Real p : numbers(runner, "pressure")) CHECK(p == 0);

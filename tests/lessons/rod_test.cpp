@@ -250,7 +250,7 @@ TEST_CASE("rod: what is above the limit names it, and what the lights offer mend
         }(),
         Diverged);
     REQUIRE(runner.failure());
-    CHECK_THAT(runner.failure()->limit, ContainsSubstring("stability limit of 22.6 ms") && ContainsSubstring("implicit_euler"));
+    CHECK_THAT(runner.failure()->limit, ContainsSubstring("stability limit of 22.6 ms") && ContainsSubstring("implicit Euler"));
     const auto fix = runner.lesson().fix(*runner.failure());
     REQUIRE(fix);
     Runner mended = start_rod({{"scene", "free_end"}});

@@ -126,7 +126,7 @@ TEST_CASE("time integration: no steps, tiny steps, no spring, and what is none",
                                        {"damping_ratio=-0.1", "damping_ratio"},
                                        {"stiffness_ratio=0", "stiffness_ratio"},
                                        {"newton_iterations=0", "newton_iterations"},
-                                       {"scheme=euler", "scheme"}}) {
+                                       {"integrator=euler", "integrator"}}) {
         const Outcome outcome = call(integrate("1", {setting}));
         INFO(setting << "\n" << outcome.err);
         CHECK(outcome.exit_code == refused);

@@ -101,8 +101,8 @@ TEST_CASE("scene files, their events, presets and share strings are looked throu
     check_said({"run", "--scene", shared.substr(0, shared.size() - 1), "--steps", "1"}, "stiffness_ratio", "system=stiff_pair");
     // An option on the command line makes it used, or no longer so.
     CHECK(call({"run", "--scene", scene(idle), "--steps", "1", "--set", "system=stiff_pair", "--strict"}).exit_code == 0);
-    check_said({"run", "mesh/mass_spring", "--preset", "chain_third_mode_verlet", "--steps", "1", "--set", "scene=drop"},
-               "mode_number", "scene=swing");
+    check_said({"run", "mesh/mass_spring", "--preset", "chain_third_mode_verlet", "--steps", "1", "--set", "scene=drop"}, "mode",
+               "scene=swing");
     // What an event sets later counts from then on.
     const auto falling = [&](const std::string& events) {
         return scratch.file("falling.json",

@@ -27,6 +27,9 @@ TEST_CASE("the list of a choice is drawn in the type of the lab, and a click in 
     Hand hand("mesh/mass_spring", {1280, 900});
     hand.frames(3);
     const Session& session = hand.lab.session();
+    open_heading(hand.lab.state(), hand.lab.state().parameters, Group::shape, true);
+    open_heading(hand.lab.state(), hand.lab.state().parameters, Group::material, false);
+    hand.frames(3);
     REQUIRE(hand.lab.state().controls.contains("lattice"));
     const Rectangle box = hand.lab.state().controls.at("lattice");
     const int before = ImGui::GetDrawData()->CmdListsCount;

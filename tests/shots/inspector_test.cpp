@@ -2,6 +2,7 @@
 #include "../every_lesson.h"
 #include "session/session.h"
 
+#include <pliant/text/spoken.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
@@ -31,7 +32,7 @@ TEST_CASE("a run that plays stops before a stage and goes on to the next step's"
         const std::string stage(s.runner().stages().back()->name);
         s.toggle_break(stage);
         REQUIRE(play_until_stopped(s));
-        CHECK(s.inspector.stopped == "before " + stage);
+        CHECK(s.inspector.stopped == "before " + spoken(stage));
         CHECK(s.runner().stages()[s.runner().next_stage()]->name == stage);
         const Place first = s.runner().place();
         REQUIRE(play_until_stopped(s));

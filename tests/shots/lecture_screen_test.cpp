@@ -70,6 +70,8 @@ TEST_CASE("the lens shows what lies under the pointer, enlarged, and nothing is 
     Hand hand("mesh/mass_spring", {900, 600});
     LabState& s = hand.lab.state();
     hand.lab.set_layout(Layout::slide);
+    s.session.colours = {"velocity", -1};  // one colour for all that is at rest
+    s.session.view_changed();
     hand.move(300, 300);
     hand.frames(30);
     const Image before = hand.pixels();

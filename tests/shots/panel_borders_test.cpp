@@ -83,7 +83,7 @@ TEST_CASE("no panel is dragged away", "[session][borders]") {
         hand.let_go();
         INFO(border << " by " << far);
         CHECK(hand.place("scene").width > 200);
-        CHECK(hand.place("lattice").width > 100);
+        CHECK(hand.place("integrator").width > 100);
         CHECK(hand.place("tab plots").x + 100 < 1920);
     }
 }

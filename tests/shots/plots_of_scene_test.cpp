@@ -30,5 +30,5 @@ TEST_CASE("the plots are those of the scene until a person chooses", "[lab]") {
     // Another lesson has its own.
     s.open(find_lesson("elasticity/poisson"));
     lab.frame(0);
-    CHECK(lab.state().plots.chosen.front() == "contraction");
+    CHECK(lab.state().plots.chosen.front() == "narrowing_over_lengthening");
 }

@@ -198,27 +198,27 @@ TEST_CASE("the range of the colours does not flicker", "[session]") {
     ColourScale last;
     for (int frame = 0; frame < 600; ++frame) {
         const Real swing = 1 + 0.5 * std::sin(0.1 * frame);
-        range.update({0, 0.3 * swing, swing});
+        range.update({0, 0.3 * swing, swing}, false);
         if (range.scale.max != last.max || range.scale.min != last.min) ++changes;
         last = range.scale;
         CHECK(range.scale.max >= swing);
     }
     CHECK(changes <= 20);
     const Real widest = range.scale.max;
-    for (int frame = 0; frame < 600; ++frame) range.update({0, 1 + 0.5 * std::sin(0.1 * frame)});
+    for (int frame = 0; frame < 600; ++frame) range.update({0, 1 + 0.5 * std::sin(0.1 * frame)}, false);
     CHECK(range.scale.max == widest);
 }
 
 TEST_CASE("the range of the colours follows numbers that leave it for good, and stays when it is fixed", "[session]") {
     ColourRange range;
-    range.update({0, 1});
-    range.update({0, 50});
+    range.update({0, 1}, false);
+    range.update({0, 50}, false);
     CHECK(range.scale.max >= 50);
-    range.update({0, 0.01});
+    range.update({0, 0.01}, false);
     CHECK(range.scale.max < 1);
     range.automatic = false;
     const ColourScale fixed = range.scale;
-    range.update({-5, 70});
+    range.update({-5, 70}, false);
     CHECK(range.scale.min == fixed.min);
     CHECK(range.scale.max == fixed.max);
 }

@@ -18,8 +18,15 @@ LabState fresh_lab() { return {{.session = Session("mesh/mass_spring")}}; }
 }  // namespace
 
 TEST_CASE("settings: everything is read back as it was written", "[settings]") {
-    const Settings s{
-        Theme::projector, 1.5f, 0.25, Layout::slide, false, true, {.left = 250, .lessons = 0.5f}, {"/a/b.json", "/c \"d\".json"}};
+    const Settings s{Theme::projector,
+                     1.5f,
+                     0.25,
+                     Layout::slide,
+                     false,
+                     true,
+                     {.left = 250, .lessons = 0.5f},
+                     {"/a/b.json", "/c \"d\".json"},
+                     {{"mesh/mass_spring", {{"solver", true}, {"material unused", false}}}}};
     CHECK(parse_settings(settings_text(s), "s") == s);
     CHECK(parse_settings(settings_text({}), "s") == Settings{});
 }

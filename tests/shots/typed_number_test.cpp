@@ -69,15 +69,16 @@ private:
 
 }  // namespace
 
-TEST_CASE("a number typed at a slider is read as the command line reads it", "[lab]") {
+TEST_CASE("a number typed at a slider is in the unit that is shown, unless it brings one", "[lab]") {
     Typist typist("time/integration");
     const Parameter& dt = typist.session().lesson().parameter("time_step");
-    for (const char* text : {"0.05", "0,05", "5e-2 s", "50 ms", "50ms", " 0,5e-1 "}) {
+    // Beside "20 ms".
+    for (const char* text : {"50", "5e1", " 50,0 ", "0.05 s", "0,05 s", "5e-2 s", "50 ms", "50ms", "50000 µs"}) {
         CAPTURE(text);
         typist.session().assign(dt, 0.02);
         typist.type("time_step", text);
         CHECK(typist.value("time_step") == 0.05);
-        CHECK(typist.value("time_step") == dt.parse(text));
+        CHECK(typist.value("time_step") == dt.parse(text, "ms"));
         CHECK(typist.told().empty());
         // One step of undo, however many keys it took.
         typist.session().undo();
@@ -89,7 +90,7 @@ TEST_CASE("what is no number, or not in its unit, is refused in the words of the
     Typist typist("time/integration");
     const Parameter& dt = typist.session().lesson().parameter("time_step");
     const Real before = typist.value("time_step");
-    for (const char* text : {"2*3", "0,5,1", "20 kg", "abc", "", "1,250", "nan", "1e400", "-1", "1e9"}) {
+    for (const char* text : {"2*3", "0,5,1", "20 kg", "abc", "", "1,250", "nan", "1e400", "-1", "1e12"}) {
         CAPTURE(text);
         typist.begin("time_step");
         typist.press(ImGuiKey_Delete);  // what was there is selected
@@ -99,7 +100,7 @@ TEST_CASE("what is no number, or not in its unit, is refused in the words of the
         REQUIRE(typist.refused());
         std::string words;
         try {
-            dt.parse(text);
+            dt.parse(text, "ms");
         } catch (const Refused& e) {
             words = e.what();
         }
@@ -125,8 +126,14 @@ TEST_CASE("a number outside the useful and inside the accepted range is taken, a
     CHECK_THAT(typist.told(), ContainsSubstring("outside the accepted range"));
 }
 
-TEST_CASE("a whole number is not rounded in silence", "[lab]") {
+TEST_CASE("a whole number is not rounded in silence, and is shown without a point", "[lab]") {
     Typist typist("mesh/mass_spring");
+    open_heading(typist.state(), typist.state().parameters, Group::shape, true);
+    open_heading(typist.state(), typist.state().parameters, Group::material, false);
+    typist.frames(3);
+    typist.begin("cells_x");
+    CHECK(std::string(typist.state().typed.text.data()) == "4");
+    typist.press(ImGuiKey_Escape);
     const Real before = typist.value("cells_x");
     typist.type("cells_x", "2.5");
     CHECK(typist.value("cells_x") == before);
@@ -140,15 +147,24 @@ TEST_CASE("the text begins with the value in full and its unit; Escape takes it 
     const Parameter& dt = typist.session().lesson().parameter("time_step");
     typist.session().assign(dt, 0.012345678901);
     typist.begin("time_step");
-    CHECK(std::string(typist.state().typed.text.data()) == "0.012345678901 s");
+    CHECK(std::string(typist.state().typed.text.data()) == "12.345678901 ms");
     typist.write("0.5");
     typist.press(ImGuiKey_Escape);
     CHECK(typist.value("time_step") == 0.012345678901);
     CHECK_FALSE(ImGui::GetIO().WantTextInput);
     typist.begin("time_step");
-    typist.write("0,25");
+    typist.write("0,25 s");
     typist.press(ImGuiKey_Tab);
     CHECK(typist.value("time_step") == 0.25);
+    // What it begins with is the same number, however often it is entered.
+    for (const Real value : {0.012345678901, 1.0 / 3, 0.1 + 0.2, 7e-6}) {
+        typist.session().assign(dt, value);
+        typist.begin("time_step");
+        typist.press(ImGuiKey_End);
+        typist.write(" ");
+        typist.press(ImGuiKey_Enter);
+        CHECK(typist.value("time_step") == value);
+    }
 }
 
 TEST_CASE("the other numbers that can be typed are not clamped either", "[lab]") {

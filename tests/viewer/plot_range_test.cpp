@@ -145,3 +145,16 @@ TEST_CASE("However far one zooms, the axis keeps two ends that differ and are fi
         }
     }
 }
+
+TEST_CASE("Numbers that agree to six digits are shown to agree; who zooms in sees more") {
+    const Range match = nice_range({0.149460001, 0.149460003}, AxisScale::linear, Margin::some);
+    CHECK(match.span() > 1e-4);
+    CHECK(match.span() < 2e-3);
+    CHECK(match.contains({0.149460001, 0.149460003}));
+    const Range differ = nice_range({0.1494, 0.1495}, AxisScale::linear, Margin::some);
+    CHECK(differ.span() < 3e-4);
+    // What is nearly 0 is no match of anything.
+    CHECK(nice_range({-1e-12, 1e-12}, AxisScale::linear, Margin::some).span() < 1e-11);
+    const Range zoom = zoomed(match, AxisScale::linear, 0.5, 1e4);
+    CHECK(zoom.span() < 1e-6);
+}

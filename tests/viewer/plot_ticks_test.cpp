@@ -81,11 +81,11 @@ TEST_CASE("Numbers that differ only in late digits are counted from an offset") 
     const Ticks energy = make_ticks({1e6 - 0.003, 1e6 + 0.003}, AxisScale::linear, 8, "J");
     CHECK(energy.offset == "1000000 J");
     CHECK(energy.unit == "mJ");
-    CHECK(numbers(energy) == std::vector<std::string>{"-3", "-2", "-1", "0", "1", "2", "3"});
-    CHECK(axis_text("energy E", energy) == "energy E - 1000000 J [mJ]");
+    CHECK(numbers(energy) == std::vector<std::string>{"-3", "-2", "-1", "0", "+1", "+2", "+3"});
+    CHECK(axis_text("energy E", energy) == "energy E = 1000000 J + … [mJ]");
 
     const Ticks below = make_ticks({-1e6 - 0.003, -1e6 + 0.003}, AxisScale::linear, 8, "J");
-    CHECK(axis_text("energy E", below) == "energy E + 1000000 J [mJ]");
+    CHECK(axis_text("energy E", below) == "energy E = -1000000 J + … [mJ]");
 }
 
 TEST_CASE("A number, its unit and the offset together give the value back") {

@@ -82,9 +82,11 @@ void tell_readings(PresenterView& view, const LabState& lab) {
     const auto probes = key_probes(lab.session.lesson());
     const auto& held = lab.held.key_numbers;
     for (std::size_t k = 0; k < probes.size() && k < held.size(); ++k) {
-        const auto& [value, exact] = held[k];
+        const auto& [value, exact, awaits] = held[k];
         view.readings.push_back({named_with_symbol(probes[k]->name, probes[k]->symbol, "  "),
-                                 value ? format_quantity(*value, probes[k]->unit) : "undefined",
+                                 !awaits.empty() ? "—"
+                                 : value         ? format_quantity(*value, probes[k]->unit)
+                                                 : "undefined",
                                  exact ? fmt::format("exact {}", format_quantity(*exact, probes[k]->unit)) : ""});
     }
 }

@@ -62,6 +62,22 @@ void put_sizes(Json& json, const PanelSizes& sizes) {
     if (!panels.empty()) json["panels"] = std::move(panels);
 }
 
+FoldedHeadings read_headings(const Json& json) {
+    FoldedHeadings headings;
+    if (!json.contains("headings") || !json["headings"].is_object()) return headings;
+    for (const auto& [lesson, folds] : json["headings"].items()) {
+        if (!folds.is_object()) continue;
+        for (const auto& [heading, open] : folds.items())
+            if (open.is_boolean()) headings[lesson][heading] = open.get<bool>();
+    }
+    return headings;
+}
+
+void put_headings(Json& json, const FoldedHeadings& headings) {
+    for (const auto& [lesson, folds] : headings)
+        for (const auto& [heading, open] : folds) json["headings"][lesson][heading] = open;
+}
+
 }  // namespace
 
 Settings parse_settings(std::string_view text, std::string_view path) {
@@ -77,6 +93,7 @@ Settings parse_settings(std::string_view text, std::string_view path) {
     s.hints_shown = read<bool>(json, "hints_shown");
     s.patterns = read<bool>(json, "patterns");
     s.panels = read_sizes(json);
+    s.headings = read_headings(json);
     s.recent = read<std::vector<std::string>>(json, "recent").value_or(std::vector<std::string>{});
     if (s.recent.size() > most_recent) s.recent.resize(most_recent);
     return s;
@@ -91,14 +108,15 @@ std::string settings_text(const Settings& s) {
     put(json, "hints_shown", s.hints_shown);
     put(json, "patterns", s.patterns);
     put_sizes(json, s.panels);
+    put_headings(json, s.headings);
     json["recent"] = s.recent;
     // A path need not be UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Settings settings_of(const LabState& lab) {
-    return {lab.theme, lab.scale, lab.session.speed, lab.layout, lab.scene.hints_shown, lab.session.patterns,
-            lab.sizes, lab.recent};
+    return {lab.theme, lab.scale,  lab.session.speed,      lab.layout, lab.scene.hints_shown, lab.session.patterns,
+            lab.sizes, lab.recent, lab.parameters.headings};
 }
 
 fs::path settings_path() {
@@ -131,7 +149,8 @@ void SettingsFile::note(const LabState& lab) {
         changed_ = true;
     };
     take(&Settings::theme), take(&Settings::scale), take(&Settings::speed), take(&Settings::layout);
-    take(&Settings::hints_shown), take(&Settings::patterns), take(&Settings::panels), take(&Settings::recent);
+    take(&Settings::hints_shown), take(&Settings::patterns), take(&Settings::panels), take(&Settings::headings),
+        take(&Settings::recent);
     seen_ = now;
 }
 

@@ -19,6 +19,7 @@ struct Settings {
     std::optional<bool> patterns;     // as well as colours
     PanelSizes panels{};              // where borders were dragged to
     std::vector<std::string> recent;  // scene files, the latest first
+    FoldedHeadings headings{};        // of parameters, by lesson
     bool operator==(const Settings&) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include "panels/typeset_text.h"
 
+#include <pliant/run/awaited.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -32,26 +33,33 @@ std::string title_of(const Session& s, const Field& field) {
     else
         title += " " + as_formula("|" + symbol + "|");
     if (s.shows_difference()) return fmt::format("A − B of {}", title);
+    const bool one_number = s.colour_scale().min == s.colour_scale().max;
     if (s.shows_change()) {
         const Stage* stage = s.inspector.shown_stage(s.runner());
+        if (one_number) return fmt::format("{}: unchanged{}", title, stage ? " by " + words(stage->name) : "");
         return stage ? fmt::format("Change of {} by {}", title, words(stage->name)) : fmt::format("Change of {}", title);
     }
-    return s.range.automatic ? title : title + " (fixed)";
+    if (const std::string waits = not_yet(awaited_stage(s.runner(), field)); !waits.empty())
+        return fmt::format("{}: {}", title, waits);
+    if (!s.range.automatic) return title + " (fixed)";
+    return one_number ? title + ", the same everywhere" : title;
 }
 
 // With as many digits as it takes for all to differ; one alone where the whole scale is one number.
-std::vector<std::string> tick_texts(const ColourScale& scale, int intervals, std::string_view unit) {
+std::vector<std::string> tick_texts(const PanelContext& lab, int intervals, const Field& field) {
+    const ColourScale& scale = lab.session.colour_scale();
     std::vector<std::string> texts;
+    if (!lab.session.shows_change() && awaited_stage(lab.session.runner(), field)) return {"—"};
     for (const int digits : {3, 4, 5}) {
         texts.clear();
         for (int i = 0; i <= intervals; ++i) {
             const Real value = scale.min + (scale.max - scale.min) * i / intervals;
             const bool zero = std::abs(value) < 1e-12 * std::max(std::abs(scale.min), std::abs(scale.max));
-            texts.push_back(format_quantity(zero ? 0 : value, unit, digits));
+            texts.push_back(format_quantity(zero ? 0 : value, field.unit, digits));
         }
         if (std::ranges::adjacent_find(texts) == texts.end()) return texts;
     }
-    if (texts.front() == texts.back()) return {format_quantity((scale.min + scale.max) / 2, unit, 3)};
+    if (texts.front() == texts.back()) return {format_quantity((scale.min + scale.max) / 2, field.unit, 3)};
     return texts;
 }
 
@@ -69,14 +77,14 @@ float tick_begin(const std::vector<std::string>& ticks, std::size_t i, float wid
 // Five ticks, or three or two where the words of more would touch.
 std::vector<std::string> bar_ticks_that_fit(const PanelContext& lab, const Field& field, float width) {
     for (const int intervals : {4, 2}) {
-        const auto ticks = tick_texts(lab.session.colour_scale(), intervals, field.unit);
+        const auto ticks = tick_texts(lab, intervals, field);
         bool apart = true;
         for (std::size_t i = 1; i < ticks.size(); ++i)
             apart = apart && tick_begin(ticks, i - 1, width) + ImGui::CalcTextSize(ticks[i - 1].c_str()).x + lab.px(14) <=
                                  tick_begin(ticks, i, width);
         if (apart) return ticks;
     }
-    return tick_texts(lab.session.colour_scale(), 1, field.unit);
+    return tick_texts(lab, 1, field);
 }
 
 // Hatches the part of the bar that stands for negative numbers, as the picture does. `from` and `to` are where the least and the
@@ -109,7 +117,7 @@ void upright_bar(PanelContext& lab, const Rectangle& picture, const Field& field
     draw->AddRect({low.x, top}, {low.x + width, low.y}, lab.ink(Ink::text, 0.6f));
     ImGui::PushFont(lab.fonts.small);
     const float line = ImGui::GetTextLineHeight();
-    const auto ticks = tick_texts(scale, 4, field.unit);
+    const auto ticks = tick_texts(lab, 4, field);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const std::string& text = ticks[i];
         const float y = low.y - height * tick_part(ticks, i);
@@ -117,7 +125,8 @@ void upright_bar(PanelContext& lab, const Rectangle& picture, const Field& field
         haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
     }
     const std::string title = title_of(lab.session, field);
-    haloed_sentence(lab, {low.x + width - sentence_width(lab, title), top - 1.6f * line}, lab.ink(Ink::text), title);
+    const float left = std::max(low.x + width - sentence_width(lab, title), picture.x + lab.px(8));
+    haloed_sentence(lab, {left, top - 1.6f * line}, lab.ink(Ink::text), title);
     ImGui::PopFont();
 }
 

@@ -1,6 +1,9 @@
 #include "panels/panel_context.h"
 
 #include <imgui_internal.h>
+#include <pliant/text/spoken.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -80,8 +83,18 @@ void haloed_text(PanelContext& lab, ImVec2 at, unsigned colour, const std::strin
     draw->AddText(at, colour, text.c_str());
 }
 
+void place_tip() {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    if (g.NavDisableHighlight || !g.NavDisableMouseHover) return;
+    const ImRect panel = g.CurrentWindow->RootWindow->Rect(), item = g.LastItemData.Rect;
+    const bool on_the_left = panel.GetCenter().x < g.IO.DisplaySize.x / 2;
+    ImGui::SetNextWindowPos({on_the_left ? panel.Max.x : panel.Min.x, item.Min.y}, ImGuiCond_Always,
+                            {on_the_left ? 0.f : 1.f, 0});
+}
+
 void tooltip(const std::string& text, float scale) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort | ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    place_tip();
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(320 * scale);
     ImGui::TextUnformatted(text.c_str());
@@ -114,13 +127,10 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-std::string words(std::string_view key) {
-    std::string text(key);
-    std::ranges::replace(text, '_', ' ');
-    if (text.starts_with("youngs ")) text.replace(0, 7, "Young's ");
-    if (text.starts_with("poisson ")) text.replace(0, 8, "Poisson ");
-    if (text == "cfl") return "CFL";
-    return capitalised(std::move(text));
+std::string words(std::string_view key) { return capitalised(spoken(key)); }
+
+std::string not_yet(const Stage* awaited) {
+    return awaited ? fmt::format("not computed yet: the stage “{}” does it", words(awaited->name)) : "";
 }
 
 namespace {

@@ -67,14 +67,15 @@ void draw_key_numbers(PanelContext& lab) {
     const auto& held = lab.held.key_numbers;
     for (std::size_t k = 0; k < probes.size() && k < held.size(); ++k) {
         const Probe* p = probes[k];
-        const auto& [value, exact] = held[k];
+        const auto& [value, exact, awaits] = held[k];
         const bool hidden = lab.session.hides(p->name);  // until it is predicted
-        const std::string number = hidden ? "?" : value ? format_quantity(*value, p->unit) : "undefined";
+        const std::string number = hidden ? "?" : !awaits.empty() ? "—" : value ? format_quantity(*value, p->unit) : "undefined";
         const std::string exact_text = exact && !hidden ? fmt::format("exact {}", format_quantity(*exact, p->unit)) : "";
         const bool beside = draw_label(lab, *p, number, exact_text);
         ImGui::PushFont(lab.fonts.large);
         ImGui::TextUnformatted(number.c_str());
         ImGui::PopFont();
+        tooltip(awaits, lab.scale);
         if (exact_text.empty() || !beside) continue;
         ImGui::SameLine(0, lab.px(12));
         ImGui::AlignTextToFramePadding();

@@ -3,6 +3,7 @@
 
 #include <pliant/document/summary.h>
 #include <pliant/math/watch.h>
+#include <pliant/run/awaited.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -69,7 +70,8 @@ void measure_held_numbers(PanelContext& lab) {
     held.of = now;
     held.lights.clear(), held.key_numbers.clear();
     for (const Probe* p : key_probes(r.lesson()))
-        held.key_numbers.emplace_back(measured([&] { return r.value(*p); }), measured([&] { return r.exact(*p); }));
+        held.key_numbers.push_back(
+            {measured([&] { return r.value(*p); }), measured([&] { return r.exact(*p); }), not_yet(awaited_stage(r, *p))});
     try {
         add_laws(r, held.lights);
         add_assumptions(s.lesson(), held.lights);

@@ -139,7 +139,12 @@ std::vector<KeyRow> key_rows() {
     rows.push_back({{"right drag"}, "move the picture", mouse});
     rows.push_back({{"right click"}, "on a picture or a plot: its menu; on a parameter: what if", mouse});
     rows.push_back({{"wheel"}, "zoom", mouse});
-    rows.push_back({{"Ctrl+click"}, "type a slider's number; with keys, Enter on it", mouse});
+    rows.push_back({{"← and →"}, "on a slider: a step less or more; with Shift a tenth of it", mouse});
+    rows.push_back({{"Alt+wheel"}, "over a slider: a step less or more; with Shift a tenth of it", mouse});
+    rows.push_back({{"Shift+drag"}, "a slider, ten times as finely", mouse});
+    rows.push_back({{"Ctrl+click"},
+                    "type a slider's number, in the unit that is shown or with one of its own; with keys, Enter on it",
+                    mouse});
     rows.push_back({{"double click"}, "a slider's default", mouse});
     return rows;
 }

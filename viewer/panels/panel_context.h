@@ -40,11 +40,16 @@ struct Light {
     std::string name, help;
 };
 
+struct KeyNumber {
+    std::optional<Real> value, exact;
+    std::string awaits{};  // the stage that has yet to compute it, in words
+};
+
 // Numbers of the run as it was when it moved last; of the last whole step while one that plays is cut by a frame, so that what is
 // only of use inside a step does not flash up.
 struct HeldNumbers {
     std::pair<int, long> of{-1, -1};  // which lesson that was opened, and the revision of its run
-    std::vector<std::pair<std::optional<Real>, std::optional<Real>>> key_numbers{};  // and their exact values
+    std::vector<KeyNumber> key_numbers{};
     std::vector<Light> lights{};
 };
 
@@ -127,6 +132,8 @@ std::string with_ellipsis(std::string text, float width);
 void fitted_text(const std::string& text, float width);
 // Words that stay readable over any picture, at this place of the window that is being drawn.
 void haloed_text(PanelContext& lab, ImVec2 at, unsigned colour, const std::string& text);
+// Before a tooltip of the last item: where the keys act on it, beside its panel, so that the next controls stay in sight.
+void place_tip();
 // A tooltip for the last item, wrapped.
 void tooltip(const std::string& text, float scale);
 // A button on the line of the one before, or on the next where it does not fit.
@@ -138,6 +145,8 @@ std::string without_marks(const std::string& text);
 std::string capitalised(std::string text);
 // "youngs_modulus" as words.
 std::string words(std::string_view key);
+// "not computed yet: stage Projection does it"; "" for none.
+std::string not_yet(const Stage* awaited);
 // Do both have the same letters: det_F and det F?
 bool says_the_same(std::string_view key, std::string_view symbol);
 // The words with the symbol behind them; the symbol alone where it says the same: det F, P₁₁.

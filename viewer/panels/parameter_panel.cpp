@@ -2,6 +2,7 @@
 #include "panels/parameter_panel.h"
 
 #include <pliant/text/format.h>
+#include <pliant/text/quantity_text.h>
 
 #include "panels/companion_panel.h"
 #include "panels/methods_panel.h"
@@ -24,51 +25,43 @@ std::string describe(const Parameter& p) {
         text += "\nUsual " + p.info.useful.text() + ", accepted " + p.accepted().text() +
                 (p.info.unit.empty() ? "" : " " + std::string(p.info.unit)) + ", default " +
                 format_quantity(p.info.initial, p.info.unit) +
-                ".\nCtrl+click, or Enter, types a number, with a unit if you like; it may lie outside the usual range. A double "
-                "click "
-                "restores the default.";
+                ".\nCtrl+click, or Enter, types a number: in the unit that is shown, unless another stands behind it; it may lie "
+                "outside the usual range. ← and → go by a step, with Shift by a tenth; so does the wheel with Alt. Shift drags "
+                "finely. A double click restores the default.";
     text += p.looks()                       ? "\nOnly chooses what is shown: the run stays as it is."
             : p.info.effect == Effect::live ? "\nTakes effect with the next step."
                                             : "\nRestarts the lesson (↻).";
     return text;
 }
 
-// What the slider spans; open ends are left out by a hair, and a logarithmic one stays above zero.
-Interval span_of(const Parameter& p, bool extreme) {
-    Interval span = extreme ? p.accepted() : p.info.useful;
-    if (p.info.scale == Scale::log && span.min <= 0) span.min = p.info.useful.min * 1e-6;
-    const Real hair = 1e-6 * (span.max - span.min);
-    if (span.open_min && p.info.scale == Scale::linear) span.min += hair;
-    if (span.open_max) span.max -= hair;
-    return span;
-}
-
+// As it is written for its name: with all digits, in the unit that is shown beside it.
 std::string in_full(const Parameter& p, Real value) {
-    return p.info.unit.empty() ? p.text(value) : fmt::format("{} {}", p.text(value), p.info.unit);
+    if (p.info.kind != Kind::number) return p.text(value);
+    return quantity_in(value, p.info.unit, unit_shown(value, p.info.unit, Session::value_digits));
 }
 
-void number_slider(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
+// Space on a slider that the keys act on plays, as everywhere.
+bool space_on(ImGuiID id) {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    return g.NavActivateId == id && ImGui::IsKeyPressed(ImGuiKey_Space, false);
+}
+
+void slider_of(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
     Session& session = lab.session;
-    Real value = session.addressed().wanted(p);
-    Interval span = span_of(p, session.extreme);
-    span.min = std::min(span.min, value), span.max = std::max(span.max, value);
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput |
-                                   (p.info.scale == Scale::log ? ImGuiSliderFlags_Logarithmic : 0);
+    const Real value = session.addressed().wanted(p);
+    std::optional<Real> set;
     // The value stands above the slider; while one is typed, it is shown in full, with its unit.
-    bool changed = false;
     const auto text = slider_or_text(lab.typed, "##value", in_full(p, value), [&] {
-        changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.min, &span.max, "", flags);
+        set = number_slider("##value", p, session.extreme, value, panel.drag, lab.layout != Layout::deck);
     });
     if (text) return session.enter(p, *text);
     const bool typing = lab.typed.control == ImGui::GetItemID();
+    if (!typing && space_on(ImGui::GetItemID())) lab.wanted.push_back(Action::play);
     if (!typing && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         ImGui::ClearActiveID();  // else the button that is still down would set the value again
         return session.restore_default(p);
     }
-    if (ImGui::IsItemActivated()) panel.value_changed = false;
-    if (!changed) return;
-    if (p.info.kind == Kind::whole) value = std::round(value);
-    session.assign(p, value, std::exchange(panel.value_changed, true));
+    if (set) session.assign(p, *set, std::exchange(panel.drag.joins, true));
 }
 
 bool fits_with(const ImFont* font, const std::string& text, float room) {
@@ -138,7 +131,8 @@ std::string label_of(const PanelContext& lab, const Parameter& p) {
 // The name and the value on one line, in the large type of a deck.
 bool label_fits_large(const PanelContext& lab, const Parameter& p) {
     const bool number = p.info.kind != Kind::choice && p.info.kind != Kind::toggle;
-    const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
+    const std::string value =
+        number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, Session::value_digits) : "";
     const float room = ImGui::GetContentRegionAvail().x - lab.px(8);
     const ImFont* const font = lab.fonts.large;
     const float label = lab.fonts.mathematics.sentence(label_of(lab, p), lab.fonts.medium->FontSize).width;
@@ -148,7 +142,8 @@ bool label_fits_large(const PanelContext& lab, const Parameter& p) {
 // The name on the left and, of a number, the value on the right.
 void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p, ImFont* label_font) {
     const bool number = p.info.kind != Kind::choice;
-    const std::string value = number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, 5) : "";
+    const std::string value =
+        number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, Session::value_digits) : "";
     const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x - lab.px(2);
     const float top = ImGui::GetCursorPosY(), drop = ImGui::GetTextLineHeight();
     ImGui::PushFont(label_font);
@@ -161,15 +156,6 @@ void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p
     ImGui::SetCursorPosX(right);
     ImGui::SetCursorPosY(top);
     ImGui::TextUnformatted(value.c_str());
-}
-
-void extreme_switch(PanelContext& lab) {
-    const bool on = lab.session.extreme;
-    if (on) ImGui::PushStyleColor(ImGuiCol_Text, packed(bad_colour));
-    ImGui::Checkbox("extreme ranges", &lab.session.extreme);
-    if (on) ImGui::PopStyleColor();
-    lab.note_control("extreme");
-    tooltip("Sliders span all that the solver accepts, far beyond where it works well.", lab.scale);
 }
 
 }  // namespace
@@ -186,7 +172,7 @@ void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Paramet
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
         ImGui::SetNextItemWidth(-1);
         if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
-        p.info.kind == Kind::choice ? choice_box(lab, p) : number_slider(lab, panel, p);
+        p.info.kind == Kind::choice ? choice_box(lab, p) : slider_of(lab, panel, p);
         if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
     }
     lab.note_control(std::string(p.info.key));
@@ -195,18 +181,6 @@ void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Paramet
     ImGui::PopFont();
     parameter_tip(lab, panel, p);
     ImGui::PopID();
-}
-
-void draw_parameters(PanelContext& lab, ParameterPanelState& panel) {
-    ImGui::TextDisabled("Parameters");
-    ImGui::SameLine();
-    const float width = ImGui::CalcTextSize("extreme ranges").x + ImGui::GetFrameHeight() + lab.px(6);
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
-    extreme_switch(lab);
-    draw_run_switch(lab);
-    ImGui::BeginChild("parameters", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
-    for (const Parameter* p : lab.session.addressed().lesson().parameters) draw_parameter(lab, panel, *p);
-    ImGui::EndChild();
 }
 
 }  // namespace pliant::viewer

@@ -42,6 +42,11 @@ void mark_now(const PanelContext& lab, Plot& plot) {
     plot.vertical_line("now", runner.is_static() ? static_cast<Real>(runner.place().step) : runner.time());
 }
 
+// A curve that belongs to the parameters of the run, such as what theory says: beside another run it says to which.
+std::string of_run(const Session& s, std::string_view curve) {
+    return s.companion() ? fmt::format("{} (of A)", curve) : std::string(curve);
+}
+
 void plot_probe(PanelContext& lab, Plot& plot, std::size_t i, Point size) {
     Session& s = lab.session;
     if (s.recorder().empty()) return;
@@ -60,7 +65,7 @@ void plot_probe(PanelContext& lab, Plot& plot, std::size_t i, Point size) {
         line(run_name(s, true, 1), b->recorder().series(i), Dash::dashed);
     if (s.pinned() && !s.pinned()->recorder.empty()) line("pinned", s.pinned()->recorder.series(i), Dash::dashed);
     if (std::ranges::any_of(series.exact(), [](Real x) { return std::isfinite(x); }))
-        plot.reference("exact", series.at(), series.exact());
+        plot.reference(of_run(s, "exact"), series.at(), series.exact());
     mark_now(lab, plot);
     s.watch(i, zoomed_part(plot));
     plot.end();
@@ -85,13 +90,13 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
                                                      : Axes{}.empty_hint};
     if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
     if (s.hides(line.name)) return plot.end();
-    plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
+    if (!curve.position.empty()) plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
     Curve of_b;
     if (const Line* b = line_of_b(s, line)) {
         of_b = curve_of(b->sample);
         plot.line(run_name(s, true, 1), of_b.position, of_b.value, {.dash = Dash::dashed});
     }
-    const std::string name(line.reference_name);
+    const std::string name = of_run(s, line.reference_name);
     if (!reference.position.empty())
         line.reference_points ? plot.points(name, reference.position, reference.value)
                               : plot.reference(name, reference.position, reference.value);
@@ -100,8 +105,8 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
         const auto& [label, sample, points] = line.others[i];
         others[i] = curve_of(sample);
         if (others[i].position.empty()) continue;
-        points ? plot.points(std::string(label), others[i].position, others[i].value)
-               : plot.line(std::string(label), others[i].position, others[i].value);
+        points ? plot.points(of_run(s, label), others[i].position, others[i].value)
+               : plot.line(of_run(s, label), others[i].position, others[i].value);
     }
     plot.end();
 }

@@ -2,6 +2,7 @@
 #include "panels/stage_bar.h"
 
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include "panels/companion_panel.h"
 #include "panels/scene_view.h"
@@ -111,8 +112,9 @@ void stage_tooltip(PanelContext& lab, const Stage& stage, const StageCost& cost)
     std::string more = fmt::format("Source: {}\nReads {}; writes {}.", stage.source, fmt::join(stage.reads, ", "),
                                    fmt::join(stage.writes, ", "));
     if (cost.runs)
-        more += fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} passes in {} runs.", cost.last_ms, cost.total_ms, cost.passes,
-                            cost.runs);
+        more +=
+            fmt::format("\n{:.3f} ms last, {:.1f} ms in all, {} in {}.", cost.last_ms, cost.total_ms,
+                        counted(static_cast<long long>(cost.passes), "pass"), counted(static_cast<long long>(cost.runs), "run"));
     more += "\nClick: run to the end of this stage. Right click: compare before and after.";
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(words(stage.name).c_str());

@@ -1,6 +1,7 @@
 #include "panels/status_line.h"
 
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ bool names_fit(const PanelContext& lab) {
     return width <= ImGui::GetContentRegionAvail().x + gap_of_lights(lab);
 }
 
-// A light that tells by its shape as well: a filled disc holds, a crossed square does not, a ring is not expected.
+// A light that tells by its shape as well: a filled disc holds, a warning triangle does not, a ring is not expected.
 void draw_light(PanelContext& lab, const Light& light, bool named) {
     const Holds holds = light.holds;
     const float r = light_width(lab) / 2, line = std::max(2.f, lab.px(1.5f));
@@ -29,9 +30,10 @@ void draw_light(PanelContext& lab, const Light& light, bool named) {
     if (holds == Holds::yes) draw->AddCircleFilled(c, r, packed(good_colour));
     if (holds == Holds::not_expected) draw->AddCircle(c, r, packed(quiet_colour), 0, line);
     if (holds == Holds::no) {
-        draw->AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, packed(bad_colour));
-        draw->AddLine({c.x - r * 0.6f, c.y - r * 0.6f}, {c.x + r * 0.6f, c.y + r * 0.6f}, IM_COL32_WHITE, line);
-        draw->AddLine({c.x - r * 0.6f, c.y + r * 0.6f}, {c.x + r * 0.6f, c.y - r * 0.6f}, IM_COL32_WHITE, line);
+        const float wide = 1.3f * r, base = c.y + 1.05f * r;
+        draw->AddTriangleFilled({c.x, c.y - 1.2f * r}, {c.x + wide, base}, {c.x - wide, base}, packed(bad_colour));
+        draw->AddLine({c.x, c.y - 0.45f * r}, {c.x, c.y + 0.35f * r}, IM_COL32_WHITE, line);
+        draw->AddLine({c.x, c.y + 0.6f * r}, {c.x, c.y + 0.85f * r}, IM_COL32_WHITE, line);
     }
     ImGui::Dummy({2 * r, ImGui::GetTextLineHeight()});
     if (named) {
@@ -83,8 +85,8 @@ void draw_status_line(PanelContext& lab) {
     const bool room = names_fit(lab);
     for (const Light& l : lab.held.lights) draw_light(lab, l, room || l.holds == Holds::no);
     const std::string past =
-        fmt::format("past {} steps, {:.0f} of {:.0f} MB", r.history().size(), static_cast<double>(r.history().bytes()) / 1e6,
-                    static_cast<double>(r.history().cap()) / 1e6);
+        fmt::format("past {}, {:.0f} of {:.0f} MB", counted(static_cast<long long>(r.history().size()), "step"),
+                    static_cast<double>(r.history().bytes()) / 1e6, static_cast<double>(r.history().cap()) / 1e6);
     const float width = ImGui::CalcTextSize(past.c_str()).x;
     if (ImGui::GetContentRegionAvail().x > width) {
         ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);

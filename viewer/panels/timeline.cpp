@@ -2,6 +2,7 @@
 #include "panels/timeline.h"
 
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 

@@ -34,6 +34,7 @@ void fitted_sentence(const PanelContext& lab, const std::string& text, float wid
     if (box.width <= width) return draw_item(lab.fonts.mathematics, box, ImGui::GetColorU32(ImGuiCol_Text));
     ImGui::TextUnformatted(with_ellipsis(untypeset(text), width).c_str());
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) return;
+    place_tip();
     ImGui::BeginTooltip();
     draw_item(lab.fonts.mathematics, box, ImGui::GetColorU32(ImGuiCol_Text));
     ImGui::EndTooltip();
@@ -56,6 +57,7 @@ void haloed_sentence(const PanelContext& lab, ImVec2 at, unsigned colour, std::s
 
 void sentence_tooltip(const PanelContext& lab, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort | ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    place_tip();
     ImGui::BeginTooltip();
     draw_item(lab.fonts.mathematics, sentence_box(lab, text, lab.px(320)), ImGui::GetColorU32(ImGuiCol_Text));
     ImGui::EndTooltip();

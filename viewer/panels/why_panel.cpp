@@ -3,6 +3,7 @@
 
 #include <pliant/run/why.h>
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include "panels/panel_context.h"
 #include "panels/typeset_text.h"
@@ -99,7 +100,7 @@ void inputs_of(PanelContext& lab, const Answer& a, std::optional<Inspector::Aske
             lab.note_control(fmt::format("ask {}", in.symbol));
             over_item(lab, text, 0.5f * ImGui::GetStyle().ItemSpacing.x);
             const std::string origin = origin_of(in);
-            tooltip(fmt::format("{}{}. Click: why this number?", title_of(in, lab.session.lesson()),
+            tooltip(fmt::format("{}{}. Click: why this number?", capitalised(title_of(in, lab.session.lesson())),
                                 origin.empty() ? "" : ", " + origin),
                     lab.scale);
         } else {
@@ -125,7 +126,7 @@ void draw_why(PanelContext& lab) {
         lab.note_control("why back");
         tooltip("To the number that this one went into", lab.scale);
         ImGui::SameLine();
-        ImGui::TextDisabled("%zu questions deep", in.asked.size());
+        ImGui::TextDisabled("%s deep", counted(static_cast<long long>(in.asked.size()), "question").c_str());
     }
     if (!in.answer) return;
     const Answer a = *in.answer;

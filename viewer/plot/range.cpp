@@ -12,6 +12,9 @@ constexpr Real largest = largest_shown, smallest = smallest_shown;
 constexpr Real finest = 1e-12;
 // Room about a single value, as a part of it on a linear axis and in decades on a log axis.
 constexpr Real room_linear = 0.1, room_decades = 0.5;
+// Numbers that differ by less, relative to their size, are one number to whoever looks: an axis begins about as wide as
+// `room_alike` of it, so that what agrees is seen to agree. Who zooms in sees more.
+constexpr Real alike = 1e-6, room_alike = 1e-3;
 // How far a growing range reaches beyond the data, in parts of the span of the data.
 constexpr Real reserve = 0.25;
 constexpr Real margin_part = 0.04;
@@ -48,6 +51,14 @@ Range round_exponents(Range exponents) {
         if (decade_hi + *stop >= exponents.hi - rounding) round.hi = decade_hi + *stop;
     }
     return round;
+}
+
+// Wide enough not to magnify what is alike.
+Range apart(Range data, AxisScale scale) {
+    const Real size = std::max(std::abs(data.lo), std::abs(data.hi)), span = data.span();
+    if (scale == AxisScale::log || span <= finest * size || span > alike * size || size <= smallest) return data;
+    const Real middle = data.lo / 2 + data.hi / 2;
+    return {middle - room_alike * size, middle + room_alike * size};
 }
 
 }  // namespace
@@ -95,7 +106,7 @@ Range widened(Range range, AxisScale scale) {
 Range nice_range(Range data, AxisScale scale, Margin margin) {
     // A clock that has not moved yet.
     if (scale == AxisScale::linear && margin == Margin::none && data == Range{0, 0}) return {0, 1};
-    const Range range = widened(data, scale);
+    const Range range = widened(apart(data, scale), scale);
     const bool has_room = range != data || scale == AxisScale::log;
     const Real part = margin == Margin::some && !has_room ? margin_part : 0;
     const Range line = stretched(to_linear(range, scale), part, part, scale);

@@ -74,7 +74,9 @@ Ticks linear_ticks(Range range, int most, std::string_view unit) {
     }
     for (Real k = multiples.first; k <= multiples.last; ++k) {
         const Real value = multiples.at(k);
-        result.ticks.push_back({value, fixed((value - offset) / scale, decimals)});
+        const std::string text = fixed((value - offset) / scale, decimals);
+        const bool signed_text = from_offset && text.find_first_of("123456789") != std::string::npos && !text.starts_with('-');
+        result.ticks.push_back({value, signed_text ? "+" + text : text});
     }
     return result;
 }
@@ -134,10 +136,8 @@ Ticks make_ticks(Range range, AxisScale scale, int most, std::string_view unit) 
 std::string axis_text(std::string_view label, const Ticks& ticks) {
     std::string text(label);
     const auto append = [&text](const std::string& part) { text += (text.empty() ? "" : " ") + part; };
-    if (ticks.offset.starts_with('-'))
-        append("+ " + ticks.offset.substr(1));
-    else if (!ticks.offset.empty())
-        append("- " + ticks.offset);
+    // A tick of 2 at "ω = 1.5 rad/s + … [mrad/s]" is 1.502 rad/s.
+    if (!ticks.offset.empty()) append((text.empty() ? "" : "= ") + ticks.offset + " + …");
     if (!ticks.unit.empty()) append("[" + ticks.unit + "]");
     return text;
 }

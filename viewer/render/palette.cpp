@@ -37,13 +37,12 @@ Rgba8 ColourScale::of(float value) const {
     return colour_at(map, max > min ? (static_cast<Real>(value) - min) / (max - min) : 0.5);
 }
 
-ColourScale scale_for(const std::vector<Real>& values) {
-    if (values.empty()) return {};
+ColourScale scale_for(const std::vector<Real>& values, bool both_signs) {
+    if (values.empty()) return {0, 1, both_signs ? ColourMap::diverging : ColourMap::viridis};
     const auto [least, greatest] = std::ranges::minmax(values);
-    // Signs that rounding alone makes do not count.
-    if (least < -1e-9 * std::abs(greatest) && greatest > 1e-9 * std::abs(least) && greatest > 0) {
-        const Real size = std::max(-least, greatest);
-        return {-size, size, ColourMap::diverging};
+    if (both_signs) {
+        const Real size = std::max(std::abs(least), std::abs(greatest));
+        return {size > 0 ? -size : 0, size, ColourMap::diverging};
     }
     return {least, greatest, ColourMap::viridis};
 }

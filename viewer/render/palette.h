@@ -26,7 +26,8 @@ struct ColourScale {
     bool operator==(const ColourScale&) const = default;
 };
 
-// A scale for these numbers: about zero and diverging when they have both signs, else from the least to the greatest.
-ColourScale scale_for(const std::vector<Real>& values);
+// A scale for these numbers. What may have both signs has diverging colours about zero, also while it has one alone; anything
+// else goes from the least to the greatest.
+ColourScale scale_for(const std::vector<Real>& values, bool both_signs);
 
 }  // namespace pliant::viewer

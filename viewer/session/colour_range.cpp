@@ -6,9 +6,9 @@
 
 namespace pliant::viewer {
 
-void ColourRange::update(const std::vector<Real>& values) {
+void ColourRange::update(const std::vector<Real>& values, bool both_signs) {
     if (values.empty() || (!automatic && !fresh_)) return;
-    const ColourScale wanted = scale_for(values);
+    const ColourScale wanted = scale_for(values, both_signs);
     const Real size = std::max(std::abs(scale.min), std::abs(scale.max)),
                wanted_size = std::max(std::abs(wanted.min), std::abs(wanted.max));
     // Follows when the numbers reach beyond the range or fill less than a third of it, so that colours do not flicker.

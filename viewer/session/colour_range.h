@@ -10,7 +10,7 @@ namespace pliant::viewer {
 struct ColourRange {
     bool automatic = true;
     ColourScale scale;
-    void update(const std::vector<Real>& values);
+    void update(const std::vector<Real>& values, bool both_signs);
     void forget() { fresh_ = true; }
     void begin_with(const ColourScale& wanted) { scale = wanted, fresh_ = false; }
 

@@ -114,11 +114,13 @@ public:
     Real reached_speed() const { return playing ? reached_speed_ : 0; }
 
     // --- parameters ---
-    bool extreme = false;  // sliders span all that the solver accepts
+    bool extreme = false;                   // sliders span all that the solver accepts
+    static constexpr int value_digits = 5;  // of the value beside a slider
     // A refusal, also of a parameter that the slide locks, becomes a message. Values that follow each other on one parameter
     // within a drag are one undo step.
     void assign(const Parameter& parameter, Real value, bool same_drag = false);
-    // What was typed for a parameter, read as the command line reads it. A refusal becomes a message; nothing is clamped.
+    // What was typed for a parameter, read as the command line reads it, save that a number without a unit is in the one that is
+    // shown: beside "4 ms" 20 is 20 ms. A refusal becomes a message; nothing is clamped.
     void enter(const Parameter& parameter, std::string_view text);
     // Several values at once, by key, as one step of undo; the run begins anew. False when refused.
     bool assign_together(const std::vector<std::pair<std::string, Real>>& values);

@@ -1,6 +1,8 @@
 // The session and its parameters: sliders, handles and undo.
 #include "session/session.h"
 
+#include <pliant/text/format.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,7 +68,9 @@ void Session::look(const std::vector<std::pair<std::string, Real>>& values) {
 
 void Session::enter(const Parameter& parameter, std::string_view text) {
     try {
-        assign(parameter, parameter.parse(text));
+        const bool beside = companion_ && companion_->owns(parameter);
+        const Real now = (beside ? companion_->runner() : *runner_).wanted(parameter);
+        assign(parameter, parameter.parse(text, unit_shown(now, parameter.info.unit, value_digits)));
     } catch (const Refused& e) {
         say(Message::Kind::refused, e.what());
     }

@@ -44,7 +44,8 @@ SceneFile Session::scene_file() const {
 SceneView SceneTaking::view() const {
     SceneView view{.field = s_.colours.field, .component = s_.colours.component};
     view.fixed = !s_.range.automatic;
-    if (const auto values = s_.shown_values(); !values.empty() && (view.fixed || s_.range.scale != scale_for(values))) {
+    if (const auto values = s_.shown_values();
+        !values.empty() && (view.fixed || s_.range.scale != scale_for(values, s_.range.scale.map == ColourMap::diverging))) {
         view.range = Interval{s_.range.scale.min, s_.range.scale.max};
         view.diverging = s_.range.scale.map == ColourMap::diverging;
     }

@@ -7,6 +7,10 @@
 
 namespace pliant::viewer {
 
+namespace {
+bool has_both_signs(const Field& field, int component) { return field.rank == Rank::scalar ? field.both_signs : component >= 0; }
+}  // namespace
+
 std::vector<Real> Session::shown_values() const {
     const Field* field = lesson().find_field(colours.field);
     std::vector<Real> values;
@@ -28,11 +32,11 @@ void Session::view_changed() {
     const Field* field = lesson().find_field(colours.field);
     shows_change_ = false;
     if (!field || !field->in_use()) return;
-    range.update(shown_values());
+    range.update(shown_values(), shows_difference() || has_both_signs(*field, colours.component));
     if (inspector.compare != Compare::difference) return;
     guarded([&] { inspector.renew_trace(*runner_); });
     if (const auto change = inspector.change(*runner_, *field, colours.component)) {
-        change_range_.update(*change);
+        change_range_.update(*change, true);
         shows_change_ = true;
     }
 }

@@ -10,8 +10,10 @@ namespace pliant::viewer {
 
 class UsageReasons {
 public:
-    // "Used with path=free."; what was found is kept until a parameter changes.
+    // "Used when path is “any F”."; what was found is kept until a parameter changes.
     const std::string& reason(const Runner& runner, const Parameter& parameter);
+    // What was found last of the parameter with this key; null for nothing.
+    const std::string* known(std::string_view key) const;
 
 private:
     std::string_view lesson_;

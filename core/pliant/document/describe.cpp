@@ -39,6 +39,7 @@ Json parameter_json(const Parameter& p) {
                          {"open_max", p.accepted().open_max}};
         j["scale"] = info.scale == Scale::log ? "log" : "linear";
     }
+    j["group"] = key_of(info.group);
     j["effect"] = name_of(info.effect);
     return j;
 }
@@ -121,9 +122,13 @@ std::string describe_json(const LessonEntry& entry) {
 std::string describe_text(const LessonEntry& entry) {
     const auto lesson = entry.make();
     std::string text = fmt::format("{}: {}\n{}\n\nParameters\n", entry.info.id, entry.info.title, entry.info.summary);
-    for (const Parameter* p : lesson->parameters)
-        text += fmt::format("  {:<20} {:>14} {:<8} {}\n  {:<20} {}\n", p->info.key, p->text(p->info.initial), p->info.unit,
-                            range_text(*p), "", p->info.help);
+    for (const Group group : all_groups) {
+        const auto members = lesson->parameters_of(group);
+        if (!members.empty()) text += fmt::format(" {}\n", name_of(group));
+        for (const Parameter* p : members)
+            text += fmt::format("  {:<20} {:>14} {:<8} {}\n  {:<20} {}\n", p->info.key, p->text(p->info.initial), p->info.unit,
+                                range_text(*p), "", p->info.help);
+    }
     text += "\nStages\n";
     for (const Stage& s : lesson->stages) text += fmt::format("  {:<20} {}\n", s.name, s.formula);
     text += "\nFields\n";
@@ -149,9 +154,13 @@ std::string describe_markdown(const Lesson& lesson, std::string_view id) {
     std::string text =
         "\n### Parameters\n\n| key | symbol | unit | default | accepted | takes effect | meaning "
         "|\n|---|---|---|---|---|---|---|\n";
-    for (const Parameter* p : lesson.parameters)
-        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", p->info.key, p->info.symbol, p->info.unit,
-                            p->text(p->info.initial), range_text(*p), when_in_effect(p->info.effect), cell(p->info.help));
+    for (const Group group : all_groups) {
+        const auto members = lesson.parameters_of(group);
+        if (!members.empty()) text += fmt::format("| **{}** | | | | | | |\n", name_of(group));
+        for (const Parameter* p : members)
+            text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", p->info.key, p->info.symbol, p->info.unit,
+                                p->text(p->info.initial), range_text(*p), when_in_effect(p->info.effect), cell(p->info.help));
+    }
     text += "\n### Fields\n\n| field | symbol | unit | kind | meaning |\n|---|---|---|---|---|\n";
     for (const Field& f : lesson.fields)
         text += fmt::format("| `{}` | {} | {} | {} per {} | {} |\n", f.name, cell(f.symbol), f.unit, pliant::name_of(f.rank),

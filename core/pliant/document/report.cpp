@@ -1,6 +1,7 @@
 #include <pliant/document/report.h>
 #include <pliant/document/report_json.h>
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 
@@ -153,8 +154,7 @@ std::string run_text(const Runner& runner) {
     text += "\nCost\n";
     for (const Stage* s : runner.stages()) {
         const StageCost& c = runner.cost(*s);
-        text +=
-            table_row(s->name, fmt::format("{:.3f} ms", c.total_ms), c.passes > c.runs ? fmt::format("{} passes", c.passes) : "");
+        text += table_row(s->name, fmt::format("{:.3f} ms", c.total_ms), c.passes > c.runs ? counted(c.passes, "pass") : "");
     }
     return text;
 }

@@ -19,13 +19,13 @@ Written json_assignments(const Lesson& lesson, const Runner::Assignments& assign
         const Parameter& p = lesson.parameter(key);
         const Real value = p.parse(text);
         if (p.info.kind == Kind::choice)
-            object[key] = text;
+            object[std::string(p.info.key)] = text;
         else if (p.info.kind == Kind::toggle)
-            object[key] = value != 0;
+            object[std::string(p.info.key)] = value != 0;
         else if (p.info.kind == Kind::whole)
-            object[key] = static_cast<long long>(value);
+            object[std::string(p.info.key)] = static_cast<long long>(value);
         else
-            object[key] = value;
+            object[std::string(p.info.key)] = value;
     }
     return object;
 }

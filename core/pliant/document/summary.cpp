@@ -1,5 +1,6 @@
 #include <pliant/document/summary.h>
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ std::string stage_sentence(const Runner& r) {
     const auto last = r.last_stage();
     std::string text = last && *last < stages.size() ? fmt::format("The stage {} has just run", spoken(stages[*last]->name))
                                                      : std::string("No stage has run yet");
-    if (r.passes_in_stage() > 0) text += fmt::format(", {} passes so far", r.passes_in_stage());
+    if (r.passes_in_stage() > 0) text += fmt::format(", {} so far", counted(r.passes_in_stage(), "pass"));
     return text + fmt::format("; {} is next.\n", spoken(stages[r.inside_step() ? r.next_stage() : 0]->name));
 }
 
@@ -76,12 +77,6 @@ std::string failure_sentence(const Failure& f) {
 }
 
 }  // namespace
-
-std::string spoken(std::string_view key) {
-    std::string text(key);
-    std::ranges::replace(text, '_', ' ');
-    return text;
-}
 
 std::vector<const Probe*> key_probes(const Lesson& lesson) {
     std::vector<const Probe*> chosen;

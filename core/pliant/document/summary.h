@@ -1,6 +1,7 @@
 // How a run stands, in plain sentences: for those who listen rather than look, and for a terminal.
 #pragma once
 #include <pliant/run/runner.h>
+#include <pliant/text/spoken.h>
 
 #include <string>
 #include <string_view>
@@ -14,8 +15,5 @@ std::string summary_text(const Runner& runner);
 
 // The numbers that matter: what the lesson names; else the probes with an exact value, or the first one.
 std::vector<const Probe*> key_probes(const Lesson& lesson);
-
-// "spring_forces" as it is said.
-std::string spoken(std::string_view key);
 
 }  // namespace pliant

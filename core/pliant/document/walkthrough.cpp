@@ -2,10 +2,12 @@
 #include <pliant/document/scene_file.h>
 #include <pliant/document/summary.h>
 #include <pliant/document/walkthrough.h>
+#include <pliant/document/walkthrough_sentences.h>
 #include <pliant/document/walkthrough_words.h>
 #include <pliant/run/until.h>
 #include <pliant/text/format.h>
 #include <pliant/text/number_text.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 
@@ -168,7 +170,7 @@ Real WalkthroughPlayer::quantity(std::string_view name) const {
     if (name == "time") return runner_.time();
     if (name == "step") return static_cast<Real>(runner_.place().step);
     for (const Parameter* p : runner_.lesson().parameters)
-        if (p->info.key == name) return p->value();
+        if (p->info.is_called(name)) return p->value();
     const auto value = runner_.value(runner_.lesson().probe(name));
     if (!value) throw Refused(fmt::format("the probe '{}' is not defined here", name));
     return *value;
@@ -195,15 +197,19 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
         factor = *number_first, ++at;
     const std::string& term = words[at++];
     Real right = 0;
+    ExpectedNumber expected{.name = words[0], .comparison = words[1], .left = left};
     if (const auto constant = finite_number(term))
         right = *constant;
     else if (term == "exact")
-        right = runner_.exact(runner_.lesson().probe(words[0])).value();
+        right = runner_.exact(runner_.lesson().probe(words[0])).value(), expected.what = "the exact value";
     else if (term == "before" && before_.contains(words[0]))
-        right = before_.find(words[0])->second;
+        right = before_.find(words[0])->second, expected.what = "what it was before";
     else
-        right = quantity(term);
+        right = quantity(term), expected.what = fmt::format("the {}", spoken(term));
     right *= factor;
+    if (factor != 1 && !expected.what.empty())
+        expected.what = fmt::format("{} times {}", format_quantity(factor, "", 3), expected.what);
+    expected.right = right;
 
     const std::string& op = words[1];
     bool met = false;
@@ -213,6 +219,7 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
         at += 2;
         const bool relative = at < words.size() && words[at] == "relative";
         if (relative) ++at;
+        expected.tolerance = *tolerance, expected.relative = relative;
         met = std::abs(left - right) <= *tolerance * (relative ? std::abs(right) : 1);
     } else if (op == "<" || op == "<=" || op == ">" || op == ">=") {
         met = op == "<" ? left < right : op == "<=" ? left <= right : op == ">" ? left > right : left >= right;
@@ -224,7 +231,7 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
     return {
         line, met,
         fmt::format("{} is {}, against {}", spoken(words[0]), format_quantity(left, unit, 4), format_quantity(right, unit, 4)),
-        number};
+        number, expectation_sentence(runner_.lesson(), expected)};
 } catch (const Refused& e) {
     refuse(number, fmt::format("{} (in '{}')", e.what(), line));
 } catch (const std::bad_optional_access&) {

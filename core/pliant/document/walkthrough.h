@@ -79,6 +79,7 @@ struct ExpectationResult {
     bool met = false;
     std::string measured;  // "strain is 0.049, against 0.05"
     int line = 0;
+    std::string sentence{};  // "the strain is 0.049, expected below 0.05", for people
 };
 
 // Plays a walkthrough on a runner. Each slide has a first half (text, formula, question) and, after the actions, a second half

@@ -1,6 +1,7 @@
 // Answers as JSON and as text.
 #include <pliant/run/why.h>
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -139,11 +140,12 @@ std::string words_of_solve(const Answer& a, const Lesson& lesson) {
 
 std::string title_of(const Answer& a, const Lesson& lesson) {
     const Field* field = lesson.find_field(a.field);
-    if (!field) return a.field.empty() ? a.symbol : a.field;
-    const std::string component = a.component >= 0 && field->rank != Rank::scalar
-                                      ? " " + component_names(*field)[static_cast<std::size_t>(a.component)]
-                                      : "";
-    return fmt::format("{}{} of {} {}", a.field, component, name_of(field->on), a.index);
+    if (!field) return a.field.empty() ? a.symbol : spoken(a.field);
+    const std::string component =
+        a.component >= 0 && field->rank != Rank::scalar
+            ? fmt::format("the {} component of ", component_names(*field)[static_cast<std::size_t>(a.component)])
+            : "";
+    return fmt::format("{}the {} of {} {}", component, spoken(field->name), spoken(name_of(field->on)), a.index);
 }
 
 }  // namespace pliant

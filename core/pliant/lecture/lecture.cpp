@@ -70,6 +70,7 @@ std::vector<ExpectationResult> played_scene(const Lecture& lecture, const Lectur
     if (!slide.beside) return results;
     for (ExpectationResult& r : played_run(lecture, slide, true)) {
         r.text = std::string(of_second_run) + r.text;
+        r.sentence = "in B " + r.sentence;
         results.push_back(std::move(r));
     }
     return results;

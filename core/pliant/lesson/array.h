@@ -46,6 +46,9 @@ struct Field {
     // What a stage writes is explained by the stage instead.
     std::vector<std::string_view> defined_by{};
     std::function<Explanation(const Question&)> explain{};
+    // A scalar that may have both signs, and is shown by colours that diverge from 0, in every state. Components of vectors and
+    // tensors always are, lengths and norms never.
+    bool both_signs = false;
 
     Index size() const { return static_cast<Index>(view().size()) / components; }
     bool in_use() const { return !used || used(); }
@@ -54,6 +57,7 @@ struct Field {
     Field stops_at(Real magnitude) const;
     Field stops_at(std::function<Real()> magnitude) const;
     Field when(std::function<bool()> uses) const;
+    Field of_both_signs() const;
     Field follows(std::vector<std::string_view> from, std::function<Explanation(const Question&)> why) const;
 };
 

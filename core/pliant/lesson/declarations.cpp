@@ -19,6 +19,11 @@ Field Field::stops_at(Real magnitude) const {
     return stops_at([magnitude] { return magnitude; });
 }
 Field Field::stops_at(std::function<Real()> magnitude) const { return with(*this, &Field::bound, std::move(magnitude)); }
+Field Field::of_both_signs() const {
+    Field field = *this;
+    field.both_signs = true;
+    return field;
+}
 Field Field::when(std::function<bool()> uses) const { return with(*this, &Field::used, std::move(uses)); }
 Field Field::follows(std::vector<std::string_view> from, std::function<Explanation(const Question&)> why) const {
     return with(with(*this, &Field::defined_by, std::move(from)), &Field::explain, std::move(why));
@@ -61,6 +66,11 @@ Probe Probe::exactly(std::function<std::optional<Real>(Real)> closed_form) const
 }
 Probe Probe::exactly(std::function<std::optional<Real>()> at_all_times) const {
     return exactly([value = std::move(at_all_times)](Real) { return value(); });
+}
+Probe Probe::once(std::string_view name_before) const {
+    Probe probe = *this;
+    probe.formerly = name_before;
+    return probe;
 }
 Probe Probe::when(std::function<bool()> defined) const {
     Probe some = with(*this, &Probe::value, [defined, all = value] { return defined() ? all() : std::nullopt; });

@@ -43,7 +43,16 @@ std::vector<const Stage*> Lesson::stages_in_use() const {
     return used;
 }
 
+std::vector<const Parameter*> Lesson::parameters_of(Group group) const {
+    std::vector<const Parameter*> members;
+    for (const Parameter* p : parameters)
+        if (p->info.group == group) members.push_back(p);
+    return members;
+}
+
 Parameter& Lesson::parameter(std::string_view key) const {
+    for (Parameter* p : parameters)
+        if (p->info.is_called(key)) return *p;
     return *named(parameters, key, "parameter", [](const Parameter* p) { return p->info.key; });
 }
 
@@ -56,6 +65,8 @@ const Field& Lesson::field(std::string_view name) const {
 }
 
 const Probe& Lesson::probe(std::string_view name) const {
+    for (const Probe& p : probes)
+        if (!p.formerly.empty() && p.formerly == name) return p;
     return named(probes, name, "probe", [](const Probe& item) { return item.name; });
 }
 

@@ -75,11 +75,13 @@ struct Probe {
     std::function<std::optional<Real>(Real t)> exact{};
     // How it follows from fields and parameters now.
     std::function<Explanation()> explain{};
+    std::string_view formerly = "";  // the name that it had in older scenes, whose conditions still hold
 
     // For declarations of a few lines: probe_of(…).exactly(…). Where it is not defined it has neither a value nor a closed form.
     Probe exactly(std::function<std::optional<Real>(Real t)> closed_form) const;
     Probe exactly(std::function<std::optional<Real>()> at_all_times) const;
     Probe when(std::function<bool()> defined) const;
+    Probe once(std::string_view name_before) const;
     // It is what the formula gives: of parameters, parts, numbers of fields (Input::now, or Input::all_of under one symbol),
     // other probes, and Input::live. Fields and probes are looked up when it is first asked for.
     Probe formula(const Lesson& lesson, FormulaText text, std::vector<Input> inputs) const;
@@ -263,12 +265,18 @@ public:
     // The probes that a lecturer would read out, at most three, to show in large type.
     virtual std::vector<std::string_view> key_numbers() const { return {}; }
 
+    // Those of a group, in the order in which they are declared.
+    std::vector<const Parameter*> parameters_of(Group group) const;
+    // The groups that the lab unfolds at first, where it cannot show all: those that a lecturer would go to.
+    virtual std::vector<Group> first_groups() const { return {Group::scene, Group::method, Group::material}; }
+
     // The stages that the scene uses, in the order in which they run.
     std::vector<const Stage*> stages_in_use() const;
 
     // How a declared probe came about, where that is said apart from it. Throws Refused for an unknown one.
     void explain_probe(std::string_view name, std::function<Explanation()> why);
 
+    // Also by the key, or the name, that it had before.
     Parameter& parameter(std::string_view key) const;      // throws Refused, with the nearest known key
     const Field& field(std::string_view name) const;       // throws Refused, likewise; names fields in use
     const Probe& probe(std::string_view name) const;       // throws Refused, likewise

@@ -58,6 +58,23 @@ std::string option_keys(const std::vector<Option>& options) {
 
 }  // namespace
 
+namespace {
+struct GroupName {
+    std::string_view key, name;
+};
+constexpr std::array<GroupName, all_groups.size()> group_names{{{"scene", "Scene"},
+                                                                {"method", "Method"},
+                                                                {"material", "Material"},
+                                                                {"forces", "Forces and contact"},
+                                                                {"start", "Start"},
+                                                                {"shape", "Size and cells"},
+                                                                {"solver", "Solver"},
+                                                                {"view", "Picture and hand"}}};
+}  // namespace
+
+std::string_view key_of(Group group) { return group_names[static_cast<std::size_t>(group)].key; }
+std::string_view name_of(Group group) { return group_names[static_cast<std::size_t>(group)].name; }
+
 bool Interval::contains(Real v) const { return (open_min ? v > min : v >= min) && (open_max ? v < max : v <= max); }
 
 std::string Interval::text() const {
@@ -86,6 +103,16 @@ std::string_view name_of(Effect effect) {
 ParameterInfo ParameterInfo::log() const {
     ParameterInfo info = *this;
     info.scale = Scale::log;
+    return info;
+}
+ParameterInfo ParameterInfo::in(Group belongs_to) const {
+    ParameterInfo info = *this;
+    info.group = belongs_to;
+    return info;
+}
+ParameterInfo ParameterInfo::once(std::string_view key_before) const {
+    ParameterInfo info = *this;
+    info.formerly = key_before;
     return info;
 }
 ParameterInfo ParameterInfo::accepts(Interval interval) const {
@@ -141,7 +168,7 @@ void Parameter::check(Real value) const {
         fmt::format("{} = {} is outside the accepted range {}", info.key, with_unit(shown, info.unit), accepted().text()));
 }
 
-Real Parameter::parse(std::string_view text) const {
+Real Parameter::parse(std::string_view text, std::string_view unit_if_none) const {
     if (info.kind == Kind::choice) {
         for (std::size_t i = 0; i < info.options.size(); ++i)
             if (info.options[i].key == text) return static_cast<Real>(i);
@@ -155,7 +182,7 @@ Real Parameter::parse(std::string_view text) const {
         if (text == "false" || text == "off" || text == "0") return 0;
         throw Refused(fmt::format("{} = {} is not a switch position: give true or false", info.key, text));
     }
-    const QuantityText read = read_quantity(text, info.unit);
+    const QuantityText read = read_quantity(text, info.unit, unit_if_none);
     if (read.problem != QuantityText::Problem::none) refuse_text(*this, text, read);
     check(read.value);
     return read.value;

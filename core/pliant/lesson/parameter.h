@@ -4,6 +4,7 @@
 #include <pliant/math/error.h>
 #include <pliant/math/types.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -21,6 +22,22 @@ enum class Scale { linear, log };  // of the slider
 enum class Effect { live, rebuild, look };
 
 std::string_view name_of(Effect effect);  // "live", "rebuild", "look"
+
+// What of a scene a parameter belongs to. The lab shows each group under a heading of its own, in this order.
+enum class Group {
+    scene,     // what happens
+    method,    // how it is computed, and in which steps
+    material,  // what it consists of
+    forces,    // what acts on it: loads, contact, drives
+    start,     // its state at the start
+    shape,     // its sizes, and the cells or nodes that it is divided into
+    solver,    // iterations and tolerances of what solves equations
+    view       // what is drawn or pulled, of no effect on the rest
+};
+inline constexpr std::array all_groups{Group::scene, Group::method, Group::material, Group::forces,
+                                       Group::start, Group::shape,  Group::solver,   Group::view};
+std::string_view key_of(Group group);   // "forces", in files
+std::string_view name_of(Group group);  // "Forces and contact", on the screen
 
 struct Interval {
     Real min = 0, max = 1;
@@ -45,9 +62,14 @@ struct ParameterInfo {
     std::function<bool()> used{};  // does the present scene use it? always, when empty
     Kind kind = Kind::number;
     std::vector<Option> options{};
+    Group group = Group::scene;
+    std::string_view formerly = "";  // the key that it had in older scenes, which still open
 
     // For declarations of a line or two: quantity(…).log().accepts({1e-6, 1e6}).rebuilds().when([this] { return hangs(); })
     ParameterInfo log() const;
+    ParameterInfo in(Group belongs_to) const;
+    ParameterInfo once(std::string_view key_before) const;
+    bool is_called(std::string_view name) const { return name == key || (!formerly.empty() && name == formerly); }
     ParameterInfo accepts(Interval interval) const;
     ParameterInfo rebuilds() const;
     ParameterInfo looks() const;
@@ -88,8 +110,9 @@ public:
     void set(Real value);
     void check(Real value) const;
 
-    // From text as a person writes it: a number, "true/false/on/off", or the key of an option. Throws Refused.
-    Real parse(std::string_view text) const;
+    // From text as a person writes it: a number, "true/false/on/off", or the key of an option. A number without a unit of its own
+    // is in `unit_if_none`, the parameter's own unit or one that differs from it by a prefix; by default its own. Throws Refused.
+    Real parse(std::string_view text, std::string_view unit_if_none = "") const;
     // As parse reads it back, to the bit.
     std::string text() const { return text(value_); }
     std::string text(Real value) const;

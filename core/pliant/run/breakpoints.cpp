@@ -1,6 +1,7 @@
 #include <pliant/run/breakpoints.h>
 #include <pliant/text/format.h>
 #include <pliant/text/quantity_text.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 
@@ -72,18 +73,19 @@ std::string Breakpoints::words_of(const Runner& runner, const Watch& now) {
     if (const int k = first_new(now.conditions, last_.conditions); k >= 0) {
         const Condition& c = conditions[static_cast<std::size_t>(k)];
         const Probe& probe = lesson.probe(c.probe);
-        return fmt::format("{}: it is {} now", c.text(), format_quantity(probe.value().value_or(0), probe.unit));
+        return fmt::format("{} {} {}{}{}: it is {} now", spoken(probe.name), c.comparison, format_exact(c.limit),
+                           probe.unit.empty() ? "" : " ", probe.unit, format_quantity(probe.value().value_or(0), probe.unit));
     }
     if (const int k = first_new(now.assumptions, last_.assumptions); k >= 0 && assumptions) {
         const Assumption& a = lesson.assumptions[static_cast<std::size_t>(k)];
         failed_assumption_ = static_cast<std::size_t>(k);
-        return fmt::format("the assumption '{}' fails: {} is beyond {}. {}", a.name, format_quantity(a.value(), a.unit),
+        return fmt::format("the assumption “{}” fails: {} is beyond {}. {}", spoken(a.name), format_quantity(a.value(), a.unit),
                            format_quantity(a.limit(), a.unit), a.broken);
     }
     if (const int k = first_new(now.laws, last_.laws); k >= 0 && laws) {
         const Conserved& c = lesson.conserved[static_cast<std::size_t>(k)];
         const std::string_view unit = lesson.probe(c.probe).unit;
-        return fmt::format("{} is off by {}, and {} is tolerated", c.probe,
+        return fmt::format("{} is off by {}, and {} is tolerated", spoken(c.probe),
                            format_quantity(runner.drift(static_cast<std::size_t>(k)), unit),
                            format_quantity(runner.tolerance(static_cast<std::size_t>(k)), unit));
     }
@@ -104,11 +106,11 @@ std::optional<std::string> Breakpoints::stops(const Runner& runner) {
     if (running.empty()) return std::nullopt;
     if (const auto last = runner.last_stage(); last && passes.contains(running[*last]->name)) {
         const Index done = runner.passes_in_stage();
-        return done ? fmt::format("pass {} of {}", done, running[*last]->name)
-                    : fmt::format("the last pass of {}", running[*last]->name);
+        return done ? fmt::format("pass {} of {}", done, spoken(running[*last]->name))
+                    : fmt::format("the last pass of {}", spoken(running[*last]->name));
     }
     const Stage& next = *running[whole_step ? 0 : runner.next_stage()];
-    if (runner.passes_in_stage() == 0 && stages.contains(next.name)) return fmt::format("before {}", next.name);
+    if (runner.passes_in_stage() == 0 && stages.contains(next.name)) return fmt::format("before {}", spoken(next.name));
     return std::nullopt;
 }
 

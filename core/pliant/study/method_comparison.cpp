@@ -16,8 +16,9 @@ namespace pliant {
 namespace {
 
 // What the lessons call the choice of their method, the first that a scene uses being the one that it is about.
-constexpr std::array<std::string_view, 10> method_keys{"integrator", "scheme",        "method",      "advection", "solver",
-                                                       "energy",     "linear_solver", "spring_rule", "order",     "grid"};
+constexpr std::array<std::string_view, 11> method_keys{
+    "integrator", "advection_scheme", "viscosity_scheme", "scheme", "method", "solver",
+    "energy",     "linear_solver",    "spring_rule",      "order",  "grid"};
 
 std::size_t rank_of(const Parameter& p) {
     return static_cast<std::size_t>(std::ranges::find(method_keys, p.info.key) - method_keys.begin());

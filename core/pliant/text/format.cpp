@@ -59,21 +59,29 @@ std::string plain(Real value, int digits) {
     return mantissa == "1" ? power : mantissa == "-1" ? "-" + power : mantissa + "×" + power;
 }
 
+// None where the unit takes none.
+Prefix prefix_for(Real value, std::string_view unit, int digits) {
+    const auto known = std::ranges::find(prefixable, unit, &Prefixable::unit);
+    if (known == prefixable.end() || value == 0 || !std::isfinite(value)) return {0, ""};
+    // Of the number as it will be read: 0.99999 m/s is 1 m/s, not 1000 mm/s.
+    const Real read = std::strtod(fmt::format("{:.{}e}", std::abs(value), std::max(0, digits - 1)).c_str(), nullptr);
+    const int third = static_cast<int>(std::floor(std::log10(read) / 3 + 1e-12)) * 3;
+    return *std::ranges::find(prefixes, std::clamp(third, known->smallest, known->largest), &Prefix::exponent);
+}
+
 }  // namespace
 
 std::string format_quantity(Real value, std::string_view unit, int digits) {
     if (!std::isfinite(value)) return "undefined";
     if (value == 0) value = 0;  // no minus sign on zero
-    const auto known = std::ranges::find(prefixable, unit, &Prefixable::unit);
-    if (known != prefixable.end() && value != 0) {
-        // Of the number as it will be read: 0.99999 m/s is 1 m/s, not 1000 mm/s.
-        const Real read = std::strtod(fmt::format("{:.{}e}", std::abs(value), std::max(0, digits - 1)).c_str(), nullptr);
-        const int third = static_cast<int>(std::floor(std::log10(read) / 3 + 1e-12)) * 3;
-        const int exponent = std::clamp(third, known->smallest, known->largest);
-        const auto prefix = std::ranges::find(prefixes, exponent, &Prefix::exponent);
-        return fmt::format("{} {}{}", plain(value * std::pow(10.0, -exponent), digits), prefix->symbol, unit);
-    }
-    return unit.empty() ? plain(value, digits) : fmt::format("{} {}", plain(value, digits), unit);
+    if (unit.empty()) return plain(value, digits);
+    const Prefix prefix = prefix_for(value, unit, digits);
+    const Real scaled = prefix.exponent == 0 ? value : value * std::pow(10.0, -prefix.exponent);
+    return fmt::format("{} {}{}", plain(scaled, digits), prefix.symbol, unit);
+}
+
+std::string unit_shown(Real value, std::string_view unit, int digits) {
+    return std::string(prefix_for(value, unit, digits).symbol).append(unit);
 }
 
 std::string format_exact(Real value) { return fmt::format("{}", value); }

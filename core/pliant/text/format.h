@@ -12,6 +12,9 @@ namespace pliant {
 // reads "undefined".
 std::string format_quantity(Real value, std::string_view unit, int digits = 4);
 
+// The unit in which format_quantity writes this number: "kPa".
+std::string unit_shown(Real value, std::string_view unit, int digits = 4);
+
 // The shortest decimal text that reads back as exactly this number.
 std::string format_exact(Real value);
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -92,6 +94,7 @@ bool looks_like_unit(std::string_view text) {
 
 // The digits with another power of ten, read in one go: 35 ms are exactly the number 0.035.
 QuantityText times_power(std::string_view number, int exponent) {
+    if (read_number(number).ambiguous) return {0, QuantityText::Problem::ambiguous};
     const auto e = number.find_first_of("eE");
     const Real written = e == number.npos ? 0 : finite_number(number.substr(e + 1)).value_or(0);
     const NumberText read =
@@ -106,19 +109,38 @@ QuantityText times_power(std::string_view number, int exponent) {
 
 }  // namespace
 
-QuantityText read_quantity(std::string_view text, std::string_view unit) {
+QuantityText read_quantity(std::string_view text, std::string_view unit, std::string_view unit_if_none) {
     text = stripped(text);
     const std::size_t end = end_of_number(text);
     // "inf" and "nan" are refused as numbers, not as units.
     const bool has_digits = std::ranges::any_of(text.substr(0, end), is_decimal);
     const std::string_view number = has_digits ? text.substr(0, end) : text, written = stripped(text.substr(number.size()));
-    if (written.empty()) return times_power(number, 0);
+    if (written.empty())
+        return times_power(number,
+                           unit_if_none.empty() ? 0 : exponent_between(normal_unit(unit_if_none), normal_unit(unit)).value_or(0));
     if (!looks_like_unit(written)) return {0, QuantityText::Problem::no_number};
     const auto exponent = exponent_between(normal_unit(written), normal_unit(unit));
     if (unit.empty() || !exponent) return {0, QuantityText::Problem::other_unit, written};
     QuantityText result = times_power(number, *exponent);
     result.unit = written;
     return result;
+}
+
+std::string quantity_in(Real value, std::string_view unit, std::string_view written_unit) {
+    const int exponent = unit.empty() ? 0 : exponent_between(normal_unit(written_unit), normal_unit(unit)).value_or(0);
+    std::array<char, 64> digits{};
+    // The shortest that reads back, with its point moved.
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific).ptr;
+    const std::string_view text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+    const auto e = text.find('e');
+    if (e == text.npos) return std::string(text);
+    const int power = std::stoi(std::string(text.substr(e + 1))) - exponent;
+    const std::string moved = fmt::format("{}e{}", text.substr(0, e), power);
+    const auto plain = finite_number(moved);
+    // Written plainly where that says the same digits.
+    const std::string shown = plain && std::abs(power) < 7 ? fmt::format("{}", *plain) : moved;
+    const std::string number = times_power(shown, exponent).value == value ? shown : moved;
+    return written_unit.empty() ? number : fmt::format("{} {}", number, written_unit);
 }
 
 std::string units_accepted(std::string_view unit) {

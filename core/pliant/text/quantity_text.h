@@ -20,9 +20,13 @@ struct QuantityText {
     std::string_view unit{};  // that was written; empty when none was
 };
 
-// The number in `unit`; one that has no unit of its own is in it. The unit may bear an SI prefix, ms for s, and a power may be
-// written as "m/s^2" or "m/s2". Blanks around the number count for nothing.
-QuantityText read_quantity(std::string_view text, std::string_view unit);
+// The number in `unit`; one that has no unit of its own is in `unit_if_none`, or, where that is empty, in `unit`. The unit may
+// bear an SI prefix, ms for s, and a power may be written as "m/s^2" or "m/s2". Blanks around the number count for nothing.
+QuantityText read_quantity(std::string_view text, std::string_view unit, std::string_view unit_if_none = "");
+
+// All digits of the number in this unit, which is `unit` or differs from it by a prefix: read_quantity reads exactly the same
+// number back. "12.345678901 ms".
+std::string quantity_in(Real value, std::string_view unit, std::string_view written_unit);
 
 // What may be written behind a number in `unit`, for messages: "s, ms or µs". Empty without a unit.
 std::string units_accepted(std::string_view unit);

@@ -16,7 +16,8 @@ void declare_point(Lesson& owner, std::deque<Number>& point, const std::array<st
                    const std::array<std::string_view, 3>& symbols, const std::array<Real, 3>& initial, std::string_view help) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Real half = body_size[static_cast<Index>(k)] / 2;
-        point.emplace_back(owner, quantity(keys[k], symbols[k], "m", initial[k], {-half, half}, {-100, 100}, help).rebuilds());
+        point.emplace_back(
+            owner, quantity(keys[k], symbols[k], "m", initial[k], {-half, half}, {-100, 100}, help).in(Group::view).rebuilds());
     }
 }
 

@@ -35,22 +35,23 @@ struct EnergyDensityLesson final : Lesson {
     std::vector<std::string_view> key_numbers() const override { return {"psi", "P11", "det_F"}; }
 
     Choice<Energy> energy{*this,
-                          setting_of("energy", "how much energy a deformation stores", 1).rebuilds(),
+                          setting_of("energy", "how much energy a deformation stores", 1).in(Group::material).rebuilds(),
                           {{"linear", "linear"},
                            {"stvk", "St. Venant–Kirchhoff"},
                            {"corotated", "corotated linear"},
                            {"neo_hookean", "neo-Hookean"}}};
     Choice<Path> path{*this,
-                      setting_of("path", "how the cube is deformed").rebuilds(),
+                      setting_of("path", "how the cube is deformed").in(Group::scene).rebuilds(),
                       {{"uniaxial", "stretch, free across"},
                        {"held", "stretch, held across"},
                        {"volumetric", "stretch on all sides"},
                        {"shear", "shear"},
                        {"free", "any F"}}};
-    Choice<Ends> ends{*this,
-                      setting_of("ends", "of the block that is pulled beside the cube: may they narrow?").rebuilds(),
-                      {{"sliding", "sliding: uniform"}, {"glued", "glued"}},
-                      [this] { return has_block(); }};
+    Choice<Ends> ends{
+        *this,
+        setting_of("ends", "of the block that is pulled beside the cube: may they narrow?").in(Group::scene).rebuilds(),
+        {{"sliding", "sliding: uniform"}, {"glued", "glued"}},
+        [this] { return has_block(); }};
     Number youngs_modulus{*this, youngs_modulus_info("all four energies have it for small strain; rubber 1 MPa", {1e3, 1e9})};
     Number poisson_ratio{
         *this, poisson_ratio_info("narrowing over lengthening for small strain; near ½ every energy resists a change of volume",
@@ -58,10 +59,13 @@ struct EnergyDensityLesson final : Lesson {
     Number stretch{*this,
                    quantity("stretch", "s", "", 1.3, {-0.3, 2}, {-0.9, 10},
                             "length now over length at rest; at 0 the cube is flat, below 0 it is turned inside out")
+                       .in(Group::scene)
                        .rebuilds(),
                    [this] { return way().stretches(); }};
     Number shear{*this,
-                 quantity("shear", "γ", "", 0.5, {-1.5, 1.5}, {-10, 10}, "sideways shift of the top over the height").rebuilds(),
+                 quantity("shear", "γ", "", 0.5, {-1.5, 1.5}, {-10, 10}, "sideways shift of the top over the height")
+                     .in(Group::scene)
+                     .rebuilds(),
                  [this] { return is(Path::shear); }};
     GradientEntries entries;
 

@@ -61,6 +61,7 @@ void EnergyDensityLesson::declare_fields() {
             .stops_at(squared)
             .when(neo_hookean),
         scalar_field("log_volume", "ln J", "", On::element, ln_J_, "tends to −∞ where the cube becomes flat")
+            .of_both_signs()
             .stops_at(small)
             .when(neo_hookean),
         scalar_field("energy_density", "ψ", "J/m³", On::element, psi_, "energy stored per volume at rest").stops_at(stress_bound),

@@ -120,7 +120,8 @@ std::optional<Real> ModuliLesson::measured_modulus() const {
 
 std::string ModuliLesson::blow_up_hint() const {
     return fmt::format(
-        "The body is linear and cannot blow up; the solver met Rayleigh quotients {} apart: lower resolution or poisson_ratio, "
+        "The body is linear and cannot blow up; the solver met Rayleigh quotients {} apart: lower the resolution or Poisson's "
+        "ratio, "
         "or raise tolerance",
         format_quantity(solver_ ? solver_->condition_seen() : 1, ""));
 }

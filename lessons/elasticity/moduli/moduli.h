@@ -32,11 +32,12 @@ struct ModuliLesson final : Lesson {
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return "measured_modulus"; }
     ColourBy first_colours() const override { return {"displacement", 0}; }
+    std::vector<Group> first_groups() const override { return {Group::scene, Group::material, Group::forces}; }
     std::vector<std::string_view> first_plots() const override { return {"measured_stress", "displacement"}; }
     std::vector<std::string_view> key_numbers() const override { return {"stress", "strain", "measured_modulus"}; }
 
     Choice<Test> test{*this,
-                      setting_of("test", "what the machine does to the block").rebuilds(),
+                      setting_of("test", "what the machine does to the block").in(Group::scene).rebuilds(),
                       {{"tension", "tension: Y"}, {"shear", "shear: G"}, {"pressure", "pressure: B"}}};
     Number youngs_modulus{*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})};
     Number poisson_ratio{
@@ -44,24 +45,34 @@ struct ModuliLesson final : Lesson {
                                   {-0.5, 0.49})};
     Number load{*this, quantity("load", "σ", "Pa", 2e4, {0, 1e5}, {-1e15, 1e15},
                                 "force per area of the pull, the shear or the pressure at the end of the test")
+                           .in(Group::forces)
                            .rebuilds()};
-    Number length{*this, log_quantity("length", "L", "m", 0.2, {0.02, 2}, {1e-9, 1e9}, "of the block, along x").rebuilds()};
-    Number width{*this, log_quantity("width", "w", "m", 0.1, {0.01, 1}, {1e-9, 1e9}, "of the block, along y and z").rebuilds()};
+    Number length{
+        *this,
+        log_quantity("length", "L", "m", 0.2, {0.02, 2}, {1e-9, 1e9}, "of the block, along x").in(Group::shape).rebuilds()};
+    Number width{
+        *this,
+        log_quantity("width", "w", "m", 0.1, {0.01, 1}, {1e-9, 1e9}, "of the block, along y and z").in(Group::shape).rebuilds()};
     Whole resolution{
         *this, quantity("resolution", "n", "", 4, {1, 8}, {1, 16},
                         "cells across the width, of 5 tetrahedra each; along the length as many as keep them cubes, at most 4 n")
+                   .in(Group::shape)
                    .rebuilds()};
     Whole load_levels{*this, quantity("load_levels", "m", "", 5, {1, 10}, {1, 100},
                                       "loads between none and the full one, each solved and measured")
+                                 .in(Group::method)
                                  .rebuilds()};
     Number tolerance{*this, log_quantity("tolerance", "τ", "", 1e-12, {1e-13, 1e-1}, {1e-15, 0.9},
                                          "conjugate gradients stop when |f − K u| ≤ τ |f|")
+                                .in(Group::solver)
                                 .rebuilds()};
     Whole max_iterations{*this, log_quantity("max_iterations", "", "", 5000, {1, 5000}, {1, 1000000},
                                              "of the solver at each load; more are needed on fine meshes and near ν = ½")
+                                    .in(Group::solver)
                                     .rebuilds()};
     Number magnification{*this, quantity("magnification", "", "", 0, {0, 100}, {0, 1e12},
                                          "of the drawn deformation, the numbers are not touched; 0 chooses one")
+                                    .in(Group::view)
                                     .looks()};
 
     void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();

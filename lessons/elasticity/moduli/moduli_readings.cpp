@@ -25,7 +25,7 @@ void ModuliLesson::declare_fields() {
              state_array("measured_strain", "", strains_),
              state_array("measured_stress", "Pa", stresses_),
              state_array("level", "", level_),
-             state_array("iterations", "", iterations_),
+             state_array("solver_iterations", "", iterations_),
              state_array("residual", "", residual_)};
     fields = {vector_field("displacement", "u", "m", On::node, displacement_, "from the rest position"),
               vector_field("load", "f", "N", On::node, load_force_, "the traction's share of each node"),
@@ -62,7 +62,8 @@ void ModuliLesson::declare_probes() {
                   .exactly([this](Real) { return specimen_->exact_energy(applied()); }),
               probe_of("force_imbalance", "|F + R|", "N", "resultant of all loads and support forces",
                        [this] { return force_imbalance(); }),
-              probe_of("iterations", "", "", "of conjugate gradients, over all loads", [this] { return iterations_[0]; }),
+              probe_of("solver_iterations", "", "", "of conjugate gradients, over all loads", [this] { return iterations_[0]; })
+                  .once("iterations"),
               probe_of("solver_residual", "|f − K u|/|f|", "", "what the solver left at the last load",
                        [this] { return residual_[0]; })};
 }
@@ -115,7 +116,7 @@ void ModuliLesson::declare_checks() {
         assumption_of(
             "solver converged", "", [this] { return residual_[0]; }, [this] { return std::max<Real>(tolerance, enough_digits); },
             "|f − K u| ≤ max(τ, 10⁻⁹) |f|",
-            "stopped by max_iterations or by rounding: the measured modulus has about as many digits as the residual")
+            "stopped by the most iterations allowed or by rounding: the measured modulus has about as many digits as the residual")
             .mended_by([this] { return more_iterations(); })};
     conserved = {{.probe = "force_imbalance", .law = Law::zero, .tolerance = [this] {
                       return 1e-6 * std::abs(applied()) * specimen_->unit_load().norm();

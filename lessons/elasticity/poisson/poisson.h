@@ -37,22 +37,26 @@ struct PoissonLesson final : Lesson {
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure&) const override { return fix_by(poisson_ratio, 0.3); }
     std::vector<std::pair<std::string, std::string>> finer() const override;
-    std::string_view error_probe() const override { return bends() ? "deflection" : "transverse_fem"; }
+    std::string_view error_probe() const override { return bends() ? "deflection" : "narrowing"; }
     ColourBy first_colours() const override { return {"displacement", -1}; }
-    std::vector<std::string_view> first_plots() const override { return {"contraction", "volume_over_strain", "locking"}; }
+    std::vector<std::string_view> first_plots() const override {
+        return {"narrowing_over_lengthening", "volume_over_strain", "locking"};
+    }
     std::vector<std::string_view> key_numbers() const override {
         if (bends()) return {"deflection", "times_too_stiff"};
-        return {"transverse_fem", "transverse_exact", "volume_ratio"};
+        return {"narrowing", "narrowing_by_law", "volume_ratio"};
     }
 
     const std::function<bool()> stretched = [this] { return !bends(); }, bent = [this] { return bends(); };
 
     Choice<Setting> setting{*this,
-                            setting_of("scene", "a cube that is pulled, or a panel that is bent").rebuilds(),
+                            setting_of("scene", "a cube that is pulled, or a panel that is bent").in(Group::scene).rebuilds(),
                             {{"stretch", "stretched cube"}, {"bending", "bent panel: locking"}}};
     Choice<Method> method{
         *this,
-        setting_of("method", "linear elasticity in small steps, each on the shape reached before, or in one step").rebuilds(),
+        setting_of("method", "linear elasticity in small steps, each on the shape reached before, or in one step")
+            .in(Group::method)
+            .rebuilds(),
         {{"incremental", "many small steps"}, {"linear", "one linear step"}},
         stretched};
     Number poisson_ratio{
@@ -61,23 +65,29 @@ struct PoissonLesson final : Lesson {
     Number axial_strain{*this,
                         quantity("axial_strain", "ΔL/L", "", 0.5, {-0.6, 2}, {-1, 100, true, false},
                                  "lengthening over length, at the end; negative pushes")
+                            .in(Group::scene)
                             .rebuilds(),
                         stretched};
     Whole increments{*this,
                      quantity("increments", "N", "", 20, {1, 60}, {1, 1000},
                               "steps of equal lengthening; the error of the contraction halves when they are doubled")
+                         .in(Group::method)
                          .rebuilds(),
                      [this] { return !bends() && method == Method::incremental; }};
-    Number length{*this, log_quantity("length", "L", "m", 0.1, {0.01, 1}, {1e-6, 1e6}, "of the edges of the cube").rebuilds(),
-                  stretched};
+    Number length{
+        *this,
+        log_quantity("length", "L", "m", 0.1, {0.01, 1}, {1e-6, 1e6}, "of the edges of the cube").in(Group::shape).rebuilds(),
+        stretched};
     Whole resolution{*this,
                      quantity("resolution", "n", "", 2, {1, 4}, {1, 8},
                               "cells along each edge of the cube, of 5 tetrahedra each; the strain is uniform, so one would do")
+                         .in(Group::shape)
                          .rebuilds(),
                      stretched};
     Whole membrane_cells{*this,
                          quantity("membrane_cells", "m", "", 8, {2, 16}, {1, 32},
                                   "pairs of cells along each edge of the panel; every cell is two linear triangles")
+                             .in(Group::shape)
                              .rebuilds(),
                          bent};
 

@@ -43,7 +43,7 @@ Real contraction(int increments) {
                                                       {"axial_strain", "0.5"},
                                                       {"increments", std::to_string(increments)}});
     runner.step();
-    return runner.value("transverse_fem");
+    return runner.value("narrowing");
 }
 
 // Tetrahedra that follow dε_y = -ν dε_x in ever smaller increments, each on the shape reached so far.

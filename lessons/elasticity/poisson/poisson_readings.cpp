@@ -46,14 +46,19 @@ void PoissonLesson::declare_probes() {
     const auto law = [this](Real (*of)(Real nu, Real strain)) { return [this, of] { return of(poisson_ratio, reached()); }; };
     const auto off_by = [this](Real share) { return [this, share] { return strain_of_overestimate(poisson_ratio, share); }; };
     probes = {
-        probe_of("transverse_fem", "ΔL′/L", "", "narrowing of the computed cube; exact: 1 − (1 + ΔL/L)^(−ν)",
+        probe_of("narrowing", "ΔL′/L", "", "narrowing of the computed cube; exact: 1 − (1 + ΔL/L)^(−ν)",
                  [this] { return contractions_[done()]; })
+            .once("transverse_fem")
             .exactly(law(exact_contraction)),
-        probe_of("transverse_exact", "1 − (1+s)^(−ν)", "", "narrowing by the lecture's law", law(exact_contraction)),
-        probe_of("transverse_linear", "ν ΔL/L", "", "narrowing by the estimate ν ≈ ΔL′/ΔL")
+        probe_of("narrowing_by_law", "1 − (1+s)^(−ν)", "", "narrowing by the lecture's law", law(exact_contraction))
+            .once("transverse_exact"),
+        probe_of("narrowing_by_estimate", "ν ΔL/L", "", "narrowing by the estimate ν ≈ ΔL′/ΔL")
+            .once("transverse_linear")
             .formula(*this, "ΔL′/L = ν s", {poisson_ratio, why_reached()}),
-        probe_of("transverse_error", "|fem − exact|", "", "of the computed narrowing; halves when the number of steps is doubled")
-            .formula(*this, "error = |c − e|", {Input::now("c", "transverse_fem", 0), Input::now("e", "transverse_exact", 0)}),
+        probe_of("narrowing_error", "|ΔL′/L − exact|", "",
+                 "of the computed narrowing; halves when the number of steps is doubled")
+            .once("transverse_error")
+            .formula(*this, "error = |c − e|", {Input::now("c", "narrowing", 0), Input::now("e", "narrowing_by_law", 0)}),
         probe_of("strain", "ΔL/L", "", "lengthening of the computed cube", [this] { return strains_[done()]; }).exactly([this] {
             return reached();
         }),
@@ -90,7 +95,7 @@ void PoissonLesson::declare_lines() {
         };
     };
     const auto estimated_volume = [](Real nu, Real s) { return (1 + s) * (1 - nu * s) * (1 - nu * s); };
-    lines = {line_of("contraction", "", "lengthening ΔL/L", "",
+    lines = {line_of("narrowing_over_lengthening", "", "lengthening ΔL/L", "",
                      "narrowing of the cube, step by step, beside the law and the estimate", reached_so_far(contractions_))
                  .against("1 − (1 + ΔL/L)^(−ν)", by_law(exact_contraction))
                  .beside({{"ν ΔL/L", by_law(linear_contraction)}})

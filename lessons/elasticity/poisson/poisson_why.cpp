@@ -70,9 +70,9 @@ void PoissonLesson::explain_probes() {
         };
         return Explanation{fmt::format("{} = (ū_{} − ū_{}) / L", symbol, to + 2, from + 2), {mean(to), mean(from), length}};
     };
-    explain_probe("transverse_fem", [=] { return widening("ΔL′/L", "z_max", "z_min", 2); });
+    explain_probe("narrowing", [=] { return widening("ΔL′/L", "z_max", "z_min", 2); });
     explain_probe("strain", [=] { return widening("ΔL/L", "x_min", "x_max", 0); });
-    explain_probe("transverse_exact", [this] { return Explanation{"ΔL′/L = 1 − (1 + s)^(−ν)", {why_reached(), poisson_ratio}}; });
+    explain_probe("narrowing_by_law", [this] { return Explanation{"ΔL′/L = 1 − (1 + s)^(−ν)", {why_reached(), poisson_ratio}}; });
     explain_probe("volume_ratio", [this] {
         const SimplexMesh<3>& mesh = cube_->rest();
         std::vector<std::pair<Input, Input>> terms;

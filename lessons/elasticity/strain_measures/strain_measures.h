@@ -41,13 +41,16 @@ struct StrainMeasuresLesson final : Lesson {
     MapControls controls;
     Number turn{*this, quantity("turn", "θ", "°", 0, {-180, 180}, {-3600, 3600},
                                 "rotation about z that follows the map; no strain should see it")
+                           .in(Group::scene)
                            .rebuilds()};
     Number v_angle{*this, quantity("v_angle", "ψ", "°", 30, {-180, 180}, {-3600, 3600},
                                    "of the direction v in the plane of the picture, from x; drag the head of v")
+                              .in(Group::view)
                               .looks()};
     Number v_elevation{
-        *this,
-        quantity("v_elevation", "η", "°", 0, {-90, 90}, {-90, 90}, "of the direction v out of that plane, towards you").looks()};
+        *this, quantity("v_elevation", "η", "°", 0, {-90, 90}, {-90, 90}, "of the direction v out of that plane, towards you")
+                   .in(Group::view)
+                   .looks()};
     Number youngs_modulus{*this, youngs_modulus_info("stress per strain in tension; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})};
     Number poisson_ratio{*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})};
 

@@ -40,6 +40,7 @@ struct StressStrainLesson final : Lesson {
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return loading == Load::cut ? "shear_stress" : "stress"; }
     ColourBy first_colours() const override { return {"displacement", -1}; }
+    std::vector<Group> first_groups() const override { return {Group::scene, Group::material, Group::forces}; }
     std::vector<std::string_view> first_plots() const override;
     std::vector<std::string_view> key_numbers() const override;
 
@@ -55,33 +56,43 @@ struct StressStrainLesson final : Lesson {
     }
 
     Choice<Load> loading{*this,
-                         setting_of("scene", "what is loaded").rebuilds(),
+                         setting_of("scene", "what is loaded").in(Group::scene).rebuilds(),
                          {{"disc", "a weight on a disc"}, {"rod", "a rod, pulled or pressed"}, {"cut", "a cut through a block"}}};
     Number mass{*this,
-                quantity("mass", "m", "kg", 50, {1, 100}, {0, 1e15, true}, "of the body that rests on the disc").rebuilds(),
+                quantity("mass", "m", "kg", 50, {1, 100}, {0, 1e15, true}, "of the body that rests on the disc")
+                    .in(Group::forces)
+                    .rebuilds(),
                 of(Load::disc)};
-    Number gravity{
-        *this, quantity("gravity", "g", "m/s²", 9.81, {0, 25}, {0, 1e6}, "weight of a mass of 1 kg; 1.62 on the Moon").rebuilds(),
-        of(Load::disc)};
-    Number radius{*this, metres("radius", "r", "of the disc", 0.1, {0.05, 0.2}), of(Load::disc)};
+    Number gravity{*this,
+                   quantity("gravity", "g", "m/s²", 9.81, {0, 25}, {0, 1e6}, "weight of a mass of 1 kg; 1.62 on the Moon")
+                       .in(Group::forces)
+                       .rebuilds(),
+                   of(Load::disc)};
+    Number radius{*this, metres("radius", "r", "of the disc", 0.1, {0.05, 0.2}).in(Group::shape), of(Load::disc)};
     Number force{*this,
                  quantity("force", "F", "N", 300, {-500, 500}, {-1e15, 1e15},
                           "on the end of the rod: it pulls where positive and presses where negative")
+                     .in(Group::forces)
                      .rebuilds(),
                  of(Load::rod)};
-    Number sigma_xx{*this, stress_of("sigma_xx", "σ_xx", "pull along x on the faces across x", 3e4), of(Load::cut)};
-    Number sigma_yy{*this, stress_of("sigma_yy", "σ_yy", "pull along y on the faces across y", -1e4), of(Load::cut)};
-    Number sigma_xy{*this, stress_of("sigma_xy", "σ_xy", "shear on all four of these faces", 1e4), of(Load::cut)};
+    Number sigma_xx{*this, stress_of("sigma_xx", "σ_xx", "pull along x on the faces across x", 3e4).in(Group::forces),
+                    of(Load::cut)};
+    Number sigma_yy{*this, stress_of("sigma_yy", "σ_yy", "pull along y on the faces across y", -1e4).in(Group::forces),
+                    of(Load::cut)};
+    Number sigma_xy{*this, stress_of("sigma_xy", "σ_xy", "shear on all four of these faces", 1e4).in(Group::forces),
+                    of(Load::cut)};
     Number angle{*this,
                  quantity("angle", "θ", "°", 30, {-90, 90}, {-360, 360}, "from the x axis to the normal of the cut").looks(),
                  of(Load::cut)};
-    Number length{*this, metres("length", "L", "height of the disc, or length of the rod or block", 0.2, {0.05, 0.5})};
-    Number width{*this, metres("width", "w", "thickness of the rod or block", 0.1, {0.05, 0.2}),
+    Number length{*this,
+                  metres("length", "L", "height of the disc, or length of the rod or block", 0.2, {0.05, 0.5}).in(Group::shape)};
+    Number width{*this, metres("width", "w", "thickness of the rod or block", 0.1, {0.05, 0.2}).in(Group::shape),
                  [this] { return loading != Load::disc; }};
     Number youngs_modulus{*this, youngs_modulus_info("stress per strain; rubber 1 MPa, steel 200 GPa", {1e5, 1e12})};
     Number poisson_ratio{*this, poisson_ratio_info("narrowing over lengthening", {-0.5, 0.49})};
     Whole resolution{*this, quantity("resolution", "n", "", 4, {2, 8}, {1, 12},
                                      "cells across, of 5 tetrahedra each; the stress is uniform and does not depend on it")
+                                .in(Group::shape)
                                 .rebuilds()};
 
     void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();

@@ -23,8 +23,9 @@ using std::numbers::pi;
 Real worst_growth(const char* scheme) {
     Real worst = -1;
     for (const char* cfl : {"0.1", "1", "5", "20", "100"}) {
-        Runner runner(find_lesson("fluids/advection"),
-                      {{"field", "rotation"}, {"blob", "slotted_disc"}, {"resolution", "32"}, {"cfl", cfl}, {"scheme", scheme}});
+        Runner runner(
+            find_lesson("fluids/advection"),
+            {{"field", "rotation"}, {"blob", "slotted_disc"}, {"resolution", "32"}, {"cfl", cfl}, {"advection_scheme", scheme}});
         const Probe& peak = runner.lesson().probe("peak");
         const Real first = *runner.value(peak);
         for (int k = 0; k < 30; ++k) {

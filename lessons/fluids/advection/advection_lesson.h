@@ -52,6 +52,7 @@ struct AdvectionLesson final : Lesson {
     }
     std::string_view error_probe() const override { return "difference"; }
     ColourBy first_colours() const override { return {"quantity"}; }
+    std::vector<Group> first_groups() const override { return {Group::scene, Group::method, Group::start}; }
     std::vector<std::string_view> first_plots() const override {
         if (field == FlowKind::translation) return {"profile", "viscosity_of_cfl", "variance_left"};
         return {"profile", "variance_left", "difference"};
@@ -63,45 +64,58 @@ struct AdvectionLesson final : Lesson {
         setting_of(
             "field",
             "uniform translation through a periodic box, solid rotation about the middle, or a vortex that draws the blob out", 1)
+            .in(Group::scene)
             .rebuilds(),
         {{"translation", "translation, periodic box"}, {"rotation", "solid rotation"}, {"vortex", "vortex in a box"}}};
     Number direction{*this,
-                     quantity("direction", "α", "°", 0, {0, 90}, {-360, 360}, "of the translation, from the x axis").rebuilds(),
+                     quantity("direction", "α", "°", 0, {0, 90}, {-360, 360}, "of the translation, from the x axis")
+                         .in(Group::scene)
+                         .rebuilds(),
                      [this] { return field == FlowKind::translation; }};
     Choice<BlobKind> blob{
         *this,
         setting_of("blob",
                    "a smooth blob exp(−2r²/R²), a cosine hill with an edge, or Zalesak's disc with a slot and sharp edges")
+            .in(Group::start)
             .rebuilds(),
         {{"smooth", "smooth blob"}, {"hill", "cosine hill"}, {"slotted_disc", "slotted disc"}}};
-    Number radius{*this,
-                  quantity("radius", "R", "m", 0.15, {0.05, 0.22}, {0.01, 0.25}, "of the blob; the box is 1 m wide").rebuilds()};
-    Whole resolution{
-        *this,
-        quantity("resolution", "n", "", 64, {16, 160}, {8, 320}, "cells along each side of the box; Δx = 1 m / n").rebuilds()};
+    Number radius{*this, quantity("radius", "R", "m", 0.15, {0.05, 0.22}, {0.01, 0.25}, "of the blob; the box is 1 m wide")
+                             .in(Group::start)
+                             .rebuilds()};
+    Whole resolution{*this,
+                     quantity("resolution", "n", "", 64, {16, 160}, {8, 320}, "cells along each side of the box; Δx = 1 m / n")
+                         .in(Group::shape)
+                         .rebuilds()};
     Number cfl{
         *this,
         log_quantity("cfl", "C", "", 6, {0.1, 100}, {0.01, 200},
                      "Courant number U Δt/Δx: cells that the fastest fluid crosses in a step. It sets the time step, Δt = C Δx/U "
-                     "with U = 1 m/s")};
+                     "with U = 1 m/s")
+            .in(Group::method)};
     Choice<Scheme> scheme{
         *this,
-        setting_of("scheme", "what is read at the departure place, and whether the result is corrected"),
+        setting_of("advection_scheme", "what is read at the departure place, and whether the result is corrected")
+            .once("scheme")
+            .in(Group::method),
         {{"semi_lagrangian_linear", "linear"}, {"monotone_cubic", "monotone cubic"}, {"mac_cormack", "MacCormack, limited"}}};
     Choice<BackTrace> back_trace{
         *this,
         setting_of("back_trace",
-                   "the path back: straight with the velocity here (Euler), or with the velocity half way (midpoint rule)", 1),
+                   "the path back: straight with the velocity here (Euler), or with the velocity half way (midpoint rule)", 1)
+            .in(Group::method),
         {{"euler", "Euler"}, {"midpoint", "midpoint rule"}}};
-    Switch compare{
-        *this,
-        setting_of("compare", "all three schemes at once, beside the exact solution: the same flow, steps and paths").rebuilds()};
+    Switch compare{*this,
+                   setting_of("compare", "all three schemes at once, beside the exact solution: the same flow, steps and paths")
+                       .in(Group::view)
+                       .rebuilds()};
     Whole cell_x{*this,
                  quantity("cell_x", "i", "", 22, {0, 159}, {0, 319},
                           "column of the cell whose way is drawn, counted from the left; drag its mark in the picture. Beyond "
                           "the last it is the last")
+                     .in(Group::view)
                      .looks()};
-    Whole cell_y{*this, quantity("cell_y", "j", "", 47, {0, 159}, {0, 319}, "row of that cell, from below").looks()};
+    Whole cell_y{*this,
+                 quantity("cell_y", "j", "", 47, {0, 159}, {0, 319}, "row of that cell, from below").in(Group::view).looks()};
 
     void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 

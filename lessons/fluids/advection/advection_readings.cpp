@@ -22,7 +22,7 @@ void AdvectionLesson::declare_fields() {
         scalar_field("quantity", "q", "", On::cell, quantity_,
                      "what is carried: smoke, dye, a temperature; without a unit, between 0 and 1 at first"),
         scalar_field("exact", "q_exact", "", On::cell, exact_, "the blob where the flow takes it, at the centres of the cells"),
-        scalar_field("error", "e", "", On::cell, error_, "q − q_exact"),
+        scalar_field("error", "e", "", On::cell, error_, "q − q_exact").of_both_signs(),
         scalar_field("linear", "q", "", On::cell, rival_[0], "the quantity as linear interpolation carries it").when(compared),
         scalar_field("cubic", "q", "", On::cell, rival_[1], "the quantity as monotone cubic interpolation carries it")
             .when(compared),

@@ -129,8 +129,9 @@ void AdvectionLesson::declare_checks() {
                        .when([this] { return field != FlowKind::vortex; })
                        .mended_by([this]() -> std::optional<Fix> {
                            if (scheme != Scheme::mac_cormack)
-                               return Fix{"MacCormack, from the start",
-                                          {{"scheme", "mac_cormack"}, {"resolution", std::to_string(Index(resolution))}}};
+                               return Fix{
+                                   "MacCormack, from the start",
+                                   {{"advection_scheme", "mac_cormack"}, {"resolution", std::to_string(Index(resolution))}}};
                            return Fix{"CFL = 1", {{"cfl", "1"}}};
                        })};
     conserved = {{"peak", Law::never_grows, [] { return 1e-12; }},

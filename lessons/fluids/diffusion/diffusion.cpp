@@ -187,7 +187,8 @@ std::string DiffusionLesson::blow_up_hint() const {
         return fmt::format(
             "The slide's formula multiplies the shortest wave by −{}νΔt/(1 m²) = {} in every step: set form to careful", shortest,
             format_quantity(-shortest * rate() * dx() * dx(), "", 3));
-    if (!is_explicit()) return "An implicit step has no limit of stability: lower diffusion_number below 1e6, or raise tolerance";
+    if (!is_explicit())
+        return "An implicit step has no limit of stability: lower the diffusion number below 10⁶, or raise the tolerance";
     return fmt::format(
         "r = νΔt/Δx² = {} is above the limit of the explicit stencil, {}: the shortest wave is multiplied by 1 − {}r = {} in "
         "every "

@@ -57,11 +57,12 @@ struct DiffusionLesson final : Lesson {
     std::vector<std::string_view> key_numbers() const override { return {"factor_measured", "factor_theory", "max"}; }
 
     Choice<Dimensions> dimensions{*this,
-                                  setting_of("dimension", "a row of cells, or a square of them").rebuilds(),
+                                  setting_of("dimension", "a row of cells, or a square of them").in(Group::scene).rebuilds(),
                                   {{"1", "1D: a row"}, {"2", "2D: a square"}}};
     Choice<Start> start{
         *this,
         setting_of("start", "u at t = 0: one wave, a spike in the middle, a step, random numbers, a checkerboard, or nothing")
+            .in(Group::start)
             .rebuilds(),
         {{"mode", "one mode"},
          {"spike", "spike"},
@@ -73,33 +74,41 @@ struct DiffusionLesson final : Lesson {
                quantity("mode", "m", "", 3, {1, 32}, {0, 1024},
                         "wave number of the mode that is started, and watched in any start: waves over the length, or half waves "
                         "between walls; in 2D along both axes")
+                   .in(Group::start)
                    .rebuilds()};
-    Whole seed{
-        *this,
-        quantity("seed", "", "", 1, {1, 20}, {0, 1e6}, "of the random numbers: each gives others, always the same").rebuilds(),
-        [this] { return start == Start::random; }};
+    Whole seed{*this,
+               quantity("seed", "", "", 1, {1, 20}, {0, 1e6}, "of the random numbers: each gives others, always the same")
+                   .in(Group::start)
+                   .rebuilds(),
+               [this] { return start == Start::random; }};
     Choice<Scheme> scheme{
         *this,
-        setting_of("scheme", "explicit: from the old neighbours, at once. implicit: from the new ones, by a solver"),
+        setting_of("viscosity_scheme", "explicit: from the old neighbours, at once. implicit: from the new ones, by a solver")
+            .once("scheme")
+            .in(Group::method),
         {{"explicit", "explicit"}, {"implicit", "implicit"}}};
     Choice<Form> form{
         *this,
-        setting_of("form", "careful: u + (νΔt/Δx²) Σ. lecture: νΔt Σ taken literally, which forgets the old u and 1/Δx²"),
+        setting_of("form", "careful: u + (νΔt/Δx²) Σ. lecture: νΔt Σ taken literally, which forgets the old u and 1/Δx²")
+            .in(Group::method),
         {{"careful", "careful"}, {"lecture", "as on the slide"}},
         [this] { return is_explicit(); }};
     Number diffusion_number{*this,
                             log_quantity("diffusion_number", "r", "", 0.25, {0.01, 100}, {0, 1e12, true},
-                                         "r = νΔt/Δx²: how much a cell exchanges with each neighbour. It sets Δt = rΔx²/ν"),
+                                         "r = νΔt/Δx²: how much a cell exchanges with each neighbour. It sets Δt = rΔx²/ν")
+                                .in(Group::method),
                             [this] { return viscosity > 0; }};
     Number viscosity{
-        *this,
-        log_quantity("viscosity", "ν", "m²/s", 0.01, {1e-6, 1}, {0, 1e6},
-                     "kinematic viscosity, or the diffusivity of heat or dye. With 0 nothing diffuses, and a step is 1 s")};
+        *this, log_quantity("viscosity", "ν", "m²/s", 0.01, {1e-6, 1}, {0, 1e6},
+                            "kinematic viscosity, or the diffusivity of heat or dye. With 0 nothing diffuses, and a step is 1 s")
+                   .in(Group::material)};
     Number length{*this, log_quantity("length", "L", "m", 1, {0.1, 10}, {0, 1e3, true},
                                       "of the row, or of each side of the square; Δx = L/n")
+                             .in(Group::shape)
                              .rebuilds()};
     Whole resolution{
         *this, quantity("resolution", "n", "", 32, {4, 128}, {2, 256}, "cells along the row, or along each side of the square")
+                   .in(Group::shape)
                    .rebuilds()};
     Choice<Boundary> boundary{
         *this,
@@ -107,23 +116,29 @@ struct DiffusionLesson final : Lesson {
             "boundary",
             "periodic: the ends meet. fixed: walls keep their value, half a cell beyond the last cells. insulated: nothing "
             "passes")
+            .in(Group::scene)
             .rebuilds(),
         {{"periodic", "periodic"}, {"fixed", "fixed walls"}, {"insulated", "insulated"}}};
-    Number wall_low{*this, quantity("wall_low", "U₀", "m/s", 0, {-1, 1}, {-1e3, 1e3}, "value of the left wall").rebuilds(),
-                    [this] { return couette(); }};
-    Number wall_high{*this, quantity("wall_high", "U₁", "m/s", 1, {-1, 1}, {-1e3, 1e3}, "value of the right wall").rebuilds(),
-                     [this] { return couette(); }};
+    Number wall_low{
+        *this, quantity("wall_low", "U₀", "m/s", 0, {-1, 1}, {-1e3, 1e3}, "value of the left wall").in(Group::scene).rebuilds(),
+        [this] { return couette(); }};
+    Number wall_high{
+        *this, quantity("wall_high", "U₁", "m/s", 1, {-1, 1}, {-1e3, 1e3}, "value of the right wall").in(Group::scene).rebuilds(),
+        [this] { return couette(); }};
     Whole cell_x{*this, quantity("cell_x", "i", "", 12, {0, 127}, {0, 255},
                                  "column of the cell whose stencil is drawn; drag the handle in the picture")
+                            .in(Group::view)
                             .looks()};
     Whole cell_y{*this,
                  quantity("cell_y", "j", "", 12, {0, 127}, {0, 255},
                           "row of the cell whose stencil is drawn; drag the handle in the picture")
+                     .in(Group::view)
                      .looks(),
                  [this] { return dims() == 2; }};
     Number tolerance{*this,
                      log_quantity("tolerance", "ε", "", 1e-10, {1e-12, 0.1}, {1e-14, 1},
-                                  "largest error of an implicit step, relative to u (2-norm): the solver stops there"),
+                                  "largest error of an implicit step, relative to u (2-norm): the solver stops there")
+                         .in(Group::solver),
                      [this] { return !is_explicit(); }};
 
     void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();

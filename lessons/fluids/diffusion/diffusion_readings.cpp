@@ -22,16 +22,22 @@ void DiffusionLesson::declare_fields() {
     const auto largest_stencil = [this] { return 4 * dims() * blown_up * scale(); };
     fields = {scalar_field("u", "u", "m/s", On::cell, u_,
                            "what diffuses: a velocity component here, whose diffusion is viscosity; heat and dye do the same")
+                  .of_both_signs()
                   .stops_at(largest),
-              scalar_field("u_before", "u_b", "m/s", On::cell, previous_, "u as the latest step found it").stops_at(largest),
+              scalar_field("u_before", "u_b", "m/s", On::cell, previous_, "u as the latest step found it")
+                  .of_both_signs()
+                  .stops_at(largest),
               scalar_field("stencil", "s", "m/s", On::cell, stencil_, "sum of the neighbours less as many times u")
+                  .of_both_signs()
                   .stops_at(largest_stencil)
                   .when(explicitly),
               scalar_field("laplacian", "∇²u", "1/(m s)", On::cell, laplacian_, "s/Δx²: how far u lies below its surroundings")
+                  .of_both_signs()
                   .stops_at([this, largest_stencil] { return largest_stencil() / (dx() * dx()); })
                   .when(explicitly),
               // The first residual is a whole explicit step.
               scalar_field("residual", "ρ", "m/s", On::cell, residual_, "what the iterations have left of the implicit equation")
+                  .of_both_signs()
                   .stops_at([this, largest_stencil] { return (1 + rate()) * largest_stencil(); })
                   .when([this] { return !is_explicit(); })};
 }

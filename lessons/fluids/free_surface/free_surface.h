@@ -43,7 +43,7 @@ struct FreeSurface final : Lesson {
     }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override {
-        return fmt::format("The fastest liquid crosses {} cells per step: lower time_step below {}, or gravity",
+        return fmt::format("The fastest liquid crosses {} cells per step: lower the time step below {}, or gravity",
                            format_quantity(liquid_speed() * dt / dx(), ""),
                            format_quantity(2 * dx() / std::max(liquid_speed(), Real(1e-300)), "s"));
     }
@@ -56,6 +56,7 @@ struct FreeSurface final : Lesson {
     }
     std::string_view error_probe() const override { return scene == Pouring::wave ? "column_height_at_wall" : "volume"; }
     ColourBy first_colours() const override { return {"speed"}; }
+    std::vector<Group> first_groups() const override { return {Group::scene, Group::method, Group::start}; }
     std::vector<std::string_view> first_plots() const override {
         if (scene == Pouring::column) return {"front_position", "pressure_at_wall", "volume"};
         return {"column_height_at_wall", "surface_height", "volume"};
@@ -68,59 +69,78 @@ struct FreeSurface final : Lesson {
     Choice<Pouring> scene{
         *this,
         setting_of("scene", "a column that falls, a standing wave, a drop that falls into a pool, or a paddle that makes waves")
+            .in(Group::scene)
             .rebuilds(),
         {{"column", "falling column"}, {"wave", "standing wave"}, {"drop", "falling drop"}, {"paddle", "wave maker"}}};
-    Number tank_width{*this,
-                      log_quantity("tank_width", "W", "m", 1, {0.2, 4}, {1e-6, 1e6}, "from wall to wall; Δx = W / n").rebuilds()};
+    Number tank_width{*this, log_quantity("tank_width", "W", "m", 1, {0.2, 4}, {1e-6, 1e6}, "from wall to wall; Δx = W / n")
+                                 .in(Group::shape)
+                                 .rebuilds()};
     Number tank_height{
         *this, log_quantity("tank_height", "H", "m", 0.6, {0.1, 2}, {1e-6, 1e6}, "from floor to lid, rounded to whole cells")
+                   .in(Group::shape)
                    .rebuilds()};
     Number column_width{
         *this,
         quantity("column_width", "a", "m", 0.25, {0.05, 0.9}, {0, 1e6}, "of the column at the left wall; drag its corner")
+            .in(Group::start)
             .rebuilds(),
         [this] { return scene == Pouring::column; }};
     Number column_height{
         *this,
         quantity("column_height", "h", "m", 0.5, {0.05, 0.6}, {0, 1e6}, "of the column at the left wall; drag its corner")
+            .in(Group::start)
             .rebuilds(),
         [this] { return scene == Pouring::column; }};
-    Number depth{*this, quantity("depth", "d", "m", 0.3, {0.05, 0.5}, {0, 1e6}, "of the liquid at rest").rebuilds(),
+    Number depth{*this,
+                 quantity("depth", "d", "m", 0.3, {0.05, 0.5}, {0, 1e6}, "of the liquid at rest").in(Group::start).rebuilds(),
                  [this] { return scene != Pouring::column; }};
     Number wave_height{*this,
                        quantity("wave_height", "A", "m", 0.03, {-0.1, 0.1}, {-1e6, 1e6},
                                 "of the wave at the left wall above the level at rest; half a wave is as long as the tank")
+                           .in(Group::start)
                            .rebuilds(),
                        [this] { return scene == Pouring::wave; }};
     Number drop_radius{*this,
                        quantity("drop_radius", "R", "m", 0.08, {0.02, 0.12}, {0, 1e6},
                                 "of the drop, which starts halfway between the pool and the lid")
+                           .in(Group::start)
                            .rebuilds(),
                        [this] { return scene == Pouring::drop; }};
     Number paddle_stroke{
         *this,
-        quantity("paddle_stroke", "S", "m", 0.08, {0, 0.2}, {0, 1e6}, "way of the paddle from one end to the other").rebuilds(),
+        quantity("paddle_stroke", "S", "m", 0.08, {0, 0.2}, {0, 1e6}, "way of the paddle from one end to the other")
+            .in(Group::forces)
+            .rebuilds(),
         [this] { return has_paddle(); }};
-    Number paddle_period{
-        *this, log_quantity("paddle_period", "T", "s", 0.8, {0.3, 3}, {1e-6, 1e6}, "of the paddle, to and fro").rebuilds(),
-        [this] { return has_paddle() && paddle_stroke > 0; }};
-    Whole resolution{*this,
-                     quantity("resolution", "n", "", 80, {16, 160}, {1, 256}, "cells along the width of the tank").rebuilds()};
-    Number gravity{*this, quantity("gravity", "g", "m/s²", 9.81, {0, 25}, {0, 1e6}, "downwards; the earth 9.81, the moon 1.62")};
+    Number paddle_period{*this,
+                         log_quantity("paddle_period", "T", "s", 0.8, {0.3, 3}, {1e-6, 1e6}, "of the paddle, to and fro")
+                             .in(Group::forces)
+                             .rebuilds(),
+                         [this] { return has_paddle() && paddle_stroke > 0; }};
+    Whole resolution{*this, quantity("resolution", "n", "", 80, {16, 160}, {1, 256}, "cells along the width of the tank")
+                                .in(Group::shape)
+                                .rebuilds()};
+    Number gravity{
+        *this,
+        quantity("gravity", "g", "m/s²", 9.81, {0, 25}, {0, 1e6}, "downwards; the earth 9.81, the moon 1.62").in(Group::forces)};
     Number dt{*this, log_quantity("time_step", "Δt", "s", 0.004, {5e-4, 0.05}, {0, 10, true},
-                                  "fixed; stable at any, accurate while the fastest liquid crosses a cell or two per step")};
+                                  "fixed; stable at any, accurate while the fastest liquid crosses a cell or two per step")
+                         .in(Group::method)};
     Choice<SurfaceCondition> condition{
         *this,
         setting_of("surface_condition",
                    "p = 0 on the surface itself; in the middle of the first cell of air, off by up to a cell; or a mould of "
                    "u·n = 0 around the liquid")
+            .in(Group::method)
             .rebuilds(),
         {{"at_surface", "p = 0 on the surface"}, {"at_cell_centre", "p = 0 in the air cell"}, {"closed", "u·n = 0: a mould"}}};
     Switch keep_volume{
         *this,
-        setting_of("keep_volume", "shifts the surface after each step so that the volume stays; without it watch the gauge", 1)};
+        setting_of("keep_volume", "shifts the surface after each step so that the volume stays; without it watch the gauge", 1)
+            .in(Group::method)};
     Number tolerance{*this, log_quantity("tolerance", "τ", "", 1e-5, {1e-8, 0.5}, {1e-12, 1, false, true},
-                                         "the pressure solver stops when max|∇·u| ≤ τ max|∇·ũ|")};
+                                         "the pressure solver stops when max|∇·u| ≤ τ max|∇·ũ|")
+                                .in(Group::solver)};
 
     void declare_fields(), declare_stages(), declare_probes(), declare_lines(), declare_checks();
 

@@ -31,15 +31,19 @@ void FreeSurface::declare_fields() {
         grid2d::velocity_field(fields_of_flow_, why, "at cell centres; in the air it continues that of the liquid"),
         grid2d::speed_field(fields_of_flow_, why),
         scalar_field("pressure", "p", "m²/s²", On::cell, pressure_,
-                     "kinematic pressure p/ρ: times 1000 kg/m³ it is that of water in Pa; 0 on the surface"),
+                     "kinematic pressure p/ρ: times 1000 kg/m³ it is that of water in Pa; 0 on the surface")
+            .of_both_signs(),
         scalar_field(
             "distance", "φ", "m", On::cell, [this] { return as_span(liquid_->distance()); },
-            "to the surface: below 0 in the liquid, above 0 in the air"),
+            "to the surface: below 0 in the liquid, above 0 in the air")
+            .of_both_signs(),
         scalar_field("divergence_before", "∇·ũ", "1/s", On::cell, divergence_before_,
-                     "in the liquid, of the velocity that enters the projection"),
+                     "in the liquid, of the velocity that enters the projection")
+            .of_both_signs(),
         scalar_field("divergence_after", "∇·u", "1/s", On::cell, divergence_after_,
                      "in the liquid, of the velocity that the projection leaves; after a pass of its solver, that which the "
-                     "pressure so far would leave"),
+                     "pressure so far would leave")
+            .of_both_signs(),
         grid2d::stored_velocity(0, velocity, largest_velocity),
         grid2d::stored_velocity(1, velocity, largest_velocity)};
 }

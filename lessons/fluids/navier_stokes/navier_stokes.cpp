@@ -78,7 +78,7 @@ void NavierStokes::reset() {
 std::string NavierStokes::blow_up_hint() const {
     return fmt::format(
         "The fastest fluid crosses {} cells per step; semi-Lagrangian advection is stable there but the forces are not resolved: "
-        "lower time_step below {} or the force",
+        "lower the time step below {} or the force",
         format_quantity(courant_number(*grid_, velocity_, dt), ""),
         format_quantity(5 * dx() / std::max(max_speed(velocity_), 1e-300), "s"));
 }

@@ -44,82 +44,100 @@ struct NavierStokes final : Lesson {
     }
     std::string_view error_probe() const override { return "kinetic_energy"; }
     ColourBy first_colours() const override { return {std::string(scene().colours), scene().component}; }
+    std::vector<Group> first_groups() const override { return {Group::scene, Group::method, Group::material, Group::forces}; }
     std::vector<std::string_view> first_plots() const override { return shown(scene().plots); }
     std::vector<std::string_view> key_numbers() const override { return shown(scene().key_numbers); }
 
     Choice<std::size_t> scenario{
         *this,
         setting_of("scene", "what the fluid is in and what drives it; the presets have one or two of each with fitting numbers")
+            .in(Group::scene)
             .rebuilds(),
         scene_options()};
-    Whole resolution{*this,
-                     quantity("resolution", "n", "", 96, {8, 256}, {1, 512}, "cells along the length L; Δx = L/n").rebuilds()};
+    Whole resolution{*this, quantity("resolution", "n", "", 96, {8, 256}, {1, 512}, "cells along the length L; Δx = L/n")
+                                .in(Group::shape)
+                                .rebuilds()};
     Number viscosity{*this,
-                     log_quantity("viscosity", "ν", "m²/s", 1e-4, {1e-6, 1}, {0, 1e6},
-                                  "kinematic viscosity μ/ρ; water 1e-6, oil 1e-4, honey 1e-2. 0 leaves the viscosity stage out"),
+                     log_quantity("viscosity", "ν", "m²/s", 1e-3, {1e-6, 1}, {0, 1e6},
+                                  "kinematic viscosity μ/ρ; water 1e-6, oil 1e-4, honey 1e-2. 0 leaves the viscosity stage out")
+                         .in(Group::material),
                      [this] { return with_viscosity && scene().reynolds_length == 0; }};
     Number reynolds{
         *this,
         log_quantity("reynolds", "Re", "", 100, {1, 1e4}, {1e-6, 1e9},
                      "U L/ν of the cavity, with its width; U D/ν of the vortex street, with the disc's diameter. It sets "
-                     "the viscosity of these scenes"),
+                     "the viscosity of these scenes")
+            .in(Group::material),
         [this] { return with_viscosity && scene().reynolds_length > 0; }};
     Number dt{*this, log_quantity("time_step", "Δt", "s", 0.02, {1e-3, 0.5}, {0, 10, true},
-                                  "fixed; semi-Lagrangian advection is stable at any, and accurate while CFL stays small")};
+                                  "fixed; semi-Lagrangian advection is stable at any, and accurate while CFL stays small")
+                         .in(Group::method)};
     Number aspect{*this,
                   quantity("aspect", "H/W", "", 1, {0.25, 3}, {0.1, 10},
                            "height over width of the box or the cavity, rounded to whole cells")
+                      .in(Group::shape)
                       .rebuilds(),
                   [this] { return scene().any_aspect; }};
     Number size{*this, log_quantity("size", "L", "m", 1, {0.01, 100}, {1e-6, 1e6},
                                     "width of the box, height of the channels; the vortex street has a channel of 2 L × 0.75 L")
+                           .in(Group::shape)
                            .rebuilds()};
     Number lid_speed{*this,
-                     quantity("lid_speed", "U", "m/s", 1, {-2, 2}, {-1e6, 1e6}, "of the upper wall, to the right").rebuilds(),
+                     quantity("lid_speed", "U", "m/s", 1, {-2, 2}, {-1e6, 1e6}, "of the upper wall, to the right")
+                         .in(Group::forces)
+                         .rebuilds(),
                      [this] { return scene().drives.lid; }};
     Number inflow{*this,
                   quantity("inflow", "U", "m/s", 1, {0.1, 2}, {0, 1e6},
                            "speed at which the fluid enters on the left, and leaves on the right: as much out as in")
+                      .in(Group::forces)
                       .rebuilds(),
                   [this] { return scene().drives.inflow; }};
     Number stirring{*this,
                     quantity("stirring", "S", "m/s²", 6, {-20, 20}, {-1e6, 1e6},
-                             "body force per unit mass in the middle of the stirrer; negative pushes backwards"),
+                             "body force per unit mass in the middle of the stirrer; negative pushes backwards")
+                        .in(Group::forces),
                     [this] { return with_forces && scene().drives.stirrer; }};
     Number body_force{*this,
                       quantity("body_force", "G", "m/s²", 0.1, {-1, 1}, {-1e6, 1e6},
                                "body force per unit mass along the channel: a slope's share of gravity, or a pressure drop per "
                                "length and density")
+                          .in(Group::forces)
                           .rebuilds(),
                       [this] { return with_forces && scene().drives.body_force; }};
     Number buoyancy{*this,
                     quantity("buoyancy", "β", "m/s²", 2, {-5, 5}, {-1e6, 1e6},
-                             "upward force per unit mass where the smoke is densest: g times its relative lightness"),
+                             "upward force per unit mass where the smoke is densest: g times its relative lightness")
+                        .in(Group::forces),
                     [this] { return with_forces && scene().drives.smoke; }};
     Choice<Order> order{
         *this,
         setting_of("order",
                    "of the stages. The lecture has forces, advection, viscosity, projection; in another order the step ends with "
                    "divergence")
+            .in(Group::method)
             .rebuilds(),
         {{"lecture", "the lecture's"},
          {"projection_first", "projection first"},
          {"advection_last", "advection last"},
          {"forces_last", "forces last"}}};
-    Switch with_forces{*this, setting_of("with_forces", "f: without it nothing pushes the fluid but walls", 1),
+    Switch with_forces{*this, setting_of("with_forces", "f: without it nothing pushes the fluid but walls", 1).in(Group::method),
                        [this] { return scene().drives.by_force(); }};
     Switch with_advection{
-        *this,
-        setting_of("with_advection", "(u·∇)u: without it the fluid does not carry itself along, as in very thick flow", 1)};
-    Switch with_viscosity{*this, setting_of("with_viscosity", "ν ∇²u: without it walls drag nothing along", 1)};
+        *this, setting_of("with_advection", "(u·∇)u: without it the fluid does not carry itself along, as in very thick flow", 1)
+                   .in(Group::method)};
+    Switch with_viscosity{*this, setting_of("with_viscosity", "ν ∇²u: without it walls drag nothing along", 1).in(Group::method)};
     Switch with_projection{
-        *this,
-        setting_of("with_projection", "−∇p: without it fluid piles up and thins out, and there is no pressure", 1).rebuilds()};
+        *this, setting_of("with_projection", "−∇p: without it fluid piles up and thins out, and there is no pressure", 1)
+                   .in(Group::method)
+                   .rebuilds()};
     Choice<grid2d::Carrying> advection{
         *this,
-        setting_of("advection",
+        setting_of("advection_scheme",
                    "linear interpolation dissipates most; the monotone cubic less; MacCormack's correction makes the linear one "
-                   "second order. None makes a new extremum"),
+                   "second order. None makes a new extremum")
+            .once("advection")
+            .in(Group::method),
         {{"semi_lagrangian", "semi-Lagrangian, linear"},
          {"monotone_cubic", "semi-Lagrangian, monotone cubic"},
          {"mac_cormack", "MacCormack"}},
@@ -129,22 +147,26 @@ struct NavierStokes final : Lesson {
         setting_of("back_trace",
                    "how a particle is followed back: straight with the velocity where it arrives (Euler), or with the velocity "
                    "half way",
-                   1),
+                   1)
+            .in(Group::method),
         {{"euler", "Euler"}, {"midpoint", "midpoint rule"}},
         [this] { return with_advection || scene().drives.smoke; }};
     Choice<Scheme> scheme{
         *this,
         setting_of("viscosity_scheme",
-                   "implicit is stable at every Δt; explicit is the lecture's stencil, refused beyond Δt = Δx²/(4ν)"),
+                   "implicit is stable at every Δt; explicit is the lecture's stencil, refused beyond Δt = Δx²/(4ν)")
+            .in(Group::method),
         {{"implicit", "implicit Euler"}, {"explicit", "explicit Euler"}},
         [this] { return with_viscosity && nu() > 0; }};
     Number tolerance{*this,
                      log_quantity("tolerance", "τ", "", 1e-4, {1e-8, 0.5}, {1e-12, 1, false, true},
-                                  "the pressure solver stops when max|∇·u| ≤ τ max|∇·ũ|"),
+                                  "the pressure solver stops when max|∇·u| ≤ τ max|∇·ũ|")
+                         .in(Group::solver),
                      [this] { return bool(with_projection); }};
     Whole max_iterations{*this,
                          quantity("max_iterations", "", "", 200, {1, 200}, {1, 1000},
-                                  "of the pressure solver; when they are not enough the run stops and says what is left"),
+                                  "of the pressure solver; when they are not enough the run stops and says what is left")
+                             .in(Group::solver),
                          [this] { return bool(with_projection); }};
 
     const FlowScene& scene() const { return scenes()[scenario]; }

@@ -37,23 +37,28 @@ void NavierStokes::declare_fields() {
         scalar_field(
             "vorticity", "ω", "1/s", On::cell, [this] { return as_span(fields_of_flow_.vorticity()); },
             "∂v/∂x − ∂u/∂y: twice the rate at which the fluid turns, positive to the left")
+            .of_both_signs()
             .follows({"u_on_faces", "v_on_faces"}, [why](const Question& q) { return why().vorticity(q.index); }),
         scalar_field(
             "divergence", "∇·u", "1/s", On::cell,
             [this] { return largest_divergence(), as_span(std::as_const(divergence_now_)); },
             "of the velocity as it stands now, behind any stage: what flows out of each cell, per area")
+            .of_both_signs()
             .follows({"u_on_faces", "v_on_faces"},
                      [why](const Question& q) { return why().divergence(q.index, Input::From::now); }),
         scalar_field("divergence_before", "∇·ũ", "1/s", On::cell, divergence_before_,
                      "of the velocity that enters the projection: what flows out of each cell, per area")
+            .of_both_signs()
             .when(projected),
         scalar_field("divergence_after", "∇·u", "1/s", On::cell, divergence_after_,
                      "of the velocity that the projection leaves; after a pass of its solver, that which the pressure so far "
                      "would leave")
+            .of_both_signs()
             .when(projected),
         scalar_field("pressure", "p", "m²/s²", On::cell, pressure_,
                      "kinematic pressure p/ρ: the lecture's Δt ∇²p = ∇·u has no ρ. Its mean is 0, since a closed box fixes p "
                      "up to a constant")
+            .of_both_signs()
             .when(projected),
         grid2d::stored_velocity(0, velocity, largest_velocity),
         grid2d::stored_velocity(1, velocity, largest_velocity),
@@ -208,7 +213,7 @@ void NavierStokes::declare_checks() {
             "s(1 − s)Δx²/(2Δt) ≤ ν, s: fraction of a cell crossed per step",
             "linear interpolation smooths the flow more than its own viscosity does: vortices die too soon")
             .when([this, viscous] { return viscous() && advection == grid2d::Carrying::linear; })
-            .mended_by(Fix{"MacCormack", {{"advection", "mac_cormack"}}}),
+            .mended_by(Fix{"MacCormack", {{"advection_scheme", "mac_cormack"}}}),
         assumption_of(
             "cell reynolds number", "", [this] { return max_speed(velocity_) * dx() / nu(); },
             [] { return largest_cell_reynolds; }, "max|u| Δx/ν ≤ 2",

@@ -82,9 +82,10 @@ struct Projection final : Lesson {
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     ColourBy first_colours() const override { return {staggered() ? "pressure" : "velocity", -1}; }
+    std::vector<Group> first_groups() const override { return {Group::scene, Group::method, Group::solver}; }
     std::vector<std::string_view> first_plots() const override { return {"residual"}; }
     std::vector<std::string_view> key_numbers() const override {
-        return {"max_divergence_before", "max_divergence", "iterations"};
+        return {"max_divergence_before", "max_divergence", "solver_iterations"};
     }
 
     Choice<Given> given{
@@ -92,6 +93,7 @@ struct Projection final : Lesson {
         setting_of("field",
                    "the velocity that is given; drawn: drag three arrows in the picture; through-flow: fluid at rest, with an "
                    "inflow on the left")
+            .in(Group::scene)
             .rebuilds(),
         {{"swirl", "swirl and source"},
          {"source_sink", "source and sink"},
@@ -101,23 +103,26 @@ struct Projection final : Lesson {
          {"gradient", "a gradient"},
          {"drawn", "drawn: three arrows"},
          {"through_flow", "through-flow"}}};
-    Whole resolution{
-        *this,
-        quantity("resolution", "n", "", 24, {4, 128}, {1, 256}, "cells along each side of the square; Δx = 1 m / n").rebuilds()};
+    Whole resolution{*this,
+                     quantity("resolution", "n", "", 24, {4, 128}, {1, 256}, "cells along each side of the square; Δx = 1 m / n")
+                         .in(Group::shape)
+                         .rebuilds()};
     Choice<Arrangement> arrangement{
         *this,
         setting_of("grid",
                    "staggered: velocity on faces, pressure in cells. Collocated: both in cells, differences over 2Δx, no "
                    "solids, plain conjugate gradients")
+            .in(Group::method)
             .rebuilds(),
         {{"staggered", "staggered"}, {"collocated", "collocated"}},
         [this] { return given != Given::through_flow; }};
-    Choice<Boundary> boundary{*this,
-                              setting_of("boundary", "a closed box, or what leaves on one side enters on the other").rebuilds(),
-                              {{"box", "box"}, {"periodic", "periodic"}},
-                              [this] { return given != Given::through_flow; }};
+    Choice<Boundary> boundary{
+        *this,
+        setting_of("boundary", "a closed box, or what leaves on one side enters on the other").in(Group::scene).rebuilds(),
+        {{"box", "box"}, {"periodic", "periodic"}},
+        [this] { return given != Given::through_flow; }};
     Choice<Obstacle> obstacle{*this,
-                              setting_of("obstacle", "cells that are solid and at rest").rebuilds(),
+                              setting_of("obstacle", "cells that are solid and at rest").in(Group::scene).rebuilds(),
                               {{"none", "none"},
                                {"disc", "disc"},
                                {"two_rooms", "two rooms"},
@@ -126,42 +131,57 @@ struct Projection final : Lesson {
                               [this] { return staggered(); }};
     Choice<PressurePreconditioner> solver{
         *this,
-        setting_of("solver", "conjugate gradients for the pressure: plain, or with a preconditioner",
+        setting_of("solver", "conjugate gradients for the pressure, without or with a preconditioner",
                    PressurePreconditioner::multigrid)
+            .in(Group::solver)
             .rebuilds(),
-        {{"cg", "plain"}, {"jacobi", "Jacobi"}, {"incomplete_cholesky", "incomplete Cholesky"}, {"multigrid", "multigrid"}},
+        {{"cg", "conjugate gradients, no preconditioner"},
+         {"jacobi", "conjugate gradients, Jacobi"},
+         {"incomplete_cholesky", "conjugate gradients, incomplete Cholesky"},
+         {"multigrid", "conjugate gradients, multigrid"}},
         [this] { return staggered(); }};
     Number tolerance{*this, log_quantity("tolerance", "τ", "", 1e-6, {1e-10, 0.5}, {1e-12, 1, false, true},
                                          "the solver stops when max|∇·u| ≤ τ max|∇·ũ|")
+                                .in(Group::solver)
                                 .rebuilds()};
     Whole max_iterations{*this, log_quantity("max_iterations", "", "", 1000, {1, 1000}, {1, 100000},
                                              "the solver gives up after so many passes, and says what is left")
+                                    .in(Group::solver)
                                     .rebuilds()};
     Number dt{*this,
               log_quantity("time_step", "Δt", "s", 1, {0.01, 1}, {0, 10, true},
                            "in which the pressure acts: half the time takes twice the pressure, and the velocity is the same")
+                  .in(Group::method)
                   .rebuilds()};
     Number speed{*this,
                  quantity("speed", "U", "m/s", 1, {-2, 2}, {-1000, 1000},
                           "largest speed of a push, of the noise, of the wave or of the inflow")
+                     .in(Group::scene)
                      .rebuilds(),
                  [this] { return given != Given::drawn; }};
     Number outflow{*this,
                    quantity("outflow", "a", "", 1, {0, 1},
                             "share of the inflow that may leave on the right; without the rest there is no pressure")
+                       .in(Group::scene)
                        .rebuilds(),
                    [this] { return walls_move(); }};
     Number disturbance{
         *this, quantity("pressure_checkerboard", "A", "m²/s²", 0, {-1, 1}, {-1000, 1000},
                         "added to the pressure that was found, with + and − in turn from cell to cell: does the grid feel it?")
+                   .in(Group::scene)
                    .rebuilds()};
-    Whole seed{*this, quantity("seed", "", "", 1, {1, 100}, {0, 1e9}, "of the noise: another number, another field").rebuilds(),
+    Whole seed{*this,
+               quantity("seed", "", "", 1, {1, 100}, {0, 1e9}, "of the noise: another number, another field")
+                   .in(Group::scene)
+                   .rebuilds(),
                [this] { return given == Given::random; }};
     Number cell_x{
         *this, quantity("cell_x", "x_c", "m", 0.34, {0, 1}, "place of the cell that is drawn large; drag its dot in the picture")
+                   .in(Group::view)
                    .looks()};
     Number cell_y{
         *this, quantity("cell_y", "y_c", "m", 0.62, {0, 1}, "place of the cell that is drawn large; drag its dot in the picture")
+                   .in(Group::view)
                    .looks()};
     std::deque<DrawnArrow> drawn;
 

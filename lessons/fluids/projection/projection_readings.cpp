@@ -29,23 +29,32 @@ void Projection::declare_fields() {
             .follows({"u_on_faces", "v_on_faces", "u_in_cells", "v_in_cells"},
                      [this](const Question& q) { return why_velocity(q); }),
         scalar_field("pressure", "p", "m²/s²", On::cell, pressure_,
-                     "kinematic pressure p/ρ, of mean 0: what turns the given velocity into one without divergence"),
+                     "kinematic pressure p/ρ, of mean 0: what turns the given velocity into one without divergence")
+            .of_both_signs(),
         scalar_field("divergence_before", "∇·ũ", "1/s", On::cell, before_,
-                     "of the given velocity: what flows out of each cell, per area"),
+                     "of the given velocity: what flows out of each cell, per area")
+            .of_both_signs(),
         scalar_field("divergence_after", "∇·u", "1/s", On::cell, after_,
-                     "of the velocity that is left; after a pass of the solver, that which the pressure so far would leave"),
+                     "of the velocity that is left; after a pass of the solver, that which the pressure so far would leave")
+            .of_both_signs(),
         plane_vector_field("gradient_part", "Δt ∇p", "m/s", On::cell, gradient_,
                            "the part of the given velocity that is a gradient, and is taken out"),
         plane_vector_field("solenoidal_part", "s", "m/s", On::cell, solenoidal_,
                            "the part without divergence; in a periodic box without its mean"),
         scalar_field("u_on_faces", "u", "m/s", On::x_face, velocity_[0],
                      "x component, where it is stored: on the upright faces of the cells")
+            .of_both_signs()
             .when(on_faces),
         scalar_field("v_on_faces", "v", "m/s", On::y_face, velocity_[1],
                      "y component, where it is stored: on the level faces of the cells")
+            .of_both_signs()
             .when(on_faces),
-        scalar_field("u_in_cells", "u", "m/s", On::cell, central_[0], "x component, stored at cell centres").when(in_cells),
-        scalar_field("v_in_cells", "v", "m/s", On::cell, central_[1], "y component, stored at cell centres").when(in_cells)};
+        scalar_field("u_in_cells", "u", "m/s", On::cell, central_[0], "x component, stored at cell centres")
+            .of_both_signs()
+            .when(in_cells),
+        scalar_field("v_in_cells", "v", "m/s", On::cell, central_[1], "y component, stored at cell centres")
+            .of_both_signs()
+            .when(in_cells)};
     for (Field& f : fields) f = f.stops_at(largest);
 }
 
@@ -73,7 +82,8 @@ void Projection::declare_probes() {
         grid2d::largest_probe("max_divergence_before", "max|∇·ũ|", "1/s", "what the projection was given", before_,
                               "divergence_before"),
         grid2d::largest_probe("max_divergence", "max|∇·u|", "1/s", "what it leaves", after_, "divergence_after"),
-        probe_of("iterations", "", "", "passes of the pressure solver", [this] { return tally_[passes]; }),
+        probe_of("solver_iterations", "", "", "passes of the pressure solver", [this] { return tally_[passes]; })
+            .once("iterations"),
         probe_of("kinetic_energy_before", "ẽ", "J/kg", "½|ũ|² per mass, mean over the fluid",
                  [this] { return tally_[energy_given]; }),
         probe_of(
@@ -121,18 +131,20 @@ void Projection::sample_history(Curve& curve, PressurePreconditioner which, Inde
 
 void Projection::declare_lines() {
     constexpr Index all = 1 << 30;
-    lines = {line_of("residual", "", "iteration", "",
-                     "largest divergence left over the largest before, after each pass of the solver that is chosen; the others "
-                     "beside it, on the same field",
-                     [this](Curve& curve) { sample_history(curve, solver, static_cast<Index>(tally_[passes])); })
-                 .measures("max|∇·u| / max|∇·ũ|")
-                 .on_log_axes()};
-    constexpr std::array<std::string_view, SolverHistories::solver_count> names{"plain", "Jacobi", "incomplete Cholesky",
-                                                                                "multigrid"};
+    lines = {
+        line_of("residual", "", "iteration", "",
+                "largest divergence left over the largest before, after each pass so far of the solver that is chosen; beside it "
+                "all four in full, on the same field, each in a colour of its own. CG: conjugate gradients, without or with a "
+                "preconditioner",
+                [this](Curve& curve) { sample_history(curve, solver, static_cast<Index>(tally_[passes])); })
+            .measures("max|∇·u| / max|∇·ũ|")
+            .on_log_axes()};
+    constexpr std::array<std::string_view, SolverHistories::solver_count> names{"CG", "CG, Jacobi", "CG, incomplete Cholesky",
+                                                                                "CG, multigrid"};
     for (std::size_t k = 0; k < SolverHistories::solver_count; ++k)
         lines[0].others.push_back({.name = names[k], .sample = [this, k](Curve& curve) {
                                        const auto which = static_cast<PressurePreconditioner>(k);
-                                       sample_history(curve, which, which == solver || !staggered() ? 0 : all);
+                                       sample_history(curve, which, staggered() ? all : 0);
                                    }});
 }
 

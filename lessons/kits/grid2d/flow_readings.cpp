@@ -20,6 +20,7 @@ Field stored_velocity(int axis, std::function<const FaceField<2>&()> velocity, R
                [velocity, axis] { return as_span(velocity()[axis]); },
                axis == 0 ? "x component of the velocity, where it is stored: on the upright faces of the cells"
                          : "y component of the velocity, where it is stored: on the level faces of the cells")
+        .of_both_signs()
         .stops_at(largest);
 }
 

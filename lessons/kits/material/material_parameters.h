@@ -8,10 +8,10 @@ namespace pliant {
 // Young's modulus Y [Pa] and Poisson's ratio, as every solver accepts them. help: what they mean to the lesson; useful: what its
 // sliders span.
 inline ParameterInfo youngs_modulus_info(std::string_view help, Interval useful) {
-    return log_quantity("youngs_modulus", "Y", "Pa", 1e6, useful, {1e-6, 1e18}, help).rebuilds();
+    return log_quantity("youngs_modulus", "Y", "Pa", 1e6, useful, {1e-6, 1e18}, help).in(Group::material).rebuilds();
 }
 inline ParameterInfo poisson_ratio_info(std::string_view help, Interval useful) {
-    return quantity("poisson_ratio", "ν", "", 0.3, useful, {-1, 0.5, true, true}, help).rebuilds();
+    return quantity("poisson_ratio", "ν", "", 0.3, useful, {-1, 0.5, true, true}, help).in(Group::material).rebuilds();
 }
 
 // Lamé's parameters [Pa] of such a pair, as parts of a formula: "λ" and "μ".

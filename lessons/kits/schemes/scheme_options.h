@@ -16,16 +16,17 @@ inline std::vector<Option> scheme_options(std::size_t count = schemes().size()) 
 }
 
 inline ParameterInfo fixed_time_step(Real initial, Interval useful, Real longest = 10) {
-    return log_quantity("time_step", "Δt", "s", initial, useful, {0, longest, true}, "fixed");
+    return log_quantity("time_step", "Δt", "s", initial, useful, {0, longest, true}, "fixed").in(Group::method);
 }
 
 inline ParameterInfo newton_tolerance_from(Real initial, std::string_view help) {
-    return log_quantity("newton_tolerance", "τ", "", initial, {1e-12, 1e-2}, {1e-14, 1, false, true}, help);
+    return log_quantity("newton_tolerance", "τ", "", initial, {1e-12, 1e-2}, {1e-14, 1, false, true}, help).in(Group::solver);
 }
 
 inline ParameterInfo newton_iterations() {
     return quantity("newton_iterations", "", "", 100, {1, 100}, {1, 10000},
-                    "most iterations of a time step; a step that needs more is reported, not accepted");
+                    "most iterations of a time step; a step that needs more is reported, not accepted")
+        .in(Group::solver);
 }
 
 }  // namespace pliant

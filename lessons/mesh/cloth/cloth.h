@@ -50,57 +50,67 @@ struct ClothLesson final : Lesson {
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return "lowest"; }
     ColourBy first_colours() const override { return {"stretch", -1}; }
-    std::vector<std::string_view> first_plots() const override { return {"energy", telling_probe(), "largest_stretch"}; }
-    std::vector<std::string_view> key_numbers() const override { return {"largest_stretch", "bending_share", telling_probe()}; }
+    std::vector<std::string_view> first_plots() const override { return {"energy", telling_probe(), "largest_strain"}; }
+    std::vector<std::string_view> key_numbers() const override { return {"largest_strain", "bending_share", telling_probe()}; }
 
     // --- parameters ---
     Choice<Setting> setting{*this,
-                            setting_of("scene", "what happens to the sheet").rebuilds(),
+                            setting_of("scene", "what happens to the sheet").in(Group::scene).rebuilds(),
                             {{"hanging_corners", "held at two corners"},
                              {"hanging_edge", "held at one edge"},
                              {"drape", "falls on a sphere"},
                              {"flag", "a flag in the wind"},
                              {"pedestal", "drape test: its middle lies on a disc"}}};
-    Whole nodes{*this, quantity("nodes", "n", "", 25, {2, 64}, {2, 96}, "nodes along each side of the sheet").rebuilds()};
-    Number size{*this, log_quantity("size", "L", "m", 1, {0.1, 5}, {1e-6, 1e6}, "side of the square sheet").rebuilds()};
+    Whole nodes{
+        *this,
+        quantity("nodes", "n", "", 25, {2, 64}, {2, 96}, "nodes along each side of the sheet").in(Group::shape).rebuilds()};
+    Number size{*this,
+                log_quantity("size", "L", "m", 1, {0.1, 5}, {1e-6, 1e6}, "side of the square sheet").in(Group::shape).rebuilds()};
     Number total_mass{*this,
                       log_quantity("mass", "M", "kg", 0.2, {0.01, 10}, {1e-9, 1e9},
-                                   "of the whole sheet, shared equally by its nodes; a square metre of cotton weighs 0.2 kg")};
+                                   "of the whole sheet, shared equally by its nodes; a square metre of cotton weighs 0.2 kg")
+                          .in(Group::material)};
     Number k_structural{*this, springs::stiffness_of("k_structural", "kₛ", 1000, {0.01, 1e4},
                                                      "of the springs along the threads: they resist stretching")};
     Number k_shear{*this, springs::stiffness_of("k_shear", "k_d", 100, {0.01, 1e4},
                                                 "of the springs along the diagonals: they resist shear")};
     Number k_bending{*this, springs::stiffness_of("k_bending", "k_b", 1, {0.01, 1e4},
-                                                  "of the springs to the next node but one: they resist bending")};
+                                                  "of the springs to the node after the next: they resist bending")};
     Choice<SpringDamping> damping_mode{*this, springs::damping_choice(), springs::damping_options()};
     Number damping{
         *this, springs::damper(0.01, {1e-4, 1}, "of every spring whose stiffness is not 0").when([this] { return damped(); })};
     Number gravity{*this, springs::gravity_downwards()};
     Number wind{*this,
                 quantity("wind", "W", "m/s", 0, {0, 20}, {-1e6, 1e6}, "speed of the wind: along x for the flag, else towards you")
+                    .in(Group::forces)
                     .when([this] { return in_air(); })};
     Number gust{*this, quantity("gust", "γ", "", 0.3, {0, 1}, {0, 10},
                                 "how far the wind swings to its side, once in a second, as a part of its speed")
+                           .in(Group::forces)
                            .when([this] { return in_air() && wind != 0; })};
     Number air_drag{*this, quantity("air_drag", "c", "", 1, {0, 2}, {0, 1e6},
-                                    "drag coefficient of a small plate across the wind, also of still air; 0: no air")};
+                                    "drag coefficient of a small plate across the wind, also of still air; 0: no air")
+                               .in(Group::forces)};
     Number sphere_radius{
         *this, quantity("sphere_radius", "R", "m", 0.25, {0, 1}, {0, 1e6}, "of the sphere, or of the disc of the drape test")
+                   .in(Group::shape)
                    .rebuilds()
                    .when([this] { return drapes(); })};
-    Number friction{*this,
-                    quantity("friction", "μ", "", 0.3, {0, 1.5}, {0, 1e6}, "Coulomb's coefficient of the sphere").when([this] {
-                        return has_sphere();
-                    })};
-    Choice<Scheme> scheme{*this, setting_of("scheme", "how forces become motion", 2), scheme_options(3)};
+    Number friction{*this, quantity("friction", "μ", "", 0.3, {0, 1.5}, {0, 1e6}, "Coulomb's coefficient of the sphere")
+                               .in(Group::forces)
+                               .when([this] { return has_sphere(); })};
+    Choice<Scheme> scheme{*this, setting_of("integrator", "how forces become motion", 2).once("scheme").in(Group::method),
+                          scheme_options(3)};
     Number dt{*this, fixed_time_step(1.0 / 60, {1e-5, 0.1})};
     Choice<Newton> newton{
         *this,
-        setting_of("newton", "how far a step is solved").when([this] { return implicit(); }),
-        {{"capped", "newton_cap iterations, taken as they are"}, {"full", "until it converges, or stop and report"}}};
+        setting_of("newton", "how far a step is solved").in(Group::solver).when([this] { return implicit(); }),
+        {{"capped", "so many iterations, taken as they are"}, {"full", "until it converges, or stop and report"}}};
     Whole newton_cap{*this,
-                     quantity("newton_cap", "", "", 1, {1, 50}, {1, 10000},
+                     quantity("newton_iterations", "", "", 1, {1, 50}, {1, 10000},
                               "most Newton iterations of a time step; what they leave unbalanced is shown; 1: linearly implicit")
+                         .once("newton_cap")
+                         .in(Group::solver)
                          .when([this] { return implicit() && capped(); })};
     Number newton_tolerance{
         *this,
@@ -108,22 +118,29 @@ struct ClothLesson final : Lesson {
             .when([this] { return implicit() && (!capped() || newton_cap > 1); })};
     Choice<LinearSolve> linear_solver{
         *this,
-        setting_of("linear_solver", "how each Newton iteration solves its linear system", 1).when([this] { return implicit(); }),
+        setting_of("linear_solver", "how each Newton iteration solves its linear system", 1).in(Group::solver).when([this] {
+            return implicit();
+        }),
         {{"direct", "direct: sparse factors"}, {"conjugate_gradients", "conjugate gradients, coarser sheets help"}}};
     Whole linear_iterations{*this,
                             quantity("linear_iterations", "", "", 20, {1, 200}, {1, 100000},
                                      "most iterations of conjugate gradients in a Newton iteration: bounds the cost of a step")
+                                .in(Group::solver)
                                 .when([this] { return iterative() && capped(); })};
     Number linear_tolerance{*this,
                             log_quantity("linear_tolerance", "η", "", 1e-4, {1e-10, 0.1}, {1e-15, 1, false, true},
                                          "conjugate gradients stop when their residual is below this part of the right side")
+                                .in(Group::solver)
                                 .when([this] { return iterative(); })};
-    Switch strain_limiting{*this, setting_of("strain_limiting", "draw overlong springs together after each step?")};
+    Switch strain_limiting{*this,
+                           setting_of("strain_limiting", "draw overlong springs together after each step?").in(Group::method)};
     Number strain_limit{*this, quantity("strain_limit", "ε_max", "", 0.05, {0, 0.3}, {0, 10},
                                         "largest strain that structural and shear springs keep")
+                                   .in(Group::method)
                                    .when([this] { return bool(strain_limiting); })};
     Whole limit_passes{*this, quantity("limit_passes", "", "", 50, {1, 200}, {1, 10000},
                                        "most passes over all springs in a step; each pass undoes a part of its neighbours'")
+                                  .in(Group::method)
                                   .when([this] { return bool(strain_limiting); })};
     Number pull_stiffness{*this, springs::pull_stiffness_from(20, {1, 1000})};
 

@@ -33,7 +33,7 @@ Drape drape_of(Index nodes, Real k_structural, Real k_bending) {
                                               {"k_bending", fmt::format("{}", k_bending)}});
     for (int k = 0; k < 240; ++k) runner.step();
     const auto two_digits = [](Real x) { return std::round(100 * x) / 100; };
-    return {two_digits(runner.value("drape_coefficient")), two_digits(runner.value("largest_stretch"))};
+    return {two_digits(runner.value("drape_coefficient")), two_digits(runner.value("largest_strain"))};
 }
 
 std::string sentence(const char* name, Real k_structural, Real k_bending, const Drape& drape) {

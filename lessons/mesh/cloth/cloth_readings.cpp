@@ -45,10 +45,11 @@ std::string too_large_a_step(const ClothLesson& l) {
     const Real limit = l.stable_time_step();
     if (l.implicit() || !(l.dt > limit)) return "";
     if (limit == 0)
-        return "Explicit Euler without damping is stable at no Δt: switch damping_mode on, or choose implicit_euler as the "
-               "scheme";
-    return fmt::format("Δt = {} is above the stability limit of {} ({}): choose implicit_euler as the scheme, or lower time_step",
-                       format_quantity(l.dt, "s", 3), format_quantity(limit, "s", 3), limit_in_words(l.scheme));
+        return "Explicit Euler without damping is stable at no Δt: switch damping on, or choose implicit Euler as the "
+               "integrator";
+    return fmt::format(
+        "Δt = {} is above the stability limit of {} ({}): choose implicit Euler as the integrator, or lower the time step",
+        format_quantity(l.dt, "s", 3), format_quantity(limit, "s", 3), limit_in_words(l.scheme));
 }
 
 }  // namespace
@@ -83,11 +84,13 @@ void ClothLesson::declare_probes() {
                      if (!(all > spring_energy_rounding<3>(sheet_->springs(), position_, size))) return std::nullopt;
                      return sheet_->energy(bending, position_) / all;
                  }),
-        probe_of("largest_stretch", "ε", "", "largest strain of a structural spring",
-                 [this] { return largest_stretch(sheet_->springs(), sheet_->last(structural), position_); }),
-        probe_of("stretch_before_limiting", "ε₀", "",
+        probe_of("largest_strain", "ε", "", "largest strain of a structural spring",
+                 [this] { return largest_stretch(sheet_->springs(), sheet_->last(structural), position_); })
+            .once("largest_stretch"),
+        probe_of("strain_before_limiting", "ε₀", "",
                  "largest strain of a structural or shear spring before strain limiting, in the latest step",
-                 [this] { return strain_limiting ? std::optional<Real>(stretch_before_limiting_) : std::nullopt; }),
+                 [this] { return strain_limiting ? std::optional<Real>(stretch_before_limiting_) : std::nullopt; })
+            .once("stretch_before_limiting"),
         probe_of("limiting_passes", "", "", "passes of strain limiting in the latest step",
                  [this] { return !strain_limiting || !limiter_ ? std::nullopt : std::optional<Real>(limiter_->passes()); }),
         probe_of("lowest", "y", "m", "height of the lowest node; 0 is the start of a level sheet",
@@ -123,7 +126,7 @@ void ClothLesson::declare_checks() {
             "(2/ω)(ζ − √(ζ² − 1));  ω of the fastest mode",
             "the fastest mode grows in every step until the sheet tears itself apart")
             .when([this] { return !implicit(); })
-            .mended_by(Fix{"implicit Euler", {{"scheme", "implicit_euler"}}}),
+            .mended_by(Fix{"implicit Euler", {{"integrator", "implicit_euler"}}}),
         assumption_of(
             "inextensible", "", [this] { return largest_stretch(sheet_->springs(), sheet_->last(structural), position_); },
             [] { return 0.1; }, "ε ≤ 10 % along every thread",
@@ -160,7 +163,7 @@ std::string ClothLesson::unrest() const {
     if (setting == Setting::drape && !has_sphere() && gravity > 0)
         return "there is no sphere that it could fall on (sphere_radius = 0)";
     if (implicit() || in_air() || (damped() && damping > 0)) return "";
-    return "nothing takes the energy of its springs out (damping_mode, damping, air_drag)";
+    return "nothing takes the energy of its springs out (damping mode, damping, air drag)";
 }
 
 std::optional<Real> ClothLesson::drape_coefficient() const {
@@ -177,15 +180,15 @@ Real ClothLesson::stable_time_step() const {
 
 std::string ClothLesson::blow_up_hint() const {
     if (const std::string hint = too_large_a_step(*this); !hint.empty()) return hint;
-    if (implicit()) return "Lower time_step, or set newton to capped, which takes what a few iterations give";
+    if (implicit()) return "Lower the time step, or let Newton's method be capped, which takes what a few iterations give";
     return fmt::format(
         "Δt = {} is below the limit {} of small motions: the sheet is far from its shape at rest, or the wind too "
-        "strong. Choose implicit_euler as the scheme",
+        "strong. Choose implicit Euler as the integrator",
         format_quantity(dt, "s"), format_quantity(stable_time_step(), "s", 3));
 }
 
 std::optional<Fix> ClothLesson::fix(const Failure&) const {
-    if (!implicit()) return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
+    if (!implicit()) return Fix{"implicit Euler", {{"integrator", "implicit_euler"}}};
     if (!capped()) return Fix{"take the last iterate", {{"newton", "capped"}}};
     return fix_by(dt, rounded_down(dt / 4, 2));
 }
@@ -197,8 +200,8 @@ std::vector<Fix> ClothLesson::other_fixes(const Failure&) const {
 
 // Solved to rounding, in whole parts of the present step.
 std::vector<std::pair<std::string, std::string>> ClothLesson::finer() const {
-    return {{"scheme", "implicit_euler"},
-            {"newton_cap", "20"},
+    return {{"integrator", "implicit_euler"},
+            {"newton_iterations", "20"},
             {"linear_iterations", "1000"},
             {"linear_tolerance", "1e-6"},
             {"linear_solver", "conjugate_gradients"},

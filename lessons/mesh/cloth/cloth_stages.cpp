@@ -38,9 +38,11 @@ void ClothLesson::declare_fields() {
         scalar_field("contact_force", "N", "N", On::node, contact_force_, "with which the sphere presses a node outwards")
             .when(has(contact_force_)),
         scalar_field("strain", "ε", "", On::edge, strain_, "(|xᵢⱼ| − l)/l: positive where a spring is longer than at rest")
+            .of_both_signs()
             .stops_at(strained),
         scalar_field("stretch", "ε_s", "", On::node, stretch_,
                      "of the strains of a node's structural springs the one farthest from 0: red where it is stretched")
+            .of_both_signs()
             .stops_at(strained),
         scalar_field("bending", "β", "", On::node, bending_, "largest shortening of a node's bending springs: 0 where it is flat")
             .stops_at(strained),

@@ -64,7 +64,7 @@ void ClothLesson::explain_probes() {
         return l.gravity == 0 ? fixed_value("V = 0: there is no weight")
                               : springs::gravitational_energy_of(l.node_mass(), l.gravity, l.position_.cols());
     });
-    give("largest_stretch", why_largest_stretch);
+    give("largest_strain", why_largest_stretch);
     give("lowest", [](L l) -> Explanation {
         Index node = 0;
         l.position_.row(1).minCoeff(&node);

@@ -23,15 +23,16 @@ std::vector<std::string_view> MassSpringLesson::first_plots() const {
     if (tested() && lattice() == LatticeKind::chain) return {"test_stiffness"};
     if (tested()) return {"modulus_by_cells", "coupling", "stiffness_ratio"};
     if (setting == Setting::swing) return {"mode", "frequency", "energy"};
-    if (setting == Setting::spin) return {"rotation", telling_probe(), "energy"};
-    return {"energy", telling_probe(), "stretch"};
+    if (setting == Setting::spin && damped()) return {"rotation", "energy", telling_probe()};
+    if (setting == Setting::spin) return {"energy", telling_probe(), "rotation"};
+    return {"energy", telling_probe(), "largest_strain"};
 }
 
 std::vector<std::string_view> MassSpringLesson::key_numbers() const {
     if (tested() && lattice() == LatticeKind::chain) return {"test_stiffness"};
     if (tested() && block_test() == BlockTest::stretch) return {"youngs_modulus", "poisson_ratio", "stiffness_ratio"};
     if (tested()) return {"stiffness_ratio", "coupling_structural", "coupling_shear"};
-    return {"energy", telling_probe(), "stretch"};
+    return {"energy", telling_probe(), "largest_strain"};
 }
 
 std::string_view MassSpringLesson::telling_probe() const {
@@ -65,7 +66,7 @@ void MassSpringLesson::check() const {
                         has_diagonals() ? "k_structural = k_shear = k_bending" : "k_structural = k_bending"));
     if (setting == Setting::swing) {
         if (mode_number > free_masses())
-            throw Refused("mode_number", Real(Index(mode_number)), "",
+            throw Refused("mode", Real(Index(mode_number)), "",
                           fmt::format("1 to {}, one for each mass that is free (cells_y = {})", free_masses(), Index(cells_y)));
     }
 }
@@ -163,12 +164,12 @@ std::string MassSpringLesson::unrest() const {
     if (setting == Setting::drop && !ground && gravity > 0) return "nothing stops its fall (ground = off)";
     if (dissipates(integrator)) return "";
     if (setting == Setting::spin && spin_rate != 0 && !(has_dampers() && damping_mode == SpringDamping::naive))
-        return "nothing stops its rotation: of the dampers only naive ones do (damping_mode)";
+        return "nothing stops its rotation: of the dampers only naive ones do (damping mode)";
     if (has_dampers()) return "";
     const bool loose = block_->springs().size() == 0;
     if (loose && grounded() && restitution < 1) return "";
     if (loose) return "it bounces without end (restitution = 1)";
-    return "nothing takes the energy of its springs out (damping_mode, damping)";
+    return "nothing takes the energy of its springs out (damping mode, damping)";
 }
 
 // --------------------------------------------------------------- a chain that swings in one of its modes, in closed form

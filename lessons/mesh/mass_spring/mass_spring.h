@@ -22,7 +22,7 @@
 namespace pliant::mass_spring {
 
 inline ParameterInfo cells_along(std::string_view key, std::string_view symbol) {
-    return quantity(key, symbol, "", 4, {1, 10}, {1, 40}, "cells of the lattice along this axis").rebuilds();
+    return quantity(key, symbol, "", 4, {1, 10}, {1, 40}, "cells of the lattice along this axis").in(Group::shape).rebuilds();
 }
 
 enum class Setting { drop, hang, spin, swing, stretch_test };
@@ -64,26 +64,28 @@ struct MassSpringLesson final : Lesson {
 
     // --- parameters ---
     Choice<Setting> setting{*this,
-                            setting_of("scene", "what happens to the block").rebuilds(),
+                            setting_of("scene", "what happens to the block").in(Group::scene).rebuilds(),
                             {{"drop", "dropped on the ground"},
                              {"hang", "held at one face"},
                              {"spin", "spinning freely, no gravity"},
                              {"swing", "a chain that swings in one of its modes"},
                              {"stretch_test", "static test between two plates"}}};
-    Choice<LatticeKind> kind{
+    Choice<LatticeKind> kind{*this,
+                             setting_of("lattice", "which nodes the springs join").in(Group::shape).rebuilds().when([this] {
+                                 return setting != Setting::swing;
+                             }),
+                             {{"cubic_face", "cubes with face diagonals"},
+                              {"cubic_body", "cubes with body diagonals"},
+                              {"square", "sheet of squares with diagonals"},
+                              {"triangular", "sheet of triangles"},
+                              {"chain", "chain"}}};
+    Choice<Support> support{
         *this,
-        setting_of("lattice", "which nodes the springs join").rebuilds().when([this] { return setting != Setting::swing; }),
-        {{"cubic_face", "cubes with face diagonals"},
-         {"cubic_body", "cubes with body diagonals"},
-         {"square", "sheet of squares with diagonals"},
-         {"triangular", "sheet of triangles"},
-         {"chain", "chain"}}};
-    Choice<Support> support{*this,
-                            setting_of("support", "the face that is held").rebuilds().when([this] { return held(); }),
-                            {{"top", "top: it hangs"}, {"side", "side: it is a beam"}, {"both", "top and bottom"}}};
+        setting_of("support", "the face that is held").in(Group::scene).rebuilds().when([this] { return held(); }),
+        {{"top", "top: it hangs"}, {"side", "side: it is a beam"}, {"both", "top and bottom"}}};
     Choice<BlockTest> test{
         *this,
-        setting_of("test", "what the plates at the top and the bottom do").rebuilds().when([this] {
+        setting_of("test", "what the plates at the top and the bottom do").in(Group::scene).rebuilds().when([this] {
             return tested() && lattice() != LatticeKind::chain;
         }),
         {{"stretch", "pulled apart"}, {"shear", "moved sideways, glued on"}, {"bend", "turned towards each other"}}};
@@ -92,9 +94,11 @@ struct MassSpringLesson final : Lesson {
     Whole cells_z{*this, cells_along("cells_z", "n_z").when([this] { return dimension_of(lattice()) == 3; })};
     Number size{*this, log_quantity("size", "L", "m", 0.5, {0.05, 5}, {1e-6, 1e6},
                                     "length along x, so that edges are L / nₓ long; of a chain, L / n_y")
+                           .in(Group::shape)
                            .rebuilds()};
     Number total_mass{
         *this, log_quantity("mass", "M", "kg", 1, {0.01, 100}, {1e-9, 1e9}, "of the whole block, shared equally by its nodes")
+                   .in(Group::material)
                    .when([this] { return !tested(); })};
     Number k_structural{*this, springs::stiffness_of("k_structural", "kₛ", 200, {1, 1e5},
                                                      "of the springs along the edges of the cells; 0 leaves them out")};
@@ -102,54 +106,63 @@ struct MassSpringLesson final : Lesson {
                    springs::stiffness_of("k_shear", "k_d", 100, {1, 1e5}, "of the springs along the diagonals; 0 leaves them out")
                        .when([this] { return has_diagonals(); })};
     Number k_bending{*this, springs::stiffness_of("k_bending", "k_b", 20, {1, 1e5},
-                                                  "of the springs to the next node but one; 0 leaves them out")};
+                                                  "of the springs to the node after the next; 0 leaves them out")};
     Number rest_length_scale{
         *this, quantity("rest_length_scale", "s", "", 1, {0, 2}, "rest lengths of the springs over the distances of the lattice")
+                   .in(Group::material)
                    .rebuilds()
                    .when([this] { return !tested(); })};
     Switch shared_edges{
         *this, setting_of("shared_edges", "do springs on the surface count only for the cells inside, as in an endless lattice?")
+                   .in(Group::shape)
                    .rebuilds()
                    .when([this] { return tested(); })};
     Number target_poisson{*this, quantity("target_poisson", "ν*", "", 0.25, {0, 0.49}, {-1, 0.5, true, true},
                                           "Poisson's ratio that is wished for: the solid beside the net has it")
+                                     .in(Group::material)
                                      .rebuilds()
                                      .when([this] { return tested() && lattice() != LatticeKind::chain; })};
     Number test_strain{*this, quantity("test_strain", "ε", "", 0.2, {0.01, 0.5}, {1e-3, 1},
                                        "by which part of their distance the plates move; small motions, drawn larger")
+                                  .in(Group::scene)
                                   .rebuilds()
                                   .when([this] { return tested(); })};
-    Whole mode_number{
-        *this, quantity("mode_number", "j", "", 1, {1, 10}, {1, 40}, "which mode of the chain is released, from the slowest on")
-                   .rebuilds()
-                   .when([this] { return setting == Setting::swing; })};
+    Whole mode_number{*this,
+                      quantity("mode", "j", "", 1, {1, 10}, {1, 40}, "which mode of the chain is released, from the slowest on")
+                          .once("mode_number")
+                          .in(Group::scene)
+                          .rebuilds()
+                          .when([this] { return setting == Setting::swing; })};
     Choice<SpringDamping> damping_mode{*this, springs::damping_choice().when([this] { return !tested(); }),
                                        springs::damping_options()};
     Number damping{*this, springs::damper(0.05, {1e-3, 10}, "of every spring").when([this] { return damped(); })};
     Number gravity{*this, springs::gravity_downwards().when([this] { return falls(); })};
-    Choice<Scheme> integrator{*this, setting_of("integrator", "how forces become motion", 1).when([this] { return !tested(); }),
-                              scheme_options()};
+    Choice<Scheme> integrator{
+        *this, setting_of("integrator", "how forces become motion", 1).in(Group::method).when([this] { return !tested(); }),
+        scheme_options()};
     Number dt{*this, fixed_time_step(1e-3, {1e-5, 0.1}).when([this] { return !tested(); })};
     Number drop_height{*this, quantity("drop_height", "h₀", "m", 0.5, {0, 2}, {0, 1e6},
                                        "of the block's lowest point above the ground at the start")
+                                  .in(Group::start)
                                   .rebuilds()
                                   .when([this] { return falls(); })};
     Number tilt{*this, quantity("tilt", "φ", "°", 25, {-45, 45}, {-360, 360}, "of the block about the z axis at the start")
+                           .in(Group::start)
                            .rebuilds()
                            .when([this] { return setting == Setting::drop; })};
     Number spin_rate{
         *this, quantity("spin", "Ω", "rad/s", 10, {0, 30}, {-1e6, 1e6}, "angular velocity at the start, about the vertical axis")
+                   .in(Group::start)
                    .rebuilds()
                    .when([this] { return setting == Setting::spin; })};
-    Switch ground{*this, setting_of("ground", "is there a floor at y = 0?", 1).when([this] { return falls(); })};
-    Number restitution{*this,
-                       quantity("restitution", "e", "", 0, {0, 1}, "rebound speed of a node over its impact speed").when([this] {
-                           return grounded();
-                       })};
-    Number friction{*this,
-                    quantity("friction", "μ", "", 0.5, {0, 1.5}, {0, 1e6}, "Coulomb's coefficient of the ground").when([this] {
-                        return grounded();
-                    })};
+    Switch ground{*this,
+                  setting_of("ground", "is there a floor at y = 0?", 1).in(Group::forces).when([this] { return falls(); })};
+    Number restitution{*this, quantity("restitution", "e", "", 0, {0, 1}, "rebound speed of a node over its impact speed")
+                                  .in(Group::forces)
+                                  .when([this] { return grounded(); })};
+    Number friction{*this, quantity("friction", "μ", "", 0.5, {0, 1.5}, {0, 1e6}, "Coulomb's coefficient of the ground")
+                               .in(Group::forces)
+                               .when([this] { return grounded(); })};
     Number pull_stiffness{*this, springs::pull_stiffness_from(50, {1, 1e4}).when([this] { return !tested(); })};
     Number newton_tolerance{
         *this,

@@ -108,10 +108,9 @@ std::string MassSpringLesson::too_large_a_step() const {
                     format_quantity(growth_per_step(*this), "", 4));
     if (limit == 0)
         return fmt::format(
-            "Explicit Euler without damping is stable at no Δt: {}. Switch damping_mode on, or choose another integrator",
-            growth);
+            "Explicit Euler without damping is stable at no Δt: {}. Switch damping on, or choose another integrator", growth);
     return fmt::format(
-        "Δt = {} is above the stability limit of {} ({}): {}. Lower time_step or the stiffness, or choose implicit_euler",
+        "Δt = {} is above the stability limit of {} ({}): {}. Lower the time step or the stiffness, or choose implicit Euler",
         format_quantity(dt, "s"), format_quantity(limit, "s", 3), limit_in_words(integrator), growth);
 }
 
@@ -119,7 +118,7 @@ std::string MassSpringLesson::blow_up_hint() const {
     if (const std::string hint = too_large_a_step(); !hint.empty()) return hint;
     if (implicit()) return "Lower time_step, or allow more newton_iterations";
     return fmt::format(
-        "Δt = {} is below the limit {} of small motions: the deformation is large. Lower time_step, or choose implicit_euler",
+        "Δt = {} is below the limit {} of small motions: the deformation is large. Lower the time step, or choose implicit Euler",
         format_quantity(dt, "s"), format_quantity(stable_time_step(), "s", 3));
 }
 

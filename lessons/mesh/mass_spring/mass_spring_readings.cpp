@@ -50,7 +50,7 @@ void MassSpringLesson::declare_probes() {
             }),
         probe_of("height", "h", "m", "of the centre of mass", [this] { return centre_of_mass<3>(block_->mass(), position_)[1]; })
             .exactly([this](Real t) { return falling_height(t); }),
-        probe_of("stretch", "ε", "", "largest |strain| of a spring", [this] { return stretch(); }),
+        probe_of("largest_strain", "ε", "", "largest |strain| of a spring", [this] { return stretch(); }).once("stretch"),
         probe_of("sag", "s", "m", "by how much the face opposite to the held one (the lower one) hangs lower than at rest",
                  [this] { return sag(); }),
         probe_of("touching_nodes", "", "", "nodes on the ground",

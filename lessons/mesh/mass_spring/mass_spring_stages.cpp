@@ -18,7 +18,9 @@ void MassSpringLesson::declare_fields() {
     };
     const auto of_springs = [](std::string_view name, std::string_view symbol, std::string_view unit, std::string_view help,
                                const VecX& values) {
-        return scalar_field(name, symbol, unit, On::edge, values, help).when([&values] { return values.size() > 0; });
+        return scalar_field(name, symbol, unit, On::edge, values, help).of_both_signs().when([&values] {
+            return values.size() > 0;
+        });
     };
     state = {state_array("position", "m", position_), state_array("velocity", "m/s", velocity_),
              state_array("integrator_memory", "", memory_), state_array("clock", "s", clock_),
@@ -111,14 +113,15 @@ void MassSpringLesson::declare_lines() {
     };
     lines = {
         line_of("rotation", "kg m²/s", "t", "s",
-                "angular momentum of a rigid body that turns: what naive dampers leave, what projected ones do, and this run",
-                [this, to_now](Curve& c) { to_now(c, [this](Real t) { return rotation_after(*this, t); }); })
+                "angular momentum of a rigid body that turns: what naive dampers leave, what projected ones do, and this run", {})
             .against("projected dampers",
                      [this, to_now](Curve& c) { to_now(c, [this](Real) { return start_angular_momentum_; }); })
-            .beside({{.name = "this run",
+            .beside({{.name = "naive dampers",
+                      .sample = [this, to_now](Curve& c) { to_now(c, [this](Real t) { return rotation_after(*this, t); }); }},
+                     {.name = "this run",
                       .sample = [this](Curve& c) { c.add(clock_[0], *probe("angular_momentum").value()); },
                       .points = true}})
-            .measures("naive dampers")
+            .measures("angular momentum")
             .when(spins),
         line_of("modulus_by_cells", "", "cells along each axis", "",
                 "Young's modulus of pieces of this lattice over that of the endless one: what more cells change",

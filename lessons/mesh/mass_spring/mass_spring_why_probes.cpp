@@ -180,7 +180,7 @@ void MassSpringLesson::explain_probes() {
     give("momentum", [](L l) { return length_of("p", "kg m/s", [&l](int c) { return why_momentum(l, c); }); });
     give("angular_momentum", [](L l) { return length_of("J", "kg m²/s", [&l](int c) { return why_angular_momentum(l, c); }); });
     give("height", why_height);
-    give("stretch", why_stretch);
+    give("largest_strain", why_stretch);
     give("sag", why_sag);
     give("frequency", [](L l) -> Explanation {
         return {"ω = 2 π / T",

@@ -52,7 +52,7 @@ struct RodLesson final : Lesson {
 
     // --- parameters ---
     Choice<Setting> setting{*this,
-                            setting_of("scene", "what happens to the rod").rebuilds(),
+                            setting_of("scene", "what happens to the rod").in(Group::scene).rebuilds(),
                             {{"hanging", "hangs at rest: solved at once"},
                              {"released", "let go: it swings up and down"},
                              {"wave", "one mode of a free end"},
@@ -60,47 +60,60 @@ struct RodLesson final : Lesson {
                              {"fixed_end", "a pulse runs to a fixed end"}}};
     Whole segments{*this, log_quantity("segments", "N", "", 10, {2, 200}, {1, 200},
                                        "into which the rod is divided: as many springs, and as many masses below the support")
+                              .in(Group::shape)
                               .rebuilds()};
     Choice<Rule> spring_rule{
         *this,
         setting_of("spring_rule", "derived: k = EA/Δs, from the energy of the rod. constant: one k picked by hand, whatever N is")
+            .in(Group::material)
             .rebuilds(),
         {{"derived", "derived from the energy"}, {"constant", "picked by hand"}}};
     Number axial_stiffness{
         *this, log_quantity("axial_stiffness", "EA", "N", 20, {1, 1e5}, {0, 1e12, true},
                             "of the rod: Young's modulus times cross-section, the force per strain. The lecture calls it k")
+                   .in(Group::material)
                    .rebuilds()};
     Number picked_stiffness{*this, log_quantity("picked_stiffness", "k₀", "N/m", 200, {1, 1e5}, {0, 1e12, true},
                                                 "of each spring of the rod that is picked by hand")
+                                       .in(Group::material)
                                        .rebuilds()
                                        .when([this] { return hangs() || by_hand(); })};
     Number total_mass{*this, log_quantity("mass", "M", "kg", 1, {0.01, 100}, {0, 1e9, true},
                                           "of the whole rod; each of the N points below the support carries M/N")
+                                 .in(Group::material)
                                  .rebuilds()};
-    Number length{*this, log_quantity("length", "L", "m", 1, {0.1, 10}, {1e-6, 1e6}, "of the rod at rest; Δs = L/N").rebuilds()};
+    Number length{
+        *this,
+        log_quantity("length", "L", "m", 1, {0.1, 10}, {1e-6, 1e6}, "of the rod at rest; Δs = L/N").in(Group::shape).rebuilds()};
     Number gravity{*this, springs::gravity_downwards().rebuilds().when([this] { return hangs(); })};
     Whole mode{*this,
                quantity("mode", "j", "", 1, {1, 10}, {1, 200},
                         "which mode swings; a chain of N masses has N of them, and the highest stands for what lies beyond")
+                   .in(Group::start)
                    .rebuilds()
                    .when([this] { return setting == Setting::wave; })};
     Number amplitude{*this, log_quantity("amplitude", "A", "m", 0.03, {1e-3, 0.1}, {0, 1e3},
                                          "largest displacement at the start, along the rod")
+                                .in(Group::start)
                                 .rebuilds()
                                 .when([this] { return !hangs(); })};
     Number pulse_width{*this, log_quantity("pulse_width", "w", "m", 0.12, {0.02, 0.2}, {1e-6, 1e6},
                                            "of the pulse A exp(−((s − s₀)/w)²), which starts at s₀ = 0.35 L")
+                                  .in(Group::start)
                                   .rebuilds()
                                   .when([this] { return runs_a_pulse(); })};
-    Choice<Scheme> scheme{
-        *this, setting_of("scheme", "how forces become motion", Real(static_cast<int>(Scheme::velocity_verlet))).when([this] {
-            return !hangs_still();
-        }),
-        scheme_options()};
+    Choice<Scheme> scheme{*this,
+                          setting_of("integrator", "how forces become motion", Real(static_cast<int>(Scheme::velocity_verlet)))
+                              .once("scheme")
+                              .in(Group::method)
+                              .when([this] { return !hangs_still(); }),
+                          scheme_options()};
     Number dt{*this, fixed_time_step(2e-3, {1e-4, 0.1}).when([this] { return !hangs_still(); })};
     Number damping{*this,
-                   quantity("damping", "τ", "s", 0, {0, 0.1}, {0, 1e6},
+                   quantity("damping_time", "τ", "s", 0, {0, 0.1}, {0, 1e6},
                             "each spring's damper is τ k, along the spring: a property of the material, whatever N is. 0: none")
+                       .once("damping")
+                       .in(Group::material)
                        .rebuilds()
                        .when([this] { return !hangs_still(); })};
 

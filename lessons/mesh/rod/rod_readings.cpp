@@ -147,10 +147,10 @@ std::optional<Fix> stable_fix(const RodLesson& l) {
     if (verlet > slowest * l.dt) {
         Fix fix = fix_by(l.dt, rounded_down(std::min(margin * verlet, Real(l.dt)), 2));
         fix.label = "velocity Verlet, " + fix.label;
-        fix.assign.insert(fix.assign.begin(), {"scheme", std::string(info_of(Scheme::velocity_verlet).key)});
+        fix.assign.insert(fix.assign.begin(), {"integrator", std::string(info_of(Scheme::velocity_verlet).key)});
         return fix;
     }
-    return Fix{"implicit Euler", {{"scheme", std::string(info_of(Scheme::implicit_euler).key)}}};
+    return Fix{"implicit Euler", {{"integrator", std::string(info_of(Scheme::implicit_euler).key)}}};
 }
 
 std::string too_large_a_step(const RodLesson& l) {
@@ -163,7 +163,8 @@ std::string too_large_a_step(const RodLesson& l) {
     if (limit == 0)
         return fmt::format("{} without damping is stable at no Δt: {}. Give damping, or choose another scheme", name, growth);
     return fmt::format(
-        "Δt = {} is above the stability limit of {} ({}, N = {}): {}. Lower time_step or segments, or choose implicit_euler",
+        "Δt = {} is above the stability limit of {} ({}, N = {}): {}. Lower the time step or the number of segments, or choose "
+        "implicit Euler",
         format_quantity(l.dt, "s"), format_quantity(limit, "s", 3), name, l.count(), growth);
 }
 
@@ -268,7 +269,7 @@ std::optional<Fix> RodLesson::fix(const Failure&) const {
 
 std::string RodLesson::blow_up_hint() const {
     if (hangs_still())
-        return "The rod is stretched beyond what numbers can hold: lower gravity or mass, or raise axial_stiffness";
+        return "The rod is stretched beyond what numbers can hold: lower gravity or mass, or raise the axial stiffness";
     if (const std::string hint = too_large_a_step(*this); !hint.empty()) return hint;
     const Real limit = stable_time_step();
     return fmt::format(

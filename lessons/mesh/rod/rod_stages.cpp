@@ -30,10 +30,13 @@ void RodLesson::declare_fields() {
             .stops_at([this, reach] { return reach() * (1 / dt + 2 * fastest()); })
             .when(moves),
         scalar_field("displacement", "u", "m", On::node, displacement_, "along the rod, from where the node is at rest")
+            .of_both_signs()
             .stops_at(reach),
         plane_vector_field("slope", "∂x/∂s", "", On::edge, slope_, "of each segment: how fast x runs along the rod at rest")
             .stops_at([strain] { return 1 + strain(); }),
-        scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched").stops_at(strain),
+        scalar_field("strain", "ε", "", On::edge, strain_, "|∂x/∂s| − 1: positive where the rod is stretched")
+            .of_both_signs()
+            .stops_at(strain),
         scalar_field("energy_density", "½EAε²", "J/m", On::edge, energy_density_, "elastic energy per length of the rod at rest")
             .stops_at(density),
         scalar_field("segment_energy", "Uᵢ", "J", On::edge, segment_energy_, "of each segment: ½EAε² Δs")
@@ -42,6 +45,7 @@ void RodLesson::declare_fields() {
             return 2 * stiffness();
         }),
         scalar_field("tension", "T", "N", On::edge, tension_, "k (|xᵢ₊₁ − xᵢ| − Δs): positive where a spring pulls")
+            .of_both_signs()
             .stops_at(force),
         plane_vector_field("gradient_force", "−∂U/∂x", "N", On::node, gradient_force_,
                            "negative gradient of the energy of all segments")

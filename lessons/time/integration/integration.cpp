@@ -53,7 +53,7 @@ void IntegrationLesson::declare_fields() {
     };
     const auto of_mass = [](std::string_view name, std::string_view symbol, std::string_view unit, const VecX& numbers,
                             std::string_view help, std::function<Real()> bound) {
-        return scalar_field(name, symbol, unit, On::node, numbers, help).stops_at(std::move(bound));
+        return scalar_field(name, symbol, unit, On::node, numbers, help).of_both_signs().stops_at(std::move(bound));
     };
     fields = {
         of_mass("position", "x", "m", x_, "of each mass; of the pendulum along its arc", furthest),

@@ -42,28 +42,35 @@ struct IntegrationLesson final : Lesson {
     // --- parameters ---
     Choice<SwingingKind> system{
         *this,
-        setting_of("system", "what moves; every mass is 1 kg").rebuilds(),
+        setting_of("system", "what moves; every mass is 1 kg").in(Group::scene).rebuilds(),
         {{"oscillator", "mass on a spring"}, {"pendulum", "pendulum"}, {"stiff_pair", "soft and stiff spring"}}};
-    Choice<Scheme> scheme{*this, setting_of("scheme", "how a force becomes motion", 1).rebuilds(), scheme_options()};
+    Choice<Scheme> scheme{*this,
+                          setting_of("integrator", "how a force becomes motion", 1).once("scheme").in(Group::method).rebuilds(),
+                          scheme_options()};
     Number omega{*this, log_quantity("omega", "ω", "rad/s", 2, {0.1, 100}, {0, 1e9},
                                      "angular frequency: of the mass on the spring, of the soft spring of the pair, of small "
                                      "swings of the pendulum, whose length is g/ω²")
+                            .in(Group::material)
                             .rebuilds()};
     Number zeta{*this, quantity("damping_ratio", "ζ", "", 0, {0, 1.5}, {0, 1e9},
                                 "of the drag −2ζω m v: from 1 on nothing swings any more; in the pair the same of both modes")
+                           .in(Group::material)
                            .rebuilds()};
     Number dt{*this, fixed_time_step(0.05, {1e-3, 10}, 1e6).rebuilds()};
     Number x0{*this, quantity("x0", "x₀", "m", 1, {-2, 2}, {-1e6, 1e6},
                               "place at the start; of the pendulum along its arc, of the pair of both masses")
+                         .in(Group::start)
                          .rebuilds()};
-    Number v0{*this, quantity("v0", "v₀", "m/s", 0, {-5, 5}, {-1e6, 1e6}, "velocity at the start").rebuilds()};
+    Number v0{*this, quantity("v0", "v₀", "m/s", 0, {-5, 5}, {-1e6, 1e6}, "velocity at the start").in(Group::start).rebuilds()};
     Number ratio{*this, log_quantity("stiffness_ratio", "κ", "", 400, {1, 1e4}, {0, 1e8, true},
                                      "stiffness of the spring between the two masses over that of the soft one")
+                            .in(Group::material)
                             .rebuilds()
                             .when([this] { return is(SwingingKind::stiff_pair); })};
-    Choice<Compare> compare{*this,
-                            setting_of("compare", "schemes that run beside the chosen one, from the same start", 1),
-                            {{"none", "none"}, {"lecture", "the lecture's three"}, {"all", "all eight"}}};
+    Choice<Compare> compare{
+        *this,
+        setting_of("compare", "schemes that run beside the chosen one, from the same start", 1).in(Group::view),
+        {{"none", "none"}, {"lecture", "the lecture's three"}, {"all", "all eight"}}};
     Number newton_tolerance{
         *this, newton_tolerance_from(1e-9, "Newton's method stops when its step is shorter than this part of the swing")
                    .rebuilds()

@@ -38,8 +38,8 @@ std::optional<Fix> stable_fix(const IntegrationLesson& l) {
     const Real limit = l.stable_time_step(), other = stability_limit(Scheme::semi_implicit_euler, l.motion_->fast_rate(), l.zeta);
     if (limit > slowest * l.dt) return fix_by(l.dt, rounded_down(margin * limit, 2));
     if (l.scheme != Scheme::semi_implicit_euler && l.dt <= margin * other)
-        return Fix{"semi-implicit Euler", {{"scheme", "semi_implicit_euler"}}};
-    return Fix{"implicit Euler", {{"scheme", "implicit_euler"}}};
+        return Fix{"semi-implicit Euler", {{"integrator", "semi_implicit_euler"}}};
+    return Fix{"implicit Euler", {{"integrator", "implicit_euler"}}};
 }
 
 std::optional<Fix> accurate_fix(const IntegrationLesson& l) {
@@ -99,10 +99,10 @@ std::string IntegrationLesson::blow_up_hint() const {
                                            format_quantity(growth_per_step(), "", 5));
     if (limit == 0)
         return fmt::format(
-            "{} without damping is stable at no Δt: {} = √(1 + ω²Δt²). Choose another scheme, or give damping_ratio",
+            "{} without damping is stable at no Δt: {} = √(1 + ω²Δt²). Choose another integrator, or raise the damping ratio",
             name_of(scheme), growth);
     if (dt > limit)
-        return fmt::format("Δt = {} is above the limit of {} for {}: {}. Lower time_step, or choose implicit_euler",
+        return fmt::format("Δt = {} is above the limit of {} for {}: {}. Lower the time step, or choose implicit Euler",
                            format_quantity(dt, "s"), format_quantity(limit, "s"), info_of(scheme).name, growth);
     return fmt::format("Δt = {} is below the limit {} of small motions. Lower time_step", format_quantity(dt, "s"),
                        format_quantity(limit, "s", 3));
@@ -121,7 +121,7 @@ std::vector<Fix> IntegrationLesson::other_fixes(const Failure&) const {
 
 std::vector<std::pair<std::string, std::string>> IntegrationLesson::finer() const {
     const Real step = omega > 0 ? std::min(Real(dt) / 8, 0.05 / (motion_->fast_rate() * std::max(Real{1}, Real(zeta)))) : dt / 8;
-    return {{"scheme", "runge_kutta_4"}, {"time_step", format_exact(dt / std::ceil(dt / step))}};
+    return {{"integrator", "runge_kutta_4"}, {"time_step", format_exact(dt / std::ceil(dt / step))}};
 }
 
 }  // namespace pliant::integration

@@ -23,7 +23,7 @@ Runner started(Settings settings) {
 }
 
 Settings oscillator(const char* scheme, Real omega, Real zeta, Real dt) {
-    return {{"scheme", scheme},
+    return {{"integrator", scheme},
             {"omega", format_exact(omega)},
             {"damping_ratio", format_exact(zeta)},
             {"time_step", format_exact(dt)}};
@@ -82,7 +82,7 @@ Finding implicit_everywhere() {
              {Settings{}, Settings{{"system", "stiff_pair"}, {"stiffness_ratio", "10000"}},
               Settings{{"system", "pendulum"}, {"x0", "6"}}, Settings{{"damping_ratio", "100"}, {"v0", "5"}}}) {
             Settings settings = motion;
-            settings.insert(settings.end(), {{"scheme", "implicit_euler"}, {"time_step", format_exact(dt)}});
+            settings.insert(settings.end(), {{"integrator", "implicit_euler"}, {"time_step", format_exact(dt)}});
             Runner runner = started(settings);
             const Real before = runner.value("energy");
             for (int k = 0; k < 100; ++k) {
@@ -175,7 +175,7 @@ Finding first_order() {
     std::array<Real, 3> slope{};
     Real off = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        slope[k] = started({{"scheme", lecture_schemes[k]}, {"damping_ratio", "0.1"}}).value("order");
+        slope[k] = started({{"integrator", lecture_schemes[k]}, {"damping_ratio", "0.1"}}).value("order");
         off = std::max(off, std::abs(slope[k] - 1));
     }
     constexpr Real band = 0.1;

@@ -1,0 +1,28 @@
+// What a walkthrough does and expects, as it is said to a person: in its file the lines are for programs.
+#pragma once
+#include <pliant/lesson/lesson.h>
+
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+// "set ν to 0.45 and Method to “one linear step”", "run 50 steps", "run until nothing changes any more". A line that is none of
+// the actions stays as it is.
+std::string action_sentence(const Lesson& lesson, const std::string& line);
+
+// A parameter and a value of it: "Δt = 20 ms" would be "time step Δt to 20 ms" behind `set`; of a choice the name of the option.
+std::string setting_words(const Parameter& parameter, Real value, std::string_view between);
+
+// "the stretch is 0.38, expected above 0.34". name: of a probe or a parameter, or time or step; comparison as the walkthrough
+// writes it; tolerance: of "=", in the unit of the number, relative: a part of `right`. what: of the right side, where it is no
+// plain number: "the exact value", "before".
+struct ExpectedNumber {
+    std::string_view name, comparison;
+    Real left = 0, right = 0, tolerance = 0;
+    bool relative = false;
+    std::string what{};
+};
+std::string expectation_sentence(const Lesson& lesson, const ExpectedNumber& expected);
+
+}  // namespace pliant

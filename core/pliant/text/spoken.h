@@ -1,0 +1,14 @@
+// Keys of programs as people say them: the one place that knows how.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+// The name in words, small where it is no proper one: "youngs_modulus" is "Young's modulus", "cfl" the "Courant number".
+std::string spoken(std::string_view key);
+
+// "1 pass", "2 passes", "1 step", "3 steps".
+std::string counted(long long count, std::string_view one);
+
+}  // namespace pliant
