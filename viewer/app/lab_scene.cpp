@@ -121,6 +121,7 @@ std::optional<SceneAtlas> Lab::scene_atlas() const {
 void Lab::open_scene(const SceneFile& scene) {
     const auto open = [this, scene] {
         state_.session.open_scene(scene);
+        follow_lecture();
         show_scene(scene);
     };
     state_.session.holding() ? state_.session.later(open) : open();

@@ -2,6 +2,7 @@
 #include <pliant/document/share.h>
 
 #include "app/lab.h"
+#include "app/lecture_place.h"
 #include "app/presenter_window.h"
 #include "app/redraw.h"
 #include "app/settings.h"
@@ -28,15 +29,18 @@ void check_first(const WindowOptions& o, const std::string& lesson) {
     if (o.deck) tell_unused(unused_settings(entry, walkthrough_of(entry)), o.strict);
 }
 
-void open_lecture_of(Lab& lab, const WindowOptions& o) {
-    Lecture lecture = read_lecture(o.lecture);
+void open_lecture_of(Lab& lab, const WindowOptions& o, const LecturePlace& place) {
+    Lecture lecture = read_lecture(with_whole_path(o.lecture));
     const auto count = static_cast<Index>(lecture.slides.size());
     if (o.slide && (*o.slide < 1 || *o.slide > count))
         throw Refused("--slide", static_cast<Real>(*o.slide), "", fmt::format("a number from 1 to {}", count));
-    lab.open_lecture(std::move(lecture), static_cast<std::size_t>(o.slide.value_or(1) - 1));
+    const auto left = o.slide ? std::nullopt : place.left(lecture);
+    if (!left) return lab.open_lecture(std::move(lecture), static_cast<std::size_t>(o.slide.value_or(1) - 1));
+    // Behind the first frame, so that a long way there shows how far it is.
+    lab.state().wanted_scenes.push_back(*left);
 }
 
-void open_first(Lab& lab, const WindowOptions& o) {
+void open_first(Lab& lab, const WindowOptions& o, const LecturePlace& place) {
     Session& s = lab.session();
     const bool is_string = is_share(o.scene_path);
     std::optional<SceneFile> scene;
@@ -49,7 +53,7 @@ void open_first(Lab& lab, const WindowOptions& o) {
     else if (scene)
         is_string ? lab.open_scene(*scene) : lab.open_file(o.scene_path);
     s.playing = !o.deck && !stands && o.lecture.empty();
-    if (!o.lecture.empty()) return open_lecture_of(lab, o);
+    if (!o.lecture.empty()) return open_lecture_of(lab, o, place);
     if (!o.deck) return;
     walkthrough_of(s.entry());  // refused, rather than a message, when there is none
     lab.open_deck();
@@ -174,7 +178,9 @@ int window(const WindowOptions& o) {
     if (!o.no_settings && !settings_path().empty())
         lab.keep_hand_in((settings_path().parent_path() / "noted.handin.json").string());
     lab.state().speak = [](const std::string& text) { print_now(text + "\n"); };
-    open_first(lab, o);
+    LecturePlace place(o.no_settings || settings_path().empty() ? std::filesystem::path()
+                                                                : settings_path().parent_path() / "lecture.scene.json");
+    open_first(lab, o, place);
     if (!settings.trouble().empty()) lab.session().say(Session::Message::Kind::refused, settings.trouble());
     StateReport report(o.state_path);
     NotesPrinter notes;
@@ -193,7 +199,7 @@ int window(const WindowOptions& o) {
         if (lecturer.drew() && !lab.busy()) report.write(lab.state());
         const bool damaged = context->take_damage();
         if (damaged || lab.has_input()) redraw.input(now());
-        if (!lab.busy()) settings.keep(lab.state(), now() - std::exchange(kept, now()));
+        if (!lab.busy()) settings.keep(lab.state(), now() - std::exchange(kept, now())), place.keep(lab);
         if (!redraw.due(now())) {
             if (redraw.resting(now()) && !lab.busy() && !std::exchange(lab.state().resting, true)) report.write(lab.state());
             continue;
@@ -206,6 +212,7 @@ int window(const WindowOptions& o) {
     }
     lab.call_off();
     settings.finish(lab.state());
+    place.finish(lab);
     return 0;
 }
 

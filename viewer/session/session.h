@@ -216,6 +216,8 @@ public:
     // The same lecture, after its file was written again; nothing when another one, or none, is shown.
     void renew_lecture(const Lecture& lecture);
     const Lecture* lecture() const { return lecture_ ? &lecture_->lecture : nullptr; }
+    // Where it stands, so that a scene of it goes on there.
+    std::optional<SceneSlide> lecture_place() const;
     const LectureSlide* lecture_slide() const;  // that is shown; null without a lecture
     // Of the lecture or else of the walkthrough; without any 0.
     std::size_t slide_number() const;  // from 0

@@ -47,7 +47,8 @@ void Session::toggle_pin() {
 // ------------------------------------------------------------------------------------------------------ two at once
 
 void Session::open_companion(const Runner::Assignments& changes) {
-    if (walkthrough) throw Refused("A second run is not made while a walkthrough plays: end the walkthrough, then press 2.");
+    if (walkthrough && !lecture_)
+        throw Refused("A second run is not made while a walkthrough plays: end the walkthrough, then press 2.");
     companion_ = std::make_unique<Companion>(*entry_, *runner_, changes);
     ++companion_count_;
     start_both();

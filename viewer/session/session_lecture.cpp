@@ -43,6 +43,14 @@ void Session::renew_lecture(const Lecture& lecture) {
         lecture_->lecture = lecture;
 }
 
+std::optional<SceneSlide> Session::lecture_place() const {
+    if (!lecture_ || !walkthrough) return std::nullopt;
+    return SceneSlide{.number = lecture_->slide + 1,
+                      .revealed = walkthrough->revealed(),
+                      .unlocked = unlocked,
+                      .lecture = lecture_->lecture.path};
+}
+
 const LectureSlide* Session::lecture_slide() const { return lecture_ ? &lecture_->lecture.slides[lecture_->slide] : nullptr; }
 
 std::size_t Session::slide_number() const { return lecture_ ? lecture_->slide : walkthrough ? walkthrough->slide_number() : 0; }

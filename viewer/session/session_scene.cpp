@@ -108,11 +108,17 @@ void SceneOpening::restore_slide(const SceneFile& scene) {
         if (slide.extension > s_.extensions().size())
             throw Refused(
                 fmt::format("extension {} is not there: {} has {}", slide.extension, scene.lesson, s_.extensions().size()));
-        slide.extension > 0 ? s_.open_extension(slide.extension - 1) : s_.start_walkthrough();
+        if (!slide.lecture.empty())
+            s_.open_lecture(read_lecture(slide.lecture), slide.number - 1);
+        else
+            slide.extension > 0 ? s_.open_extension(slide.extension - 1) : s_.start_walkthrough();
         if (!s_.walkthrough) return;
-        if (slide.extension == 0) s_.go_to_slide(slide.number - 1);
+        if (s_.entry_->info.id != scene.lesson)
+            throw Refused(fmt::format("slide {} of {} now shows another lesson", slide.number, slide.lecture));
+        if (slide.extension == 0 && slide.lecture.empty()) s_.go_to_slide(slide.number - 1);
         if (slide.revealed && !s_.walkthrough->revealed()) s_.walkthrough_next();
         s_.unlocked = slide.unlocked;
+        s_.close_companion();
         s_.runner_->load(scene.parameters);
         s_.runner_->set_events(scene.events);
         s_.begin_run();

@@ -133,6 +133,7 @@ Written json_slide(const SceneSlide& s) {
     Written j{{"number", s.number}};
     put(j, "extension", s.extension, std::size_t{0});
     put(j, "revealed", s.revealed, false), put(j, "unlocked", s.unlocked, false);
+    put(j, "lecture", s.lecture, std::string());
     return j;
 }
 

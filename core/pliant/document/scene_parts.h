@@ -112,6 +112,7 @@ struct SceneSlide {
     std::size_t number = 1;     // from 1
     std::size_t extension = 0;  // that is open, from 1; 0 for the walkthrough
     bool revealed = false, unlocked = false;
+    std::string lecture{};  // the file, or name, of a lecture whose slide it is; "" for the lesson's walkthrough
     bool operator==(const SceneSlide&) const = default;
 };
 

@@ -30,7 +30,8 @@ void SceneReader::take_parts(const SceneJson& root, SceneFile& scene) const {
     if (has("layout")) scene.layout = layout(root["layout"], scene.inspector.pinned.size());
     if (has("plots")) scene.plots = plots(root["plots"], scene.inspector.pinned.size());
     if (has("atlas")) scene.atlas = atlas(root["atlas"]);
-    if (scene.slide && scene.beside) refuse("/beside", "a slide shows one run: leave out 'slide' or 'beside'");
+    if (scene.slide && scene.slide->lecture.empty() && scene.beside)
+        refuse("/beside", "a slide shows one run: leave out 'slide' or 'beside'");
 }
 
 // ------------------------------------------------------------------------------------------------------- single values
@@ -212,7 +213,7 @@ SceneNumber SceneReader::number(const SceneJson& object, const std::string& poin
 }
 
 SceneSlide SceneReader::slide(const SceneJson& object) const {
-    known_keys(object, "/slide", {"number", "extension", "revealed", "unlocked"});
+    known_keys(object, "/slide", {"number", "extension", "revealed", "unlocked", "lecture"});
     constexpr Index most = 1000;
     Index number = 1, extension = 0;
     take_whole(object, "/slide", "number", 1, most, number);
@@ -220,6 +221,7 @@ SceneSlide SceneReader::slide(const SceneJson& object) const {
     SceneSlide s{.number = static_cast<std::size_t>(number), .extension = static_cast<std::size_t>(extension)};
     take_flag(object, "/slide", "revealed", s.revealed);
     take_flag(object, "/slide", "unlocked", s.unlocked);
+    if (object.contains("lecture")) s.lecture = text_at(object, "lecture", "/slide/lecture");
     return s;
 }
 

@@ -186,7 +186,7 @@ std::vector<std::string> lecture_names() {
 Lecture read_lecture(const std::string& path) {
     std::error_code error;
     for (const std::string_view text : texts_in("lectures"))
-        if (std::filesystem::path(text).stem() == path && !std::filesystem::is_regular_file(path, error))
+        if ((text == path || std::filesystem::path(text).stem() == path) && !std::filesystem::is_regular_file(path, error))
             return parse_lecture(find_text(text), text);
     if (path.find_first_of("/.") == std::string::npos && !std::filesystem::exists(path, error))
         throw Refused(fmt::format("no lecture is called '{}'{}; with Pliant come {}, any other is the path of a file", path,
