@@ -24,7 +24,7 @@ const MethodRun& run_of(const MethodComparison& c, std::string_view option) {
 TEST_CASE("methods: eight schemes on the oscillator grow, hold and lose as theory says", "[methods]") {
     const SceneFile scene{.lesson = "time/integration", .parameters = {{"time_step", "0.05"}, {"omega", "2"}}};
     const MethodComparison c = compare_methods(scene, "", Until::after_time(31.4));
-    CHECK(c.parameter == "scheme");
+    CHECK(c.parameter == "integrator");
     CHECK(c.reference == "the exact solution");
     CHECK(c.runs.size() == 8);
     CHECK(run_of(c, "explicit_euler").outcome == Outcome::grows);

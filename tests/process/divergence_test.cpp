@@ -45,7 +45,7 @@ TEST_CASE("a run that diverges names stage, field, index, step and limit", "[pro
     CHECK(contains(description["stages"].dump(), "\"name\":" + failure["stage"].dump()));
     CHECK(contains(description["fields"].dump(), "\"name\":" + failure["field"].dump()));
     CHECK(failure["limit"].get<std::string>().find_first_of("0123456789") != std::string::npos);
-    CHECK(contains(failure["limit"], "time_step"));
+    CHECK(contains(failure["limit"], "time step"));
 }
 
 TEST_CASE("the report and the CSV file of a diverged run hold finite numbers only", "[process]") {

@@ -122,7 +122,7 @@ TEST_CASE("stiff springs in a step of a second: implicit is finite, the others r
         const Outcome outcome = call(with(stiff, {std::string("integrator=") + method}));
         INFO(method << "\n" << outcome.err);
         REQUIRE(outcome.exit_code == diverged);
-        CHECK(contains(outcome.err, "time_step"));
+        CHECK(contains(outcome.err, "time step"));
         CHECK(contains(outcome.err, "limit"));
     }
 }

@@ -33,7 +33,7 @@ TEST_CASE("explicit Euler without damping is stopped, with the growth by name", 
     for (const char* dt : {"time_step=0.05", "time_step=0.5", "time_step=1000"}) {
         const std::string limit = stopped("2000", {"scheme=explicit_euler", dt});
         CHECK(contains(limit, "√(1 + ω²Δt²)"));
-        CHECK(contains(limit, "damping_ratio"));
+        CHECK(contains(limit, "damping ratio"));
     }
     // Before it has grown that far the report says so.
     const std::string report = output_of(integrate("100", {"scheme=explicit_euler"}));

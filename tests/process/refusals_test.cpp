@@ -86,7 +86,7 @@ TEST_CASE("calls that lack something or have too much are refused", "[process]")
 TEST_CASE("a run to rest of a scene that never rests is refused before its first step", "[process]") {
     refusal({"run", "navier_stokes", "--set", "scene=box", "--rest"}, {"never comes to rest", "stirring", "--steps or --time"});
     refusal({"run", "navier_stokes", "--set", "scene=karman", "--rest", "--json"}, {"never comes to rest", "reynolds"});
-    refusal({"run", "mass_spring", "--preset", "slippery_bouncer", "--rest"}, {"never comes to rest", "damping_mode"});
+    refusal({"run", "mass_spring", "--preset", "slippery_bouncer", "--rest"}, {"never comes to rest", "damping mode"});
     refusal({"run", "advection", "--rest"}, {"never comes to rest"});
 }
 

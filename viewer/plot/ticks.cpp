@@ -69,7 +69,8 @@ Ticks linear_ticks(Range range, int most, std::string_view unit) {
     Ticks result;
     result.unit = scaled_unit(unit, exponent);
     if (from_offset) {
-        const int digits = std::max(1, decade_of(size) - decade_of(coarse) + 2);
+        const int written_out = decade_of(size) < 7 ? decade_of(size) + 1 : 1;  // "2000000", not "2e+06"
+        const int digits = std::max({1, decade_of(size) - decade_of(coarse) + 2, written_out});
         result.offset = fmt::format("{:.{}g}{}{}", offset, digits, unit.empty() ? "" : " ", unit);
     }
     for (Real k = multiples.first; k <= multiples.last; ++k) {

@@ -112,6 +112,13 @@ Json json_of_run(const Runner& runner, const std::vector<UnusedSetting>& unused)
     for (const Probe& p : lesson.probes)
         j["probes"][std::string(p.name)] = {
             {"unit", p.unit}, {"value", number(p.value())}, {"exact", number(closed_form(runner, p))}};
+    // Scripts that ask by an older name find it, with the name that it has now.
+    for (const Probe& p : lesson.probes)
+        if (!p.formerly.empty() && !j["probes"].contains(p.formerly)) {
+            Json same = j["probes"][std::string(p.name)];
+            same["now"] = p.name;
+            j["probes"][std::string(p.formerly)] = std::move(same);
+        }
     j["lines"] = lines_json(lesson);
     j["assumptions"] = assumptions_json(lesson);
     j["conserved"] = conserved_json(runner);

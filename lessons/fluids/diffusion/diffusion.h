@@ -48,7 +48,7 @@ struct DiffusionLesson final : Lesson {
     }
     std::vector<Fix> other_fixes(const Failure&) const override {
         if (literal() || !is_explicit()) return {};
-        return {Fix{"the implicit scheme", {{"scheme", "implicit"}}}};
+        return {Fix{"the implicit scheme", {{"viscosity_scheme", "implicit"}}}};
     }
     std::vector<std::pair<std::string, std::string>> finer() const override;
     std::string_view error_probe() const override { return exact(0, 0) ? "error" : "amplitude"; }

@@ -116,7 +116,7 @@ std::optional<Fix> IntegrationLesson::fix(const Failure&) const {
 
 std::vector<Fix> IntegrationLesson::other_fixes(const Failure&) const {
     if (implicit()) return {fix_by(dt, rounded_down(dt / 4, 2))};
-    return {Fix{"implicit Euler", {{"scheme", "implicit_euler"}}}};
+    return {Fix{"implicit Euler", {{"integrator", "implicit_euler"}}}};
 }
 
 std::vector<std::pair<std::string, std::string>> IntegrationLesson::finer() const {
