@@ -226,7 +226,7 @@ TEST_CASE("A label that begins with the title takes its place and leaves more ro
         const Axes axes{{"time t", "s"}, {label, "J"}};
         PlotMemory memory;
         return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 20)), series("b", {}, {}))),
-                    memory, {520, 170})
+                    memory, {680, 170})
             .layout;
     };
     const PlotLayout same = layout("Energy E"), other = layout("kinetic E");

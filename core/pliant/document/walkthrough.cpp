@@ -176,6 +176,14 @@ Real WalkthroughPlayer::quantity(std::string_view name) const {
     return *value;
 }
 
+// A probe that is called by an older name has been measured by the one of today.
+std::optional<Real> WalkthroughPlayer::before_of(std::string_view name) const {
+    auto found = before_.find(name);
+    for (const Probe& p : runner_.lesson().probes)
+        if (found == before_.end() && !name.empty() && p.formerly == name) found = before_.find(p.name);
+    return found == before_.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::string WalkthroughPlayer::unit_of(std::string_view name) const {
     if (name == "time") return "s";
     if (name == "step") return "";
@@ -202,8 +210,8 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
         right = *constant;
     else if (term == "exact")
         right = runner_.exact(runner_.lesson().probe(words[0])).value(), expected.what = "the exact value";
-    else if (term == "before" && before_.contains(words[0]))
-        right = before_.find(words[0])->second, expected.what = "what it was before";
+    else if (term == "before" && before_of(words[0]))
+        right = *before_of(words[0]), expected.what = "what it was before";
     else
         right = quantity(term), expected.what = fmt::format("the {}", spoken(term));
     right *= factor;

@@ -139,6 +139,7 @@ private:
     void perform(const std::vector<std::string>& words);
     ExpectationResult check(const std::string& line, int number) const;
     Real quantity(std::string_view name) const;
+    std::optional<Real> before_of(std::string_view name) const;
     std::string unit_of(std::string_view name) const;
     [[noreturn]] void refuse(int line, const std::string& what) const;
 
