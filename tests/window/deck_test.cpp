@@ -125,7 +125,7 @@ TEST_CASE("a slider of the deck is set by keys alone", "[window][deck]") {
     desk.key("Tab");
     REQUIRE(desk.becomes("typing", true));
     desk.key("ctrl+a");
-    desk.type("500000");
+    desk.type("0.5");
     desk.key("Return");
     CHECK(desk.becomes([&](const Json&) { return desk.parameter("youngs_modulus") == 500000; }));
     CHECK(at(desk, 1, false));

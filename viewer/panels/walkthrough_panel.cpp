@@ -1,6 +1,6 @@
 #include "panels/walkthrough_panel.h"
 
-#include <pliant/document/action_words.h>
+#include <pliant/document/walkthrough_sentences.h>
 #include <pliant/document/walkthrough_words.h>
 #include <pliant/lesson/registry.h>
 
@@ -66,7 +66,7 @@ void next_actions(PanelContext& lab, const pliant::Block& block) {
     for (const std::string& line : block.lines) {
         leading = leading && sets_up(line);
         if (leading || line.find_first_not_of(" \t") == std::string::npos) continue;
-        all += fmt::format("{}{}", all.empty() ? "" : "; ", action_words(line, lab.session.lesson()));
+        all += fmt::format("{}{}", all.empty() ? "" : "; ", action_sentence(lab.session.lesson(), line));
     }
     if (all.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
@@ -84,12 +84,11 @@ void question(PanelContext& lab, const Slide& slide, bool revealed) {
 
 void expectations(PanelContext& lab, const WalkthroughPlayer& player) {
     for (const ExpectationResult& r : player.results()) {
-        const std::string words = expectation_words(r.text, lab.session.lesson());
         ImGui::PushStyleColor(ImGuiCol_Text, packed(r.met ? good_colour : bad_colour));
         ImGui::TextUnformatted(r.met ? "✓" : "✗");
         ImGui::PopStyleColor();
         ImGui::SameLine();
-        sentence_item(lab, r.met ? words : fmt::format("{}: {}", words, r.measured));
+        sentence_item(lab, capitalised(r.sentence));
         tooltip(r.measured, lab.scale);
     }
 }
