@@ -23,8 +23,8 @@ public:
     void press(const std::string& name) {
         pressed_.insert(name);
         static const std::map<std::string, std::string> on_keyboard{
-            {"Space", "space"}, {".", "period"},       {"/", "slash"},           {",", "comma"},
-            {"<", "less"},      {"]", "bracketright"}, {"Shift F2", "shift+F2"}, {"Shift F3", "shift+F3"}};
+            {"Space", "space"}, {".", "period"}, {"/", "slash"},        {",", "comma"},           {"<", "less"},
+            {"→", "Right"},     {"←", "Left"},   {"]", "bracketright"}, {"Shift F2", "shift+F2"}, {"Shift F3", "shift+F3"}};
         const auto found = on_keyboard.find(name);
         std::string key = found == on_keyboard.end() ? name : found->second;
         if (key.size() == 1) key[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])));
@@ -123,7 +123,34 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     REQUIRE(
         desk.becomes([](const Json& s) { return inspected(s)["questions"] == 2 && inspected(s)["answer"]["component"] == 1; }));
 
-    // 4. Explicit Euler, and what it leads to; a number typed with its unit; pin, second run, cost.
+    // 4. A number typed in the unit that is shown, arrows, the wheel; explicit Euler, and what it leads to; pin, second run,
+    // cost.
+    const auto step_is = [&](double dt) {
+        return desk.becomes([&](const Json&) { return std::abs(desk.parameter("time_step") - dt) < 1e-12; });
+    };
+    desk.hold("ctrl");
+    desk.click("time_step");
+    desk.let_go("ctrl");
+    REQUIRE(desk.becomes("typing", true));
+    desk.key("ctrl+a");
+    desk.type("2");
+    desk.key("Return");
+    REQUIRE(step_is(2e-3));
+    reader.press("→");
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("time_step") > 2e-3; }));
+    reader.press("←");
+    CHECK(step_is(2e-3));
+    const Spot box = desk.on("integrator");
+    const double row = desk.state()["controls"]["integrator"][3];
+    desk.click(box);
+    desk.click(Spot{box.x, box.y + static_cast<int>(row)});
+    REQUIRE(desk.becomes([](const Json& s) { return s["parameters"]["integrator"] == "explicit_euler"; }));
+    desk.key("space");
+    REQUIRE(desk.becomes([](const Json& s) { return s["autopsy"] != ""; }));
+    desk.key("Return");
+    REQUIRE(desk.becomes("autopsy", ""));
+    CHECK(desk.parameter("time_step") < 1e-3);
+    desk.key("r");
     reader.press("G");
     CHECK(desk.becomes("pinned", true));
     reader.press("G");
@@ -170,6 +197,14 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     reader.press("]");
     REQUIRE(desk.becomes([](const Json& s) { return s["lesson"] != "mesh/mass_spring"; }));
     reader.press("F7");
+    desk.move(desk.on("scene"));
+    reader.press("X");
+    CHECK(desk.becomes("fill", "picture"));
+    reader.press("X");
+    CHECK(desk.becomes("fill", ""));
+    reader.press("F11");
+    reader.press("F11");
+    desk.move(desk.on("scene"));
     reader.press("Tab");
     CHECK(desk.becomes("layout", "slide"));
     desk.key("Escape");
