@@ -102,6 +102,12 @@ TEST_CASE("lecture: what is not there is told with its place and what is accepte
     CHECK(l.slides[1].trouble.empty());
 }
 
+TEST_CASE("lecture: what is wrong in a scene of JSON is told where it stands in the file") {
+    const Lecture l = json(
+        "\n{\"title\": \"x\",\n \"scene\": {\"pliant\": 1, \"lesson\": \"mesh/rod\",\n  \"parameters\": {\"segments\": -2}}}");
+    CHECK_THAT(l.slides.at(0).trouble, ContainsSubstring("l.json:4:18: segments = -2") && !ContainsSubstring("l.json:3"));
+}
+
 TEST_CASE("lecture: a Markdown slide tells the line of what is wrong") {
     const Lecture l = markdown("## A\n```show\nlesson mesh/rod\nprset x\n```\n## B\nWords.\n");
     CHECK_THAT(l.slides.at(0).trouble, ContainsSubstring("l.md:5: unknown word 'prset'") && ContainsSubstring("preset"));

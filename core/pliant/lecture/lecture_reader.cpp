@@ -26,7 +26,7 @@ bool is_json(std::string_view text) {
 
 class JsonLecture {
 public:
-    JsonLecture(std::string_view text, std::string_view path) : path_(path), json_(parse_json(text, path)) {}
+    JsonLecture(std::string_view text, std::string_view path) : path_(path), text_(text), json_(parse_json(text, path)) {}
 
     Lecture read() const {
         const Json& root = json_.value;
@@ -77,8 +77,10 @@ private:
 
     // What is wrong with a slide is its own trouble.
     SlideFacts slide(const Json& object, const std::string& pointer) const {
-        SlideFacts said{
-            .slide = {.title = {}, .blocks = {}, .line = json_.at(pointer).line}, .facts = {}, .place = place(pointer)};
+        SlideFacts said{.slide = {.title = {}, .blocks = {}, .line = json_.at(pointer).line},
+                        .facts = {},
+                        .path = path_,
+                        .place = place(pointer)};
         try {
             if (!object.is_object()) refuse(pointer, fmt::format("a slide is an object in braces, not {}", object.type_name()));
             if (object.contains("title")) said.slide.title = text_at(object, "title", pointer);
@@ -103,11 +105,40 @@ private:
         }
         SlideFact fact{key, {}, place(pointer), false};
         if (key == "scene" && value.is_object())
-            fact.values.push_back(value.dump()), fact.is_object = true;
+            fact.values.push_back(object_behind(pointer)), fact.is_object = true;
         else
             fact.values = values(value, pointer, key);
         said.facts.push_back(std::move(fact));
     }
+    // The object that stands behind a key, where it stands in the file.
+    std::string object_behind(const std::string& pointer) const {
+        const TextPlace p = json_.at(pointer);
+        std::size_t at = 0;
+        for (int line = 1; line < p.line; ++line) at = text_.find('\n', at) + 1;
+        at += static_cast<std::size_t>(p.column) - 1;
+        const std::size_t begin = text_.find('{', at + 1);
+        std::string padded = text_.substr(0, begin);
+        for (char& c : padded)
+            if (c != '\n') c = ' ';
+        return padded + text_.substr(begin, end_of_object(begin) - begin);
+    }
+    std::size_t end_of_object(std::size_t begin) const {
+        int depth = 0;
+        bool quoted = false;
+        for (std::size_t at = begin; at < text_.size(); ++at) {
+            const char c = text_[at];
+            if (quoted && c == '\\')
+                ++at;
+            else if (c == '"')
+                quoted = !quoted;
+            else if (!quoted && c == '{')
+                ++depth;
+            else if (!quoted && c == '}' && --depth == 0)
+                return at + 1;
+        }
+        return text_.size();
+    }
+
     // A list of texts is a block for each where they are paragraphs, else its lines.
     void take_block(SlideFacts& said, BlockKind kind, const Json& value, const std::string& pointer) const {
         const int line = json_.at(pointer).line;
@@ -128,7 +159,7 @@ private:
         return result;
     }
 
-    std::string path_;
+    std::string path_, text_;
     PlacedJson json_;
 };
 
@@ -157,7 +188,10 @@ Lecture markdown_lecture(std::string_view text, std::string_view path) {
     if (read.title.empty()) throw Refused(fmt::format("{}:1: the lecture has no title: begin with '# Title'", path));
     Lecture lecture{.path = std::string(path), .title = read.title, .slides = {}};
     for (const Slide& slide : read.slides) {
-        SlideFacts said{.slide = {slide.title, {}, slide.line}, .facts = {}, .place = fmt::format("{}:{}", path, slide.line)};
+        SlideFacts said{.slide = {slide.title, {}, slide.line},
+                        .facts = {},
+                        .path = std::string(path),
+                        .place = fmt::format("{}:{}", path, slide.line)};
         try {
             for (const Block& b : slide.blocks)
                 b.kind == BlockKind::show ? take_shown(said, b, path) : said.slide.blocks.push_back(b);

@@ -119,7 +119,7 @@ private:
             if (const SlideFact* s = fact("field")) at(*s, [&] { show(scene, entry, only_value(*s)); });
             made_.scene = std::move(scene);
         } else if (const SlideFact* g = fact("scene")) {
-            made_.scene = at(*g, [&] { return scene_said(*g); });
+            made_.scene = g->is_object ? parse_scene(g->values[0], said_.path) : at(*g, [&] { return scene_said(*g); });
         }
         if (!made_.scene) return;
         const SlideFact& f = *(fact("lesson") ? fact("lesson") : fact("scene"));
@@ -135,7 +135,6 @@ private:
         Runner::check(find_lesson(scene.lesson), scene.parameters, scene.events);
     }
     SceneFile scene_said(const SlideFact& f) const {
-        if (f.is_object) return parse_scene(f.values[0], "the scene");
         const std::string& text = only_value(f);
         return is_share(text) ? read_share(text) : read_scene((fs::path(folder_) / text).string());
     }

@@ -13,14 +13,15 @@ namespace pliant {
 struct SlideFact {
     std::string key;
     std::vector<std::string> values;
-    std::string place;       // "path:line" or "path:line:column"
-    bool is_object = false;  // of JSON; the values are then one, the text of the object
+    std::string place;  // "path:line" or "path:line:column"
+    // Of JSON: the values are then one, the text of the object behind as many lines and blanks as stand before it in the file.
+    bool is_object = false;
 };
 
 struct SlideFacts {
     Slide slide;
     std::vector<SlideFact> facts;
-    std::string place;
+    std::string path, place;
     std::string trouble{};  // what was already found to be wrong
 };
 
