@@ -37,7 +37,13 @@ TEST_CASE("a student breaks on the projection, asks why a pressure is what it is
         [](const Json& s) { return inspector(s).contains("answer") && inspector(s)["answer"]["field"] == "pressure"; }));
     const Json answer = inspector(desk.state())["answer"];
     CHECK(answer["stage"] == "projection");
-    desk.click("ask p_left");
+    // Its neighbours were solved together with it: the divergence that the solver was given leads on.
+    CHECK_FALSE(desk.state()["controls"].contains("ask p_left"));
+    // It stands below what is in sight.
+    const Spot inputs = desk.on("ask d̃");
+    desk.move({inputs.x, 700});
+    for (int turns = 0; turns < 8; ++turns) desk.wheel(true);
+    desk.click("ask d̃");
     CHECK(desk.becomes([](const Json& s) { return inspector(s)["questions"] == 2; }));
     desk.key("BackSpace");
     CHECK(desk.becomes([&](const Json& s) { return inspector(s)["answer"]["index"] == answer["index"]; }));

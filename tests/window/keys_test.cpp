@@ -39,10 +39,10 @@ TEST_CASE("keys go one step, one step back, one stage and back to the start", "[
     const Json next = desk.state();
     CHECK(next["time"] > here["time"]);
     CHECK(next["probes"] != here["probes"]);
-    desk.key("comma");
+    desk.key("less");
     CHECK(desk.stays("step", step));
     CHECK(desk.state()["probes"] == here["probes"]);
-    desk.key("comma");
+    desk.key("less");
     CHECK(desk.stays("step", step - 1));
     desk.key("period");
     desk.key("period");
