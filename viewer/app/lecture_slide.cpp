@@ -67,6 +67,21 @@ Fill fill_of_slide(const LabState& lab, const LectureSlide& s) {
 }
 }  // namespace
 
+namespace {
+// A list has none: its parameter is mapped over what its slider spans, or over its options.
+std::optional<Atlas::Span> span_of(const Knob& knob) {
+    if (knob.spacing == Spacing::list) return std::nullopt;
+    return Atlas::Span{{knob.values.front(), knob.values.back()}, knob.spacing == Spacing::log};
+}
+
+// Is there a map, and is it of these knobs and parameters?
+bool is_mapped(const LabState& lab) {
+    const Atlas& atlas = lab.atlas.atlas;
+    const StabilityMap* map = atlas.map();
+    return map && !atlas.outdated(lab.session) && map->order.across.key == atlas.across && map->order.up.key == atlas.up;
+}
+}  // namespace
+
 void begin_lecture_slide(LabState& lab) {
     const LectureSlide* s = lab.session.lecture_slide();
     if (!s) return;
@@ -76,6 +91,7 @@ void begin_lecture_slide(LabState& lab) {
     if (s->atlas) {
         lab.atlas.atlas.follow(lab.session);
         lab.atlas.atlas.across = s->atlas->first.key, lab.atlas.atlas.up = s->atlas->second.key;
+        lab.atlas.atlas.across_span = span_of(s->atlas->first), lab.atlas.atlas.up_span = span_of(s->atlas->second);
         lab.atlas.atlas.cells = static_cast<Index>(std::max(s->atlas->first.values.size(), s->atlas->second.values.size()));
     }
 }
@@ -87,7 +103,7 @@ bool next_shows_more(const LabState& lab) {
         const ClaimBook::Phase phase = lab.claims.book.phase(find_claim(s->claim));
         return phase == ClaimBook::Phase::asked || phase == ClaimBook::Phase::predicted;
     }
-    return s->atlas && !lab.atlas.atlas.busy() && !lab.atlas.atlas.map();
+    return s->atlas && !lab.atlas.atlas.busy() && !is_mapped(lab);
 }
 
 bool show_more_of_slide(LabState& lab) {

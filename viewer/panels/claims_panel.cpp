@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <optional>
 #include <utility>
 
@@ -199,9 +200,9 @@ void outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
 }
 
 // For the last row: the figure, the verdict and what was found.
-void large_outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
+void large_outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c, ImFont* font) {
     const ClaimResult& r = *panel.book.result(c);
-    ImGui::PushFont(lab.fonts.large);
+    ImGui::PushFont(font);
     if (const auto right = panel.book.was_right(c))
         marked_word({*right ? "✓" : "✗", *right ? "Your prediction was right." : "Your prediction was wrong.",
                      *right ? good_colour : bad_colour});
@@ -212,7 +213,7 @@ void large_outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
     }
     ImGui::PopFont();
     ImGui::TextDisabled("%s; criterion %s", c.figure.c_str(), c.criterion.c_str());
-    ImGui::PushFont(lab.fonts.large);
+    ImGui::PushFont(font);
     words_here(r.finding ? r.finding->text : r.failure);
     if (r.finding && !r.finding->condition.empty()) words_here(r.finding->condition);
     ImGui::PopFont();
@@ -265,14 +266,47 @@ void draw_claims(PanelContext& lab, ClaimsPanelState& panel) {
     ImGui::EndChild();
 }
 
+namespace {
+
+struct ClaimType {
+    ImFont *statement, *rest;
+};
+
+float height_in(const ImFont* font, const std::string& text, float width) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
+}
+
+// With what was found, so that the type stays when it comes.
+float height_of(const ClaimsPanelState& panel, const Claim& c, const ClaimType& type, float width) {
+    const ClaimResult* r = panel.book.result(c);
+    const float line = type.rest->FontSize + ImGui::GetStyle().ItemSpacing.y + 2 * ImGui::GetStyle().FramePadding.y;
+    float height = height_in(type.statement, c.statement, width) + height_in(type.rest, c.question, width);
+    for (const std::string& answer : c.answers)
+        height += height_in(type.rest, answer, 0.95f * width) + line - type.rest->FontSize;
+    if (r) height += height_in(type.rest, r->finding ? r->finding->text + r->finding->condition : r->failure, width);
+    return height + 6 * line;
+}
+
+// The largest in which the card is in sight as a whole.
+ClaimType claim_type(const PanelContext& lab, const ClaimsPanelState& panel, const Claim& c) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const Fonts& f = lab.fonts;
+    for (const ClaimType& type : {ClaimType{f.larger, f.large}, ClaimType{f.large, f.medium}})
+        if (height_of(panel, c, type, room.x) <= room.y) return type;
+    return {f.medium, f.normal};
+}
+
+}  // namespace
+
 void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
     ImGui::PushID(c.id.data(), c.id.data() + c.id.size());
-    ImGui::PushFont(lab.fonts.larger);
+    const ClaimType type = claim_type(lab, panel, c);
+    ImGui::PushFont(type.statement);
     words_here(c.statement);
     ImGui::PopFont();
     ImGui::Spacing();
     ImGui::TextDisabled("%s", c.source.c_str());
-    ImGui::PushFont(lab.fonts.large);
+    ImGui::PushFont(type.rest);
     question(lab, panel, c);
     ImGui::PopFont();
     ImGui::Spacing();
@@ -280,7 +314,7 @@ void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c
     if (phase == Phase::measuring || phase == Phase::waiting) {
         tell_progress_of(lab, panel, c);
     } else if (panel.book.result(c)) {
-        large_outcome(lab, panel, c);
+        large_outcome(lab, panel, c, type.rest);
     } else {
         words_here("Next makes the experiment: " + c.experiment);
     }
