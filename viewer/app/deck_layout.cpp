@@ -109,7 +109,9 @@ void Lab::deck_layout(float width, float height) {
     ImGui::PopStyleVar();
     if (shown_by_slide(s) != ShownBySlide::run) {
         if (places.other.height > 0) {
+            ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {s.px(20), s.px(10)});
             const FixedPanel panel("Shown by slide", places.other, ImGuiWindowFlags_NoBackground);
+            ImGui::PopStyleVar();
             draw_shown_by_slide(s);
         }
         return ImGui::PopStyleVar();

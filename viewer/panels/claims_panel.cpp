@@ -212,7 +212,9 @@ void large_outcome(PanelContext& lab, ClaimsPanelState& panel, const Claim& c, I
         ImGui::TextUnformatted(figure_text(r).c_str());
     }
     ImGui::PopFont();
-    ImGui::TextDisabled("%s; criterion %s", c.figure.c_str(), c.criterion.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    words_here(fmt::format("{}; criterion {}", c.figure, c.criterion));
+    ImGui::PopStyleColor();
     ImGui::PushFont(font);
     words_here(r.finding ? r.finding->text : r.failure);
     if (r.finding && !r.finding->condition.empty()) words_here(r.finding->condition);
