@@ -1,7 +1,7 @@
 // Who may include whom: math <- continuum, mesh, time <- solids, particles, fluids <- lessons, and viewer apart from them. What a
-// lesson declares, what runs it, what is written about it and the studies (text <- lesson <- run <- document <- study <- lecture) know no
-// solver, and no solver knows them. The folders of the viewer stand above each other, and its session draws nothing. Read from
-// the #include lines of the sources.
+// lesson declares, what runs it, what is written about it and the studies (text <- lesson <- run <- document <- study <- lecture)
+// know no solver, and no solver knows them. The folders of the viewer stand above each other, and its session draws nothing. Read
+// from the #include lines of the sources.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <catch2/catch_test_macros.hpp>
@@ -58,10 +58,10 @@ const std::vector<std::pair<std::string, Names>> viewer_folders{
 // The libraries of others, by the first part of what is included. Standard headers have neither folder nor ending.
 const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h", "fcntl.h", "sys", "unistd.h"};
 const Names screen_libraries{"GLFW", "GL", "GLES3", "EGL", "glad", "backends", "imgui.h", "imgui_internal.h"};
-const Names viewer_libraries{"Eigen",   "fmt",       "nlohmann", "CLI",        "GLFW",         "GL",
-                             "GLES3",   "EGL",       "glad",     "backends",   "imgui.h",      "imgui_internal.h",
-                             "png.h",   "gif_lib.h", "hpdf.h", "zlib.h",   "emscripten", "emscripten.h", "unistd.h",
-                             "dlfcn.h", "fcntl.h",   "signal.h"};
+const Names viewer_libraries{"Eigen",    "fmt",       "nlohmann", "CLI",      "GLFW",       "GL",
+                             "GLES3",    "EGL",       "glad",     "backends", "imgui.h",    "imgui_internal.h",
+                             "png.h",    "gif_lib.h", "hpdf.h",   "zlib.h",   "emscripten", "emscripten.h",
+                             "unistd.h", "dlfcn.h",   "fcntl.h",  "signal.h"};
 
 // "core/pliant/solids" of core/solids/springs.h, "lessons" of anything there.
 std::string group_of(const std::string& file) { return first_part(file, file.starts_with("core/") ? 3 : 1); }

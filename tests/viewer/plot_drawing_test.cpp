@@ -225,8 +225,8 @@ TEST_CASE("A label that begins with the title takes its place and leaves more ro
     const auto layout = [](const std::string& label) {
         const Axes axes{{"time t", "s"}, {label, "J"}};
         PlotMemory memory;
-        return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 20)), series("b", {}, {}))),
-                    memory, {680, 170})
+        return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 20)), series("b", {}, {}))), memory,
+                    {680, 170})
             .layout;
     };
     const PlotLayout same = layout("Energy E"), other = layout("kinetic E");

@@ -116,7 +116,8 @@ void ModuliLesson::declare_checks() {
         assumption_of(
             "solver converged", "", [this] { return residual_[0]; }, [this] { return std::max<Real>(tolerance, enough_digits); },
             "|f − K u| ≤ max(τ, 10⁻⁹) |f|",
-            "stopped by the most iterations allowed or by rounding: the measured modulus has about as many digits as the residual")
+            "stopped by the most iterations allowed or by rounding: the measured modulus has about as many digits as the "
+            "residual")
             .mended_by([this] { return more_iterations(); })};
     conserved = {{.probe = "force_imbalance", .law = Law::zero, .tolerance = [this] {
                       return 1e-6 * std::abs(applied()) * specimen_->unit_load().norm();
