@@ -38,8 +38,10 @@ void put_ring_out() {
 
 }  // namespace
 
-void DeckKeys::begin_frame(bool deck) {
+void DeckKeys::begin_frame(bool deck, bool card) {
     if (ImGui::GetIO().WantTextInput) return;
+    // Space plays, and never presses a button of the card that has just come up; Enter does.
+    if (card && ImGui::IsKeyDown(ImGuiKey_Space)) take_press_back();
     if (!deck) {
         if (ImGui::IsAnyItemActive()) return;
         if (any_pressed({ImGuiKey_Tab})) ImGui::NavMoveRequestCancel();

@@ -7,7 +7,7 @@ namespace pliant::viewer {
 class DeckKeys {
 public:
     // Behind the start of a frame of ImGui, before its keys are handled.
-    void begin_frame(bool deck);
+    void begin_frame(bool deck, bool card = false);
     // Before its end.
     void end_frame(bool deck);
     // The deck gets its keys back. False when it had them.

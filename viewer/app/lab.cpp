@@ -109,7 +109,7 @@ void Lab::build_frame(Real dt) {
 
     gui_.begin_frame(dt > 0 ? dt : 1.0 / 60);
     state_.cut.clear();
-    deck_keys_.begin_frame(in_deck());
+    deck_keys_.begin_frame(in_deck(), state_.session.autopsy().has_value());
     state_.claims.book.update();
     state_.atlas.atlas.follow(state_.session);
     follow_lecture();

@@ -92,10 +92,22 @@ std::vector<Row> rows_of(const Session& s, int digits) {
     return rows;
 }
 
-// The columns of numbers, px.
-float numbers_width(const std::vector<Row>& rows) {
+struct Column {
+    std::string Row::*text;
+    const char* title;
+};
+
+// A slide leaves out the difference, for names and digits that are read from afar.
+std::vector<Column> columns_of(Layout layout) {
+    std::vector<Column> columns{{&Row::a, "A"}, {&Row::b, "B"}};
+    if (layout == Layout::lab) columns.push_back({&Row::difference, "A − B"});
+    return columns;
+}
+
+// Of the numbers, px.
+float numbers_width(const std::vector<Row>& rows, const std::vector<Column>& columns) {
     float sum = 0;
-    for (const auto& [column, title] : {std::pair{&Row::a, "A"}, {&Row::b, "B"}, {&Row::difference, "A − B"}}) {
+    for (const auto& [column, title] : columns) {
         float width = ImGui::CalcTextSize(title).x;
         for (const Row& row : rows) width = std::max(width, ImGui::CalcTextSize((row.*column).c_str()).x);
         sum += width + 2 * ImGui::GetStyle().CellPadding.x + 1;
@@ -104,10 +116,10 @@ float numbers_width(const std::vector<Row>& rows) {
 }
 
 // With as many digits as leave the names some room.
-std::vector<Row> fitting_rows(const Session& s, float width, float least_names) {
+std::vector<Row> fitting_rows(const Session& s, const std::vector<Column>& columns, float width, float least_names) {
     for (const int digits : {3, 2}) {
         std::vector<Row> rows = rows_of(s, digits);
-        if (numbers_width(rows) + least_names <= width) return rows;
+        if (numbers_width(rows, columns) + least_names <= width) return rows;
     }
     return rows_of(s, 1);
 }
@@ -208,17 +220,18 @@ void draw_companion_table(PanelContext& lab) {
     if (!lab.session.companion()) return;
     ImFont* font = lab.layout == Layout::lab ? lab.fonts.small : lab.fonts.normal;
     const float room = ImGui::GetContentRegionAvail().x, names = lab.px(36);
+    const std::vector<Column> columns = columns_of(lab.layout);
     ImGui::PushFont(font);
-    std::vector<Row> rows = fitting_rows(lab.session, room, names);
-    const bool fits = numbers_width(rows) + names <= room;
+    std::vector<Row> rows = fitting_rows(lab.session, columns, room, names);
+    const bool fits = numbers_width(rows, columns) + names <= room;
     ImGui::PopFont();
     if (!fits) font = lab.fonts.small;
     ImGui::PushFont(font);
-    if (!fits) rows = fitting_rows(lab.session, room, names);
-    if (ImGui::BeginTable("two runs", 4,
+    if (!fits) rows = fitting_rows(lab.session, columns, room, names);
+    if (ImGui::BeginTable("two runs", 1 + static_cast<int>(columns.size()),
                           ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-        for (const char* column : {"A", "B", "A − B"}) ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed);
+        for (const Column& column : columns) ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthFixed);
         ImGui::TableHeadersRow();
         for (const Row& row : rows) {
             ImGui::TableNextRow();
@@ -228,9 +241,9 @@ void draw_companion_table(PanelContext& lab) {
             fitted_sentence(lab, whole || row.symbol.empty() ? row.name : as_formula(row.symbol),
                             ImGui::GetContentRegionAvail().x);
             sentence_tooltip(lab, row.help);
-            for (const std::string* cell : {&row.a, &row.b, &row.difference}) {
+            for (const Column& column : columns) {
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(cell->c_str());
+                ImGui::TextUnformatted((row.*column.text).c_str());
             }
         }
         ImGui::EndTable();

@@ -81,7 +81,9 @@ void handle_mouse(PanelContext& lab, ScenePanelState& panel, const View& view) {
     if (ImGui::IsItemDeactivated()) end_drag(lab, panel);
     if (inside && io.MouseWheel != 0)
         zoom(lab.session.own_camera(), view.dimension, view.projection, pointer_in(view), std::pow(0.88, io.MouseWheel));
-    if (inside && view.lesson && panel.hovered && !panel.turning && !panel.pulling) read_out(lab, view, *panel.hovered);
+    // Numbers of whatever the pointer rests on would cover a slide.
+    const bool tells = lab.layout != Layout::deck;
+    if (tells && inside && view.lesson && panel.hovered && !panel.turning && !panel.pulling) read_out(lab, view, *panel.hovered);
 }
 
 void note_handles(PanelContext& lab, const View& view) {

@@ -58,7 +58,19 @@ float notes_height(PanelContext& lab, ScenePanelState& panel, std::initializer_l
     return strip.height;
 }
 
+// A slide has no notes, but says which run is which.
+void draw_heading_of_slide(PanelContext& lab, const View& view) {
+    if (view.heading.empty()) return;
+    ImGui::PushFont(lab.fonts.medium);
+    // Its letter alone where the rest has no room: the words of the slide know it by that.
+    const bool fits = ImGui::CalcTextSize(view.heading.c_str()).x <= view.size.x - lab.px(20);
+    const std::string heading = fits ? view.heading : view.heading.substr(0, 1);
+    haloed_text(lab, {view.origin.x + lab.px(10), view.origin.y + lab.px(8)}, lab.ink(Ink::text), heading);
+    ImGui::PopFont();
+}
+
 void draw_notes(PanelContext& lab, ScenePanelState& panel, const View& view) {
+    if (lab.layout == Layout::deck) return draw_heading_of_slide(lab, view);
     const std::vector<NoteLine> lines =
         note_lines(lab, {view.heading, &view.picture->scene.notes}, panel.notes_strip.small, view.size.x);
     float y = view.origin.y - view.above + lab.px(8);

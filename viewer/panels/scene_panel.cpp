@@ -46,7 +46,7 @@ void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& rend
         draw_matrices(lab, view.picture->scene.matrices,
                       {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y - low});
     }
-    if (!lab.session.autopsy() && view.above > 0) draw_notes(lab, panel, view);
+    if (!lab.session.autopsy() && (view.above > 0 || lab.layout == Layout::deck)) draw_notes(lab, panel, view);
 }
 
 // The viewpoint of this frame; the ghost of a pinned run, in the ink of guides, is not followed.
