@@ -3,6 +3,7 @@
 #include <pliant/text/file.h>
 
 #include "app/lab.h"
+#include "app/lecture_place.h"
 #include "app/lecture_slide.h"
 
 #include <fmt/format.h>
@@ -15,12 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Told = Session::Message::Kind;
-
-std::string absolute(const std::string& path) {
-    std::error_code error;
-    const fs::path whole = fs::absolute(path, error);
-    return error ? path : whole.lexically_normal().string();
-}
 
 Knob knob_along(const Lesson& lesson, const std::string& key, Index cells) { return useful_knob(lesson.parameter(key), cells); }
 
@@ -62,7 +57,7 @@ void Lab::ask_for_lecture() {
 
 void Lab::open_lecture_file(const std::string& path) {
     open_lecture(read_lecture(path));
-    state_.lecture_file = absolute(path);
+    state_.lecture_file = with_whole_path(path);
 }
 
 LectureSlide Lab::slide_to_add(Action action) const {
@@ -96,7 +91,7 @@ void Lab::add_to_lecture(const LectureSlide& slide) {
         std::error_code error;
         const std::string before = fs::exists(path, error) ? read_file(path) : "";
         write_file(path, with_slide_added(before, path, slide));
-        state_.lecture_file = absolute(path);
+        state_.lecture_file = with_whole_path(path);
         const Lecture now = read_lecture(path);
         state_.session.renew_lecture(now);
         state_.session.say(Told::info,

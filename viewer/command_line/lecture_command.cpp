@@ -1,6 +1,7 @@
 // `pliant lecture F`: what is in it, checked, shown in a window, or as pictures, a PDF file and a handout.
 #include <pliant/lecture/lecture.h>
 #include <pliant/text/file.h>
+#include <pliant/text/spoken.h>
 
 #include "command_line/options.h"
 #include "command_line/output_paths.h"
@@ -16,8 +17,6 @@
 
 namespace pliant::viewer {
 namespace {
-
-std::string counted(int count, std::string_view one) { return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s"); }
 
 std::string minutes_text(Real minutes) { return minutes > 0 ? fmt::format("{:g} min", minutes) : ""; }
 
@@ -37,7 +36,8 @@ void print_outline(const Lecture& lecture) {
         print(fmt::format("{:3}  {:>7}  {}: {}\n", n + 1, minutes_text(s.minutes), s.slide.title, shown_by(s)));
         if (!s.trouble.empty()) print(fmt::format("              {}\n", s.trouble));
     }
-    print(fmt::format("\n{}, {:g} min planned\n", counted(static_cast<int>(lecture.slides.size()), "slide"), lecture.minutes()));
+    print(fmt::format("\n{}, {:g} min planned\n", counted(static_cast<long long>(lecture.slides.size()), "slide"),
+                      lecture.minutes()));
 }
 
 struct Checked {
@@ -68,8 +68,9 @@ void check_slide(const Lecture& lecture, std::size_t n, Checked& all) {
 int check(const Lecture& lecture) {
     Checked all;
     for (std::size_t n = 0; n < lecture.slides.size(); ++n) check_slide(lecture, n, all);
-    print(fmt::format("\n{}: {} met, {} missed; {} cannot be shown\n", counted(static_cast<int>(lecture.slides.size()), "slide"),
-                      counted(all.met, "expectation"), all.missed, all.refused));
+    print(fmt::format("\n{}: {} met, {} missed; {} cannot be shown\n",
+                      counted(static_cast<long long>(lecture.slides.size()), "slide"), counted(all.met, "expectation"),
+                      all.missed, all.refused));
     if (all.refused) throw Refused(fmt::format("the lecture names what is not there:{}{}", all.troubles, all.misses));
     if (all.missed) throw CheckFailed("the lecture misses what it expects:" + all.misses);
     return 0;
