@@ -151,6 +151,9 @@ TEST_CASE("what is on the screen goes into a lecture, which is made where it is 
     h.frames(3);
     CHECK(h.session().lecture());
     CHECK(h.session().runner().lesson().parameter("poisson_ratio").value() == 0.4);
+    CHECK(h.session().slide_count() == 3);
+    h.press(Action::add_scene);
+    CHECK(h.session().slide_count() == 4);  // the lecture that is shown has it at once
 }
 
 TEST_CASE("a picture of a lecture is shown, and one that is no PNG is told", "[lab][lecture]") {

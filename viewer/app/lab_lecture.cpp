@@ -22,6 +22,9 @@ Knob knob_along(const Lesson& lesson, const std::string& key, Index cells) { ret
 }  // namespace
 
 void Lab::open_lecture(Lecture lecture, std::size_t slide) {
+    // What is added goes into its file; one that comes with Pliant has none.
+    std::error_code error;
+    if (fs::is_regular_file(lecture.path, error)) state_.lecture_file = lecture.path;
     state_.session.later([this, lecture, slide] {
         state_.session.open_lecture(lecture, slide);
         set_layout(Layout::deck);
@@ -55,10 +58,7 @@ void Lab::ask_for_lecture() {
                      [this](const std::string& path) { open_lecture_file(path); });
 }
 
-void Lab::open_lecture_file(const std::string& path) {
-    open_lecture(read_lecture(path));
-    state_.lecture_file = with_whole_path(path);
-}
+void Lab::open_lecture_file(const std::string& path) { open_lecture(read_lecture(with_whole_path(path))); }
 
 LectureSlide Lab::slide_to_add(Action action) const {
     const Session& s = state_.session;
