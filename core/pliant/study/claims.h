@@ -43,7 +43,6 @@ struct Claim {
     // Parameters of the lesson that show it.
     std::vector<std::pair<std::string, std::string>> scene;
     Verdict expected = Verdict::reproduced;  // the tests ask for this one
-    bool timed = false;  // wall time enters the figure: it differs from run to run, and generated pages leave it out
     std::function<Finding()> measure;
 };
 

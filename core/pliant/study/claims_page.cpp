@@ -22,12 +22,10 @@ std::string command_of(const Claim& c) {
 
 std::string section(const ClaimResult& r) {
     const Claim& c = *r.claim;
-    const std::string_view verdict = c.timed ? name_of(c.expected) : outcome_of(r);
+    const std::string_view verdict = outcome_of(r);
     std::string text = fmt::format("\n### {}: {}\n\n> {}\n>\n> {}\n\n", c.id, verdict, c.statement, c.source);
     text += fmt::format("- Experiment: {}\n- Figure: {}; criterion {}\n", c.experiment, c.figure, c.criterion);
-    if (c.timed)
-        text += fmt::format("- Measured: it takes the time of this machine; `pliant claims {}` tells it\n", c.id);
-    else if (r.finding) {
+    if (r.finding) {
         text +=
             fmt::format("- Measured: **{}**. {}\n", steady_figure(r.finding->figure, c.unit, rounding_of(c)), r.finding->text);
         if (!r.finding->condition.empty()) text += fmt::format("- Condition: {}\n", r.finding->condition);

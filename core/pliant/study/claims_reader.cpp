@@ -25,8 +25,8 @@ constexpr std::array<TextEntry, 6> text_entries{{{"source", &Claim::source},
                                                  {"unit", &Claim::unit},
                                                  {"criterion", &Claim::criterion},
                                                  {"question", &Claim::question}}};
-constexpr std::array<std::string_view, 9> entry_names{"source",   "experiment", "figure", "unit",    "criterion",
-                                                      "expected", "timed",      "scene",  "question"};
+constexpr std::array<std::string_view, 8> entry_names{"source",    "experiment", "figure", "unit",
+                                                      "criterion", "expected",   "scene",  "question"};
 
 void append(std::string& text, std::string_view words) {
     if (!text.empty()) text += ' ';
@@ -92,10 +92,6 @@ private:
     void end_entry() {
         if (name_ == "scene") read_scene();
         if (name_ == "expected") read_expected();
-        if (name_ == "timed") {
-            if (words_ != "yes") refuse("'timed' is 'yes', or left out");
-            claim().timed = true;
-        }
         name_.clear();
         words_.clear();
     }

@@ -12,7 +12,6 @@
 //   - unit: of the figure; left out where it has none
 //   - criterion: ≤ 10⁻⁹
 //   - expected: reproduced or qualified; the first where it is left out
-//   - timed: yes, where wall time enters the figure
 //   - scene: KEY=VALUE ..., parameters of the lesson that show it
 //   - question: asked before the experiment is made
 //     - [ ] a wrong answer

@@ -51,7 +51,6 @@ Json json_of(const ClaimResult& r) {
            {"condition", f.condition},
            {"failure", r.failure},
            {"seconds", r.seconds},
-           {"timed", c.timed},
            {"scene", Json::object()}};
     for (const auto& [key, value] : c.scene) j["scene"][key] = value;
     return j;

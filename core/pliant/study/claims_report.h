@@ -38,11 +38,11 @@ std::string claims_tail(std::span<const ClaimResult> results);  // the counts
 std::string claims_text(std::span<const ClaimResult> results);
 
 // {"claims": [{"id", "lesson", "statement", "source", "experiment", "figure", "value", "unit", "criterion", "verdict",
-// "expected", "finding", "condition", "failure", "seconds", "timed", "scene": {...}}], "reproduced", "qualified", "refuted",
+// "expected", "finding", "condition", "failure", "seconds", "scene": {...}}], "reproduced", "qualified", "refuted",
 // "failed"}
 std::string claims_json(std::span<const ClaimResult> results);
 
-// docs/claims.md. Of timed claims it tells neither figure nor finding.
+// docs/claims.md.
 std::string claims_markdown(std::span<const ClaimResult> results);
 
 // The claims that do not stand, in a sentence; "" when all do.

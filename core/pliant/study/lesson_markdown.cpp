@@ -180,9 +180,8 @@ std::string claims_in(const LessonEntry& entry) {
     std::string text;
     for (const Claim* c : claims_of(entry.info.id)) {
         const ClaimResult result = measured(*c);
-        const std::string_view verdict = c->timed ? name_of(c->expected) : outcome_of(result);
-        text += fmt::format("- **{}, {}**: {}\n", c->id, verdict, c->statement);
-        if (c->timed || !result.finding) {
+        text += fmt::format("- **{}, {}**: {}\n", c->id, outcome_of(result), c->statement);
+        if (!result.finding) {
             text += fmt::format("  `pliant claims {}` measures it.\n", c->id);
             continue;
         }
