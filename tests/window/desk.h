@@ -155,6 +155,7 @@ public:
     void move(Spot s) { act({"mousemove", "--window", window_, std::to_string(s.x), std::to_string(s.y)}); }
     void press() { act({"mousedown", "1"}); }
     void release() { act({"mouseup", "1"}); }
+    void right_click(Spot s) { move(s), act({"click", "3"}); }
     // Turns the wheel where the mouse is, a notch at a time.
     void wheel(bool down) { act({"click", down ? "5" : "4"}); }
     void hold(const std::string& name) { act({"keydown", name}); }
@@ -218,6 +219,21 @@ private:
     std::string state_path_ = scratch_.path("state.json"), window_;
     std::unique_ptr<Child> lab_;
 };
+
+// Takes hold of something that can be pulled, and gives the place.
+inline Spot grip_of(Desk& desk) {
+    for (const double down : {0.5, 0.4, 0.6, 0.7, 0.3})
+        for (const double across : {0.5, 0.45, 0.55, 0.4, 0.6}) {
+            const Spot spot = desk.on("scene", across, down);
+            desk.move(spot);
+            if (desk.state()["hovered"] < 0) continue;
+            desk.press();
+            if (desk.state()["pulling"] >= 0) return spot;
+            desk.release();
+        }
+    FAIL("nothing that can be pulled lies under the pointer");
+    return {};
+}
 
 inline void pause(Desk& desk) {
     desk.key("space");

@@ -54,8 +54,13 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     Desk desk;
     Reader reader(desk);
 
-    // 1. A block of springs falls. Drag beside it to turn the view; Home frames it again.
+    // 1. A block of springs falls. Pull it; drag beside it to turn the view; Home frames it again.
     REQUIRE(desk.becomes([](const Json& s) { return s["lesson"] == "mesh/mass_spring" && s["step"].get<long>() > 10; }));
+    const Spot grip = grip_of(desk);
+    desk.move({grip.x + 40, grip.y - 80});
+    CHECK(desk.becomes([](const Json& s) { return s["pulling"] >= 0; }));
+    desk.release();
+    CHECK(desk.becomes("pulling", -1));
     desk.drag(desk.on("scene", 0.05, 0.9), desk.on("scene", 0.2, 0.8));
     reader.press("Home");
 
@@ -128,6 +133,7 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     const auto step_is = [&](double dt) {
         return desk.becomes([&](const Json&) { return std::abs(desk.parameter("time_step") - dt) < 1e-12; });
     };
+    const double default_step = desk.parameter("time_step");
     desk.hold("ctrl");
     desk.click("time_step");
     desk.let_go("ctrl");
@@ -140,6 +146,18 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     CHECK(desk.becomes([&](const Json&) { return desk.parameter("time_step") > 2e-3; }));
     reader.press("←");
     CHECK(step_is(2e-3));
+    desk.move(desk.on("time_step"));
+    desk.hold("alt");
+    desk.wheel(false);
+    desk.let_go("alt");
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("time_step") != 2e-3; }));
+    desk.hold("shift");
+    const double before_fine = desk.parameter("time_step");
+    desk.drag(desk.on("time_step"), desk.on("time_step", 0.55));
+    desk.let_go("shift");
+    CHECK(desk.becomes([&](const Json&) { return desk.parameter("time_step") != before_fine; }));
+    desk.double_click(desk.on("time_step"));
+    CHECK(step_is(default_step));
     const Spot box = desk.on("integrator");
     const double row = desk.state()["controls"]["integrator"][3];
     desk.click(box);
@@ -151,6 +169,12 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     REQUIRE(desk.becomes("autopsy", ""));
     CHECK(desk.parameter("time_step") < 1e-3);
     desk.key("r");
+    desk.right_click(desk.on("time_step"));
+    REQUIRE(desk.becomes([](const Json& s) { return s["controls"].contains("what if 1"); }));
+    desk.click("what if 1");
+    REQUIRE(desk.becomes([](const Json& s) { return s["companion"].is_object(); }));
+    reader.press("2");
+    REQUIRE(desk.becomes([](const Json& s) { return s["companion"].is_null(); }));
     reader.press("G");
     CHECK(desk.becomes("pinned", true));
     reader.press("G");
@@ -174,7 +198,14 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     reader.press("K");
     CHECK(desk.becomes([](const Json& s) { return s["claims"]["shown"] == true; }));
     reader.press("W");
-    CHECK(desk.becomes([](const Json& s) { return s["atlas"]["shown"] == true; }));
+    REQUIRE(desk.becomes([](const Json& s) { return s["atlas"]["shown"] == true && s["controls"].contains("atlas make"); }));
+    // Coarse at once: a cell can be opened before all of them are there.
+    desk.click("atlas make");
+    REQUIRE(desk.becomes(
+        [](const Json& s) { return s["atlas"]["cells_done"].get<long>() > 0 && s["controls"].contains("atlas area"); }));
+    const Json chosen = desk.state()["parameters"];
+    desk.click(desk.on("atlas area", 0.05, 0.05));
+    CHECK(desk.becomes([&](const Json& s) { return s["parameters"] != chosen; }));
     reader.press("Y");
     CHECK(desk.becomes([](const Json& s) { return s["methods"]["shown"] == true; }));
     // It may take long: it is begun, and can be called off.
@@ -193,7 +224,14 @@ TEST_CASE("README's five minutes, word by word", "[window][readme]") {
     REQUIRE(desk.becomes([](const Json& s) { return s["controls"].contains("hand-in save"); }));
     desk.click("hand-in close");
 
-    // 9. The next lesson, the slide, the theme, the keys.
+    // 9. Borders; the next lesson, the slide, the theme, the keys.
+    const auto picture_wide = [](const Json& s) { return s["controls"]["scene"][2].get<double>(); };
+    const double usual = picture_wide(desk.state());
+    const Spot border = desk.on("border left");
+    desk.drag(border, {border.x + 60, border.y});
+    REQUIRE(desk.becomes([&](const Json& s) { return picture_wide(s) < usual - 30; }));
+    desk.double_click(desk.on("border left"));
+    CHECK(desk.becomes([&](const Json& s) { return picture_wide(s) == usual; }));
     reader.press("]");
     REQUIRE(desk.becomes([](const Json& s) { return s["lesson"] != "mesh/mass_spring"; }));
     reader.press("F7");

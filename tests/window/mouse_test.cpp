@@ -6,25 +6,6 @@
 using namespace pliant::test;
 
 namespace {
-
-// Takes hold of something that can be pulled, and gives the place.
-Spot grip_of(Desk& desk) {
-    for (const double down : {0.5, 0.4, 0.6, 0.7, 0.3})
-        for (const double across : {0.5, 0.45, 0.55, 0.4, 0.6}) {
-            const Spot spot = desk.on("scene", across, down);
-            desk.move(spot);
-            if (desk.state()["hovered"] < 0) continue;
-            desk.press();
-            if (desk.state()["pulling"] >= 0) return spot;
-            desk.release();
-        }
-    FAIL("nothing that can be pulled lies under the pointer");
-    return {};
-}
-
-}  // namespace
-
-namespace {
 // Turns the wheel over the list of lessons until a name is in sight.
 void scroll_to(Desk& desk, const std::string& name) {
     for (int notch = 0; notch < 40; ++notch) {
