@@ -194,3 +194,14 @@ TEST_CASE("a slide that is reset is as it was before anything was changed on it"
     p.player.next();
     CHECK(p.player.results().at(0).met);
 }
+
+TEST_CASE("a slide that hides or plots what is not there is refused, with its line and what can be", "[walkthrough]") {
+    Runner runner(walker);
+    const auto play = [&](const std::string& block) {
+        WalkthroughPlayer(runner, parse_walkthrough("## One\nWords.\n" + block, "w.md"));
+    };
+    CHECK_NOTHROW(play("```hide\nx twice speed labels titles legends theory lights\n```\n```plots\nx\n```\n"));
+    CHECK_THROWS_WITH(play("```hide\nspede\n```\n"), ContainsSubstring("w.md:4: 'spede'") && ContainsSubstring("titles"));
+    CHECK_THROWS_WITH(play("```plots\ntwice\n```\n"), ContainsSubstring("w.md:4: 'twice'") && ContainsSubstring("curve"));
+    CHECK_THROWS_WITH(play("```do\nsolve\n```\n"), ContainsSubstring("w.md:4") && ContainsSubstring("static"));
+}

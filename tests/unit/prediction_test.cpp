@@ -1,6 +1,7 @@
 // Predictions of slides: how they are read, and how they compare with what comes.
 #include <pliant/document/prediction.h>
 #include <pliant/document/walkthrough.h>
+#include <pliant/document/walkthrough_words.h>
 #include <pliant/math/error.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -86,4 +87,20 @@ TEST_CASE("a slide hides what is expected or predicted, and what it names") {
     for (const char* name : {"energy", "sag", "height", "labels", "profile"}) CHECK(w.slides[0].hides(name));
     CHECK_FALSE(w.slides[0].hides("speed"));
     CHECK_FALSE(w.slides[1].hides("speed"));  // nothing will reveal it
+}
+
+TEST_CASE("the set-up of a slide ends with its first other action, and with what is solved") {
+    SetUp set_up;
+    for (const char* line : {"set a=1", "", "preset x", "show u", "solve"}) CHECK(set_up.takes(line));
+    for (const char* line : {"set a=2", "", "run rest"}) CHECK_FALSE(set_up.takes(line));
+    SetUp expecting;
+    CHECK(expecting.takes("reset"));
+    expecting.end();
+    CHECK_FALSE(expecting.takes("set a=1"));
+}
+
+TEST_CASE("a slide names the plots beside it") {
+    const Walkthrough w = parse_walkthrough("## One\n```plots\nsag energy\nprofile\n```\n## Two\n", "w.md");
+    CHECK(w.slides[0].plots() == std::vector<std::string>{"sag", "energy", "profile"});
+    CHECK(w.slides[1].plots().empty());
 }

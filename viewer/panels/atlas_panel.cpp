@@ -120,7 +120,7 @@ std::string theory_text(const MapCell& c) {
     return fmt::format("time step / limit of theory: {:.3g}", *c.theory);
 }
 
-std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, Index j) {
+std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, Index j, bool with_theory) {
     const MapCell& c = map.at(i, j);
     const auto value = [&](const Knob& knob, Index k) {
         return setting_text(lesson.parameter(knob.key), knob.values[static_cast<std::size_t>(k)]);
@@ -129,7 +129,7 @@ std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, In
     if (c.verdict.growth)
         text += fmt::format("\ngrowth of the amplitude, in each step: × {:.7g}\nwhich is the root of that of the energy",
                             *c.verdict.growth);
-    if (const std::string theory = theory_text(c); !theory.empty()) text += "\n" + theory;
+    if (const std::string theory = with_theory ? theory_text(c) : ""; !theory.empty()) text += "\n" + theory;
     return text + "\nin the whole run: " + c.verdict.reason;
 }
 
@@ -158,6 +158,8 @@ void draw_picture(PanelContext& lab, AtlasPanelState& panel, bool legend_beside)
     const StabilityMap& map = *panel.atlas.map();
     MapPicture picture = panel.atlas.picture();
     picture.present = panel.atlas.present(lab.session);
+    const bool theory = !lab.session.hides("theory");
+    if (!theory) picture.bound.clear(), picture.wrong.assign(picture.wrong.size(), 0);
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float height =
         legend_beside ? room.y : std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(240), 1.5f * room.x);
@@ -173,7 +175,7 @@ void draw_picture(PanelContext& lab, AtlasPanelState& panel, bool legend_beside)
     if (!cell) return;
     const auto [i, j] = *cell;
     panel.cell = cell;
-    tip_beside(lab, places.area, cell_text(lab.session.lesson(), map, i, j) + "\nClick to open this scene.");
+    tip_beside(lab, places.area, cell_text(lab.session.lesson(), map, i, j, theory) + "\nClick to open this scene.");
     if (pressed) open_cell(lab.session, map, cell->first, cell->second);
 }
 
@@ -225,9 +227,10 @@ void draw_words(PanelContext& lab, AtlasPanelState& panel) {
     const Atlas& atlas = panel.atlas;
     const StabilityMap& map = *atlas.map();
     ImGui::PushFont(lab.fonts.small);
-    if (map.complete)
+    const bool compared = !lab.session.hides("theory");
+    if (map.complete && compared)
         flowing_words(agreement_text(map), true);
-    else
+    else if (!map.complete)
         flowing_words(fmt::format("{} of {} cells so far; each stands for those around it that are not run yet.",
                                   atlas.cells_done(), map.cells.size()),
                       true);

@@ -32,6 +32,7 @@ std::string title_of(const Session& s, const Field& field) {
         title = "|" + title + "|";
     else
         title += " " + as_formula("|" + symbol + "|");
+    if (s.hides(field.name)) return title;
     if (s.shows_difference()) return fmt::format("A − B of {}", title);
     const bool one_number = s.colour_scale().min == s.colour_scale().max;
     if (s.shows_change()) {
@@ -49,6 +50,7 @@ std::string title_of(const Session& s, const Field& field) {
 std::vector<std::string> tick_texts(const PanelContext& lab, int intervals, const Field& field) {
     const ColourScale& scale = lab.session.colour_scale();
     std::vector<std::string> texts;
+    if (lab.session.hides(field.name)) return {"?"};
     if (!lab.session.shows_change() && awaited_stage(lab.session.runner(), field)) return {"—"};
     for (const int digits : {3, 4, 5}) {
         texts.clear();

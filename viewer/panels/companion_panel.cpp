@@ -77,11 +77,12 @@ std::vector<Row> rows_of(const Session& s, int digits) {
         rows.push_back(row_of(words(p->name), p->unit, of_a, of_b,
                               fmt::format("{}\n{}", named_with_symbol(p->name, p->symbol), p->help), digits, size));
         rows.back().symbol = p->symbol;
+        if (s.hides(p->name)) rows.back().a = rows.back().b = "?", rows.back().difference = "";
     }
     rows.push_back(row_of("Per step", "s", seconds(s.costs().step_ms()), seconds(b.costs().step_ms()),
                           "what a step costs: the median of the latest", digits, 0));
     const auto measured = std::ranges::find(probes, s.lesson().error_probe(), &Probe::name);
-    if (measured == probes.end() || !measured->exact) return rows;
+    if (measured == probes.end() || !measured->exact || s.hides(measured->name) || s.hides("theory")) return rows;
     const auto i = static_cast<std::size_t>(measured - probes.begin());
     const auto error = [&](const Recorder& r) { return r.empty() ? std::nullopt : error_against_exact(r.series(i)).latest(); };
     const auto of_a = error(s.recorder()), of_b = error(b.recorder());
@@ -157,10 +158,11 @@ std::string setting_text(const Parameter& p, Real value) {
 }
 
 std::string differing_text(const Session& s, bool of_b, std::size_t most) {
-    if (!s.companion()) return "";
+    if (!s.companion() || s.hides("titles")) return "";
     std::vector<std::string> texts;
     for (const Differing& d : differing(s.runner(), s.companion()->runner()))
-        texts.push_back(setting_text(*d.parameter, of_b ? d.b : d.a));
+        texts.push_back(s.hides(d.parameter->info.key) ? fmt::format("{} ?", words(d.parameter->info.key))
+                                                       : setting_text(*d.parameter, of_b ? d.b : d.a));
     return joined(texts, most);
 }
 

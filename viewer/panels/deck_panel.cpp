@@ -109,7 +109,7 @@ std::vector<const Parameter*> shown_parameters(const PanelContext& lab) {
     const bool chosen = s.walkthrough->slide().has(BlockKind::controls) && !s.unlocked;
     std::vector<const Parameter*> shown;
     for (const Parameter* p : s.lesson().parameters)
-        if (chosen ? !s.locked(*p) : p->used()) shown.push_back(p);
+        if (chosen ? s.walkthrough->allows(p->info.key) : p->used()) shown.push_back(p);
     return shown;
 }
 

@@ -63,8 +63,11 @@ void plot_along(PanelContext& lab, PlotPanelState& panel, Plot& plot, Point size
     const std::string axis = axes[static_cast<std::size_t>(state.axis)], title = field_title(lab, *field);
     size.y -= ImGui::GetFrameHeightWithSpacing();
     if (!plot.begin(fmt::format("{} along {}##along", title, axis), size,
-                    {.x = {axis, "m"}, .y = {title, std::string(field->unit)}, .empty_hint = "this field has no places"}))
+                    {.x = {axis, "m"},
+                     .y = {title, std::string(field->unit)},
+                     .empty_hint = s.hides(field->name) ? "predict first" : "this field has no places"}))
         return;
+    if (s.hides(field->name)) return plot.end();
     plot.line(s.shows_change() ? "change" : "now", profile.position, profile.value);
     if (looked.compare != Compare::now && !s.shows_change()) {
         // What the stage found, beneath what it left.
@@ -83,6 +86,7 @@ void plot_map(PanelContext& lab, Plot& plot, Point size) {
     const Scene& scene = s.scene();
     if (!field || scene.grids.empty() || scene.grids[0].values.empty())
         return ImGui::TextDisabled("Choose a field of cells above the picture for a heat map.");
+    if (s.hides(field->name)) return ImGui::TextDisabled("%s is shown after Next.", words(field->name).c_str());
     const GridMarks& g = scene.grids[0];
     const std::vector<Real> values(g.values.begin(), g.values.end());
     const ColourScale& scale = s.colour_scale();

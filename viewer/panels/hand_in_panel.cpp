@@ -73,7 +73,7 @@ void number_menu(PanelContext& lab) {
     if (!ImGui::BeginPopup("numbers")) return;
     Session& s = lab.session;
     for (const Probe& p : s.lesson().probes) {
-        const auto value = p.value();
+        const auto value = s.hides(p.name) ? std::nullopt : p.value();  // before it is predicted
         if (!value) continue;
         const std::string label = fmt::format("{} = {}", words(p.name), format_quantity(*value, p.unit));
         if (ImGui::MenuItem(label.c_str())) s.note_number(p.name);

@@ -70,7 +70,8 @@ void draw_key_numbers(PanelContext& lab) {
         const auto& [value, exact, awaits] = held[k];
         const bool hidden = lab.session.hides(p->name);  // until it is predicted
         const std::string number = hidden ? "?" : !awaits.empty() ? "—" : value ? format_quantity(*value, p->unit) : "undefined";
-        const std::string exact_text = exact && !hidden ? fmt::format("exact {}", format_quantity(*exact, p->unit)) : "";
+        const std::string exact_text =
+            exact && !hidden && !lab.session.hides("theory") ? fmt::format("exact {}", format_quantity(*exact, p->unit)) : "";
         const bool beside = draw_label(lab, *p, number, exact_text);
         ImGui::PushFont(lab.fonts.large);
         ImGui::TextUnformatted(number.c_str());

@@ -36,16 +36,19 @@ void brackets(PanelContext& lab, ImVec2 at, ImVec2 size) {
 // A number that answers when it is clicked.
 void number(PanelContext& lab, const Field& f, Index index, int component, float width, std::string_view unit) {
     const Stage* const awaited = awaited_stage(lab.session.runner(), f);
-    const std::string text = awaited ? "—" : format_quantity(row_value(f, index, component), unit, digits);
+    const bool hidden = lab.session.hides(f.name);
+    const std::string text = awaited ? "—" : hidden ? "?" : format_quantity(row_value(f, index, component), unit, digits);
     const float room = std::max(width - ImGui::CalcTextSize(text.c_str()).x, 0.f);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     ImGui::PushID(component);
-    if (ImGui::Selectable(text.c_str(), false, 0, {ImGui::CalcTextSize(text.c_str()).x, 0}) && !awaited)
+    if (ImGui::Selectable(text.c_str(), false, 0, {ImGui::CalcTextSize(text.c_str()).x, 0}) && !awaited && !hidden)
         lab.session.ask({.field = std::string(f.name), .index = index, .component = component});
     const auto names = component_names(f);
     const std::string suffix = component >= 0 && f.rank != Rank::scalar ? "." + names[static_cast<std::size_t>(component)] : "";
     lab.note_control(fmt::format("why {}{}", f.name, suffix));
-    tooltip(awaited ? capitalised(not_yet(awaited)) : "Why this number? Click to see its formula and what went into it",
+    tooltip(awaited  ? capitalised(not_yet(awaited))
+            : hidden ? "Shown after Next: it would give the answer away"
+                     : "Why this number? Click to see its formula and what went into it",
             lab.scale);
     ImGui::PopID();
 }

@@ -31,7 +31,8 @@ void choose(const PanelContext& lab, ParameterPanelState& panel, const std::stri
 bool slide_names_one(const PanelContext& lab, Group group) {
     const Session& s = lab.session;
     if (!s.walkthrough || s.unlocked || !s.walkthrough->slide().has(BlockKind::controls)) return false;
-    return std::ranges::any_of(lesson_of(lab).parameters_of(group), [&](const Parameter* p) { return !s.locked(*p); });
+    return std::ranges::any_of(lesson_of(lab).parameters_of(group),
+                               [&](const Parameter* p) { return s.walkthrough->allows(p->info.key); });
 }
 
 bool open_at_first(const PanelContext& lab, Group group) {

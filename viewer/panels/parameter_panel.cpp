@@ -103,13 +103,23 @@ void switch_box(PanelContext& lab, const Parameter& p, const std::string& label)
 
 // Where the two runs differ in it: the value in the one that the sliders do not set.
 std::optional<Real> value_in_other_run(const Session& s, const Parameter& p) {
-    if (!s.companion()) return std::nullopt;
+    if (!s.companion() || s.hides(p.info.key)) return std::nullopt;
     for (const Differing& d : differing(s.runner(), s.companion()->runner()))
         if (d.parameter->info.key == p.info.key) return s.addresses_b() ? d.a : d.b;
     return std::nullopt;
 }
 
+constexpr const char* covered_hint = "shown after Next";
+
+// In the place of a control whose value would give the answer of the slide away.
+void cover(PanelContext& lab) {
+    ImGui::PushFont(lab.layout == Layout::deck ? lab.fonts.normal : lab.fonts.small);
+    ImGui::Button(covered_hint, {-1, 0});
+    ImGui::PopFont();
+}
+
 std::string help_of(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
+    if (lab.session.hides(p.info.key)) return "Shown after Next: it would give the answer away.";
     if (lab.session.locked(p)) return "Locked on this slide; End the walkthrough or press L to unlock.";
     if (!p.used()) return fmt::format("{}\n{}", panel.usage.reason(lab.session.addressed(), p), describe(p));
     const auto other = value_in_other_run(lab.session, p);
@@ -128,11 +138,16 @@ std::string label_of(const PanelContext& lab, const Parameter& p) {
     return label;
 }
 
+// Of a number, as it stands above its slider.
+std::string value_text(const PanelContext& lab, const Parameter& p) {
+    if (lab.session.hides(p.info.key)) return "?";
+    if (p.info.kind == Kind::choice || p.info.kind == Kind::toggle) return "";
+    return format_quantity(lab.session.addressed().wanted(p), p.info.unit, Session::value_digits);
+}
+
 // The name and the value on one line, in the large type of a deck.
 bool label_fits_large(const PanelContext& lab, const Parameter& p) {
-    const bool number = p.info.kind != Kind::choice && p.info.kind != Kind::toggle;
-    const std::string value =
-        number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, Session::value_digits) : "";
+    const std::string value = value_text(lab, p);
     const float room = ImGui::GetContentRegionAvail().x - lab.px(8);
     const ImFont* const font = lab.fonts.large;
     const float label = lab.fonts.mathematics.sentence(label_of(lab, p), lab.fonts.medium->FontSize).width;
@@ -141,9 +156,7 @@ bool label_fits_large(const PanelContext& lab, const Parameter& p) {
 
 // The name on the left and, of a number, the value on the right.
 void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p, ImFont* label_font) {
-    const bool number = p.info.kind != Kind::choice;
-    const std::string value =
-        number ? format_quantity(lab.session.addressed().wanted(p), p.info.unit, Session::value_digits) : "";
+    const std::string value = value_text(lab, p);
     const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x - lab.px(2);
     const float top = ImGui::GetCursorPosY(), drop = ImGui::GetTextLineHeight();
     ImGui::PushFont(label_font);
@@ -151,7 +164,7 @@ void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p
     fitted_sentence(lab, label_of(lab, p), right - ImGui::GetCursorPosX() - lab.px(4));
     ImGui::PopFont();
     parameter_tip(lab, panel, p);
-    if (!number) return;
+    if (value.empty()) return;
     ImGui::SameLine();
     ImGui::SetCursorPosX(right);
     ImGui::SetCursorPosY(top);
@@ -165,14 +178,15 @@ void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Paramet
     ImFont* const label_font = !large ? lab.fonts.small : label_fits_large(lab, p) ? lab.fonts.medium : lab.fonts.normal;
     ImGui::PushFont(!large ? lab.fonts.normal : label_font == lab.fonts.medium ? lab.fonts.large : lab.fonts.medium);
     ImGui::BeginDisabled(!p.used() || lab.session.locked(p));
-    if (p.info.kind == Kind::toggle) {
+    const bool covered = lab.session.hides(p.info.key);
+    if (p.info.kind == Kind::toggle && !covered) {
         switch_box(lab, p, label_of(lab, p));
     } else {
         label_row(lab, panel, p, label_font);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
         ImGui::SetNextItemWidth(-1);
         if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
-        p.info.kind == Kind::choice ? choice_box(lab, p) : slider_of(lab, panel, p);
+        covered ? cover(lab) : p.info.kind == Kind::choice ? choice_box(lab, p) : slider_of(lab, panel, p);
         if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
     }
     lab.note_control(std::string(p.info.key));

@@ -26,13 +26,20 @@ std::vector<std::string_view> plots_of_scene(const Lesson& lesson) {
     return names;
 }
 
+// Those that the slide names, else those of the scene.
+std::vector<std::string> wanted_plots(const Session& s) {
+    std::vector<std::string> names = s.walkthrough ? s.walkthrough->slide().plots() : std::vector<std::string>{};
+    if (names.empty())
+        for (const std::string_view name : plots_of_scene(s.lesson())) names.emplace_back(name);
+    return names;
+}
+
 // The plots are those of the scene until a person chooses.
 void choose_first(PanelContext& lab, PlotPanelState& panel) {
     const std::string_view lesson = lab.session.entry().info.id;
     if (panel.lesson != lesson) panel.lesson = lesson, panel.picked = false, panel.memory.clear();
     if (panel.picked) return;
-    const auto names = plots_of_scene(lab.session.lesson());
-    if (!std::ranges::equal(panel.chosen, names)) panel.chosen.assign(names.begin(), names.end());
+    panel.chosen = wanted_plots(lab.session);
 }
 
 // Where the run stands, when that is not the end of what was recorded.
@@ -47,25 +54,39 @@ std::string of_run(const Session& s, std::string_view curve) {
     return s.companion() ? fmt::format("{} (of A)", curve) : std::string(curve);
 }
 
+// A name that stands over a plot, along its axis, or in its legend; a slide may hide them until its answer.
+std::string title_shown(const Session& s, std::string title) { return s.hides("titles") ? "?" : std::move(title); }
+
+class Legend {
+public:
+    explicit Legend(const Session& s) : hidden_(s.hides("legends")) {}
+    std::string name(std::string curve) { return ++count_, hidden_ ? fmt::format("curve {}", count_) : std::move(curve); }
+
+private:
+    bool hidden_;
+    int count_ = 0;
+};
+
 void plot_probe(PanelContext& lab, Plot& plot, std::size_t i, Point size) {
     Session& s = lab.session;
     if (s.recorder().empty()) return;
     const Probe& probe = s.lesson().probes[i];
     const TimeSeries& series = s.recorder().series(i);
     const Axes axes{.x = s.runner().is_static() ? Axis{"step", ""} : Axis{"time t", "s"},
-                    .y = {name_with_symbol(probe.name, probe.symbol, " "), std::string(probe.unit)},
+                    .y = {title_shown(s, name_with_symbol(probe.name, probe.symbol, " ")), std::string(probe.unit)},
                     .empty_hint = s.hides(probe.name) ? hidden_hint : Axes{}.empty_hint};
-    if (!plot.begin(words(probe.name) + "##" + std::string(probe.name), size, axes)) return;
+    if (!plot.begin(title_shown(s, words(probe.name)) + "##" + std::string(probe.name), size, axes)) return;
     if (s.hides(probe.name)) return plot.end();
+    Legend legend(s);
     const auto line = [&](const std::string& name, const TimeSeries& of, Dash dash) {
-        plot.line(name, of.at(), of.values(), {.dash = dash});
+        plot.line(legend.name(name), of.at(), of.values(), {.dash = dash});
     };
     line(s.companion() ? run_name(s, false, 1) : "measured", series, Dash::solid);
     if (const Companion* b = s.companion(); b && !b->recorder().empty())
         line(run_name(s, true, 1), b->recorder().series(i), Dash::dashed);
     if (s.pinned() && !s.pinned()->recorder.empty()) line("pinned", s.pinned()->recorder.series(i), Dash::dashed);
-    if (std::ranges::any_of(series.exact(), [](Real x) { return std::isfinite(x); }))
-        plot.reference(of_run(s, "exact"), series.at(), series.exact());
+    if (!s.hides("theory") && std::ranges::any_of(series.exact(), [](Real x) { return std::isfinite(x); }))
+        plot.reference(legend.name(of_run(s, "exact")), series.at(), series.exact());
     mark_now(lab, plot);
     s.watch(i, zoomed_part(plot));
     plot.end();
@@ -83,20 +104,23 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     const Curve curve = curve_of(line.sample), reference = curve_of(line.reference);
     const AxisScale scale = line.log_log ? AxisScale::log : AxisScale::linear;
     const Axes axes{.x = {capitalised(std::string(line.position_name)), std::string(line.position_unit), scale},
-                    .y = {line.value_name.empty() ? words(line.name) : capitalised(std::string(line.value_name)),
+                    .y = {title_shown(s, line.value_name.empty() ? words(line.name) : capitalised(std::string(line.value_name))),
                           std::string(line.unit), scale},
                     .empty_hint = s.hides(line.name) ? hidden_hint
                                   : line.log_log     ? "nothing above 0 to show"
                                                      : Axes{}.empty_hint};
-    if (!plot.begin(words(line.name) + "##" + std::string(line.name), size, axes)) return;
+    if (!plot.begin(title_shown(s, words(line.name)) + "##" + std::string(line.name), size, axes)) return;
     if (s.hides(line.name)) return plot.end();
-    if (!curve.position.empty()) plot.line(s.companion() ? run_name(s, false, 1) : "now", curve.position, curve.value);
+    Legend legend(s);
+    if (!curve.position.empty())
+        plot.line(legend.name(s.companion() ? run_name(s, false, 1) : "now"), curve.position, curve.value);
     Curve of_b;
     if (const Line* b = line_of_b(s, line)) {
         of_b = curve_of(b->sample);
-        plot.line(run_name(s, true, 1), of_b.position, of_b.value, {.dash = Dash::dashed});
+        plot.line(legend.name(run_name(s, true, 1)), of_b.position, of_b.value, {.dash = Dash::dashed});
     }
-    const std::string name = of_run(s, line.reference_name);
+    if (s.hides("theory")) return plot.end();
+    const std::string name = reference.position.empty() ? "" : legend.name(of_run(s, line.reference_name));
     if (!reference.position.empty())
         line.reference_points ? plot.points(name, reference.position, reference.value)
                               : plot.reference(name, reference.position, reference.value);
@@ -105,8 +129,8 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
         const auto& [label, sample, points] = line.others[i];
         others[i] = curve_of(sample);
         if (others[i].position.empty()) continue;
-        points ? plot.points(of_run(s, label), others[i].position, others[i].value)
-               : plot.line(of_run(s, label), others[i].position, others[i].value);
+        const std::string named = legend.name(of_run(s, label));
+        points ? plot.points(named, others[i].position, others[i].value) : plot.line(named, others[i].position, others[i].value);
     }
     plot.end();
 }
@@ -115,8 +139,12 @@ void plot_pin(PanelContext& lab, Plot& plot, Pin& pin, Point size) {
     const bool steps = lab.session.runner().is_static();
     const Field* field = lab.session.lesson().find_field(pin.field);
     const std::string name = field ? name_with_symbol(pin.field, field->symbol, " ") : words(pin.field);
-    const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"}, .y = {name, pin.unit}};
+    const bool hidden = lab.session.hides(pin.field);
+    const Axes axes{.x = steps ? Axis{"step", ""} : Axis{"time t", "s"},
+                    .y = {name, pin.unit},
+                    .empty_hint = hidden ? hidden_hint : Axes{}.empty_hint};
     if (!plot.begin(fmt::format("{0}##followed {0}", pin.title), size, axes)) return;
+    if (hidden) return plot.end();
     plot.line("pinned", pin.series.at(), pin.series.values());
     mark_now(lab, plot);
     pin.series.watch(zoomed_part(plot));
@@ -185,9 +213,7 @@ bool shown_now(const PanelContext& lab, const std::string& name) {
 // What was chosen; in the deck the first two that suit its scene.
 std::vector<std::string> shown_plots(const PanelContext& lab, const PlotPanelState& panel) {
     const bool deck = lab.layout == Layout::deck;
-    const auto first = lab.session.lesson().first_plots();
-    const std::vector<std::string> wanted =
-        deck && !first.empty() ? std::vector<std::string>(first.begin(), first.end()) : panel.chosen;
+    const std::vector<std::string> wanted = deck ? wanted_plots(lab.session) : panel.chosen;
     std::vector<std::string> shown;
     std::ranges::copy_if(wanted, std::back_inserter(shown), [&](const std::string& n) { return shown_now(lab, n); });
     if (lab.layout == Layout::lab)

@@ -14,10 +14,10 @@
 namespace pliant::viewer {
 namespace {
 
-std::string known_of(const Lesson& lesson, const Picked& picked) {
+std::string known_of(const Session& s, const Lesson& lesson, const Picked& picked) {
     std::string text = fmt::format("{} {}\n", name_of(picked.on), picked.index);
     for (const Field& f : lesson.fields) {
-        if (!f.in_use() || f.on != picked.on || picked.index >= f.size()) continue;
+        if (!f.in_use() || s.hides(f.name) || f.on != picked.on || picked.index >= f.size()) continue;
         const bool scalar = f.rank == Rank::scalar || f.symbol.empty();
         text += fmt::format("{} {}\n",
                             scalar ? named_with_symbol(f.name, f.symbol)
@@ -68,7 +68,7 @@ void mark_thing(PanelContext& lab, const View& view) {
 void read_out(PanelContext& lab, const View& view, const Picked& picked) {
     const Position place = position<3>(picked.at);
     mark(lab, view, place, 9, 2);
-    const std::string text = picked.on == On::handle ? "Drag me" : known_of(*view.lesson, picked);
+    const std::string text = picked.on == On::handle ? "Drag me" : known_of(lab.session, *view.lesson, picked);
     ImGui::PushFont(lab.fonts.small);
     const MathBox& words = sentence_box(lab, text);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;

@@ -83,7 +83,8 @@ void draw_status_line(PanelContext& lab) {
     ImGui::Text("%.2f ms/step", r.step_ms());
     ImGui::SameLine(0, lab.px(18));
     const bool room = names_fit(lab);
-    for (const Light& l : lab.held.lights) draw_light(lab, l, room || l.holds == Holds::no);
+    if (!s.hides("lights"))
+        for (const Light& l : lab.held.lights) draw_light(lab, l, room || l.holds == Holds::no);
     const std::string past =
         fmt::format("past {}, {:.0f} of {:.0f} MB", counted(static_cast<long long>(r.history().size()), "step"),
                     static_cast<double>(r.history().bytes()) / 1e6, static_cast<double>(r.history().cap()) / 1e6);

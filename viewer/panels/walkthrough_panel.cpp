@@ -61,12 +61,12 @@ void folded_reading(PanelContext& lab, const Slide& slide) {
 
 // The actions that wait for Next.
 void next_actions(PanelContext& lab, const pliant::Block& block) {
-    bool leading = true;
+    SetUp set_up;
     std::string all;
+    const auto hidden = [&](std::string_view key) { return lab.session.hides(key); };
     for (const std::string& line : block.lines) {
-        leading = leading && sets_up(line);
-        if (leading || line.find_first_not_of(" \t") == std::string::npos) continue;
-        all += fmt::format("{}{}", all.empty() ? "" : "; ", action_sentence(lab.session.lesson(), line));
+        if (set_up.takes(line) || line.find_first_not_of(" \t") == std::string::npos) continue;
+        all += fmt::format("{}{}", all.empty() ? "" : "; ", action_sentence(lab.session.lesson(), line, hidden));
     }
     if (all.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));

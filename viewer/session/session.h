@@ -201,7 +201,7 @@ public:
     void end_walkthrough();  // the run stays as it is
     // What is said on the slide before its answer; a refusal becomes a message.
     void predict(const Guess& guess);
-    // Is this probe or curve, or are the "labels" of the picture, hidden until the answer of the slide?
+    // Is this probe, curve, field or parameter hidden until the answer of the slide, or a part of what is shown (Slide::hides)?
     bool hides(std::string_view name) const { return walkthrough && walkthrough->hides(name); }
     // What the lesson offers to go on from. One that is opened is a walkthrough of one slide, its question in sight, in the scene
     // of its share string; the next press plays its actions and shows the answer.

@@ -2,6 +2,7 @@
 #include "session/session.h"
 
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 
@@ -34,7 +35,9 @@ bool Session::set(const Values& values) {
 bool Session::refuse_locked(const Parameter& parameter) {
     if (!locked(parameter)) return false;
     say(Message::Kind::refused,
-        fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
+        hides(parameter.info.key)
+            ? fmt::format("The value of {} is shown after Next: it would give the answer away.", spoken(parameter.info.key))
+            : fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
     return true;
 }
 

@@ -12,7 +12,7 @@
 namespace pliant::viewer {
 
 bool Session::locked(const Parameter& parameter) const {
-    return walkthrough && !unlocked && !walkthrough->allows(parameter.info.key);
+    return hides(parameter.info.key) || (walkthrough && !unlocked && !walkthrough->allows(parameter.info.key));
 }
 
 void Session::toggle_lock() {

@@ -17,6 +17,7 @@ namespace pliant {
 WalkthroughPlayer::WalkthroughPlayer(Runner& runner, Walkthrough walkthrough, std::function<void()> after_step)
     : runner_(runner), walkthrough_(std::move(walkthrough)), after_step_(std::move(after_step)) {
     check_controls();
+    check_names();
     read_predictions();
     enter();
 }
@@ -85,15 +86,15 @@ void WalkthroughPlayer::enter() {
 // The set-up: the actions before the first that runs, or that is expected to have done something. Or else what comes behind it,
 // block by block.
 void WalkthroughPlayer::play(bool set_up) {
-    bool leading = true;
+    SetUp leading;
     for (const Block& b : slide().blocks) {
         const bool expects = b.kind == BlockKind::expect;
         if (b.kind != BlockKind::actions && !expects) continue;
         int number = b.first_line;
         for (const std::string& raw : b.lines) {
             if (const std::string line = trimmed(raw); !line.empty()) {
-                leading = leading && !expects && sets_up(line);
-                if (leading == set_up) expects ? results_.push_back(check(line, number)) : act(line, number);
+                if (expects) leading.end();
+                if (leading.takes(line) == set_up) expects ? results_.push_back(check(line, number)) : act(line, number);
             }
             ++number;
         }
@@ -152,18 +153,22 @@ void WalkthroughPlayer::act(const std::string& line, int number) {
 void WalkthroughPlayer::perform(const std::vector<std::string>& words) {
     if (words[0] == "set" && words.size() > 1) return runner_.assign(assignments_of(words));
     if (words[0] == "reset" && words.size() == 1) return runner_.reset();
-    if (words[0] == "run")
-        return run_for(runner_, words, [this] {
-            track_step();
-            if (after_step_) after_step_();
-        });
+    const auto each_step = [this] {
+        track_step();
+        if (after_step_) after_step_();
+    };
+    if (words[0] == "run") return run_for(runner_, words, each_step);
+    if (words[0] == "solve" && words.size() == 1) {
+        if (!runner_.is_static()) throw Refused("solve is for static lessons; this one runs: run N steps, T s or rest");
+        return advance(runner_, Until::at_rest(), each_step);
+    }
     if (words[0] == "release" && words.size() == 1) return runner_.pull(std::nullopt);
     if (words[0] == "pull") return runner_.pull(pull_of(words));
     if (words[0] == "preset" && words.size() == 2)
         return runner_.load(preset(find_lesson(runner_.info().id), words[1]).parameters);
     if (words[0] == "show" && words.size() == 2) return void(shown_field_ = runner_.lesson().field(words[1]).name);
     throw Refused(
-        "no such action; there are: set KEY=VALUE ..., reset, run, show FIELD, pull INDEX to X Y Z, release, preset NAME");
+        "no such action; there are: set KEY=VALUE ..., reset, run, solve, show FIELD, pull INDEX to X Y Z, release, preset NAME");
 }
 
 Real WalkthroughPlayer::quantity(std::string_view name) const {

@@ -7,16 +7,24 @@
 //   ```ask       the question to answer before going on
 //   ```predict   what a person enters before going on: a choice, a number or a curve (prediction.h)
 //   ```do        what happens, an action a line. set, reset, preset and show that stand before the first other action are the
-//                set-up of the slide: they happen as soon as it is entered. The others wait for the next press of Next:
-//                  set KEY=VALUE ...   reset   run N steps   run T s   run rest   run to STAGE
+//                set-up of the slide: they happen as soon as it is entered. So does a `solve` behind them, which ends the set-up:
+//                a static lesson stands solved beside the question. The others wait for the next press of Next:
+//                  set KEY=VALUE ...   reset   run N steps   run T s   run rest   run to STAGE   solve
 //                  show FIELD          pull INDEX to X Y Z   release   preset NAME
 //   ```expect    what must then hold, a line each:
 //                  NAME <|<=|>|>=|= VALUE [within TOLERANCE [relative]]
 //                where NAME is a probe, a parameter, `time` or `step`, and VALUE a number, `exact` (of that probe), `before` (its
 //                value before the actions), another NAME, or a number times one of these ("0.5 before"); = needs a tolerance
 //   ```answer    shown after the actions
-//   ```hide      what would give the answer away, and does not show until then: names of probes and curves, and `labels` for the
-//                words in the picture. Probes that are expected, or predicted, are hidden without being named
+//   ```hide      what would give the answer away, and does not show until then: names of probes, curves, fields and parameters
+//                (their sliders are covered), and
+//                  labels   the words in the picture
+//                  titles   of the plots and their axes, and what sets two runs apart
+//                  legends  the names of the curves
+//                  theory   exact values, and the curves that stand beside a measured one
+//                  lights   of the assumptions
+//                Probes that are expected, or predicted, are hidden without being named
+//   ```plots     the probes and curves that are plotted beside the slide; without it those of the scene
 //   ```notes     for the lecturer alone: never shown with the slide itself
 //   ```controls  the keys of the parameters that a person may change on this slide, one or more a line. All others are locked
 //   while
@@ -35,7 +43,7 @@
 namespace pliant {
 
 // scene: of extensions alone (extensions.h). show: of lectures alone (lecture/lecture.h).
-enum class BlockKind { text, formula, ask, predict, actions, expect, answer, hide, notes, controls, scene, show };
+enum class BlockKind { text, formula, ask, predict, actions, expect, answer, hide, plots, notes, controls, scene, show };
 
 struct Block {
     BlockKind kind;
@@ -54,8 +62,11 @@ struct Slide {
     std::string notes() const;
     // May a person change the parameter of this key?
     bool allows(std::string_view key) const;
-    // Is this probe, or curve, hidden until the answer is shown? "labels": the words in the picture.
+    // Is this probe, curve, field or parameter hidden until the answer is shown? Or "labels", "titles", "legends", "theory" or
+    // "lights".
     bool hides(std::string_view name) const;
+    // The probes and curves that are plotted beside it; none: those of the scene.
+    std::vector<std::string> plots() const;
     // Is there something to reveal?
     bool has_answer() const { return has(BlockKind::actions) || has(BlockKind::expect) || has(BlockKind::answer); }
 };
@@ -127,6 +138,7 @@ public:
 
 private:
     void check_controls() const;
+    void check_names() const;
     void read_predictions();
     void enter();
     void play(bool set_up);

@@ -3,31 +3,49 @@
 #include <pliant/document/walkthrough_words.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace pliant {
 
 namespace {
 
-// The first name that a ```hide block has and the lesson has not; "" when all are there.
-std::string unknown_in(const Block& hidden, const Lesson& lesson) {
-    for (const std::string& name : words_of_line(hidden.paragraph())) {
-        const bool known = name == "labels" || std::ranges::find(lesson.probes, name, &Probe::name) != lesson.probes.end() ||
-                           std::ranges::find(lesson.lines, name, &Line::name) != lesson.lines.end();
-        if (!known) return name;
-    }
-    return "";
+constexpr std::array<std::string_view, 5> parts_to_hide{"labels", "titles", "legends", "theory", "lights"};
+
+bool is_plotted(const Lesson& lesson, std::string_view name) {
+    return std::ranges::find(lesson.probes, name, &Probe::name) != lesson.probes.end() ||
+           std::ranges::find(lesson.lines, name, &Line::name) != lesson.lines.end();
+}
+
+bool can_be_hidden(const Lesson& lesson, std::string_view name) {
+    return is_plotted(lesson, name) || std::ranges::find(parts_to_hide, name) != parts_to_hide.end() ||
+           std::ranges::find(lesson.fields, name, &Field::name) != lesson.fields.end() ||
+           std::ranges::any_of(lesson.parameters, [&](const Parameter* p) { return p->info.key == name; });
 }
 
 }  // namespace
 
+// What is hidden or plotted is there.
+void WalkthroughPlayer::check_names() const {
+    const Lesson& lesson = runner_.lesson();
+    for (const Slide& s : walkthrough_.slides)
+        for (const Block& b : s.blocks) {
+            if (b.kind != BlockKind::hide && b.kind != BlockKind::plots) continue;
+            for (const std::string& name : words_of_line(b.paragraph())) {
+                if (b.kind == BlockKind::plots && !is_plotted(lesson, name))
+                    refuse(b.first_line, fmt::format("'{}' is neither a probe nor a curve of this lesson (in plots)", name));
+                if (b.kind == BlockKind::hide && !can_be_hidden(lesson, name))
+                    refuse(b.first_line, fmt::format("'{}' is no probe, curve, field or parameter of this lesson, nor one of {} "
+                                                     "(in hide)",
+                                                     name, fmt::join(parts_to_hide, ", ")));
+            }
+        }
+}
+
 void WalkthroughPlayer::read_predictions() {
     for (const Slide& s : walkthrough_.slides) {
-        for (const Block& b : s.blocks)
-            if (const std::string name = b.kind == BlockKind::hide ? unknown_in(b, runner_.lesson()) : ""; !name.empty())
-                refuse(b.first_line,
-                       fmt::format("'{}' is neither a probe nor a curve of this lesson, nor labels (in hide)", name));
         std::optional<Prediction>& prediction = predictions_.emplace_back();
         for (const Block& b : s.blocks) {
             if (b.kind != BlockKind::predict) continue;

@@ -18,9 +18,12 @@ std::vector<std::string> words_of_line(const std::string& line) {
     return {std::istream_iterator<std::string>(in), {}};
 }
 
-bool sets_up(const std::string& line) {
+bool SetUp::takes(const std::string& line) {
     const auto words = words_of_line(line);
-    return words.empty() || words[0] == "set" || words[0] == "reset" || words[0] == "preset" || words[0] == "show";
+    if (!open_ || words.empty()) return open_;
+    const bool solves = words[0] == "solve";
+    open_ = words[0] == "set" || words[0] == "reset" || words[0] == "preset" || words[0] == "show";
+    return open_ || solves;
 }
 
 Runner::Assignments assignments_of(const std::vector<std::string>& words) {
@@ -44,7 +47,7 @@ struct Fence {
     std::string_view name;
     BlockKind kind;
 };
-constexpr std::array<Fence, 11> fences{{{"scene", BlockKind::scene},
+constexpr std::array<Fence, 12> fences{{{"scene", BlockKind::scene},
                                         {"show", BlockKind::show},
                                         {"formula", BlockKind::formula},
                                         {"ask", BlockKind::ask},
@@ -53,6 +56,7 @@ constexpr std::array<Fence, 11> fences{{{"scene", BlockKind::scene},
                                         {"expect", BlockKind::expect},
                                         {"answer", BlockKind::answer},
                                         {"hide", BlockKind::hide},
+                                        {"plots", BlockKind::plots},
                                         {"notes", BlockKind::notes},
                                         {"controls", BlockKind::controls}}};
 
@@ -176,6 +180,14 @@ std::string Slide::notes() const {
 bool Slide::allows(std::string_view key) const {
     if (!has(BlockKind::controls)) return true;
     return std::ranges::any_of(blocks, [&](const Block& b) { return b.kind == BlockKind::controls && has_word(b, key); });
+}
+
+std::vector<std::string> Slide::plots() const {
+    std::vector<std::string> names;
+    for (const Block& b : blocks)
+        if (b.kind == BlockKind::plots)
+            for (std::string& name : words_of_line(b.paragraph())) names.push_back(std::move(name));
+    return names;
 }
 
 bool Slide::hides(std::string_view name) const {

@@ -18,11 +18,12 @@ std::string listed(const std::vector<std::string>& parts) {
     return text;
 }
 
-std::string settings_said(const Lesson& lesson, const std::vector<std::string>& words) {
+std::string settings_said(const Lesson& lesson, const std::vector<std::string>& words, const Hides& hidden) {
     std::vector<std::string> parts;
     for (const auto& [key, text] : assignments_of(words)) {
         const Parameter& p = lesson.parameter(key);
-        parts.push_back(setting_words(p, p.parse(text), "to"));
+        const bool covered = hidden && hidden(p.info.key);
+        parts.push_back(covered ? fmt::format("{} to ?", spoken(p.info.key)) : setting_words(p, p.parse(text), "to"));
     }
     return "set " + listed(parts);
 }
@@ -34,9 +35,10 @@ std::string run_said(const std::vector<std::string>& words) {
     return fmt::format("run {} {}", words[1], words[1] == "1" ? "step" : "steps");
 }
 
-std::string said(const Lesson& lesson, const std::vector<std::string>& words) {
+std::string said(const Lesson& lesson, const std::vector<std::string>& words, const Hides& hidden) {
     const std::string& verb = words.at(0);
-    if (verb == "set") return settings_said(lesson, words);
+    if (verb == "set") return settings_said(lesson, words, hidden);
+    if (verb == "solve") return "solve it";
     if (verb == "reset") return "start again";
     if (verb == "run" && words.size() > 1) return run_said(words);
     if (verb == "release") return "let go";
@@ -89,11 +91,11 @@ std::string setting_words(const Parameter& p, Real value, std::string_view betwe
     }
 }
 
-std::string action_sentence(const Lesson& lesson, const std::string& line) {
+std::string action_sentence(const Lesson& lesson, const std::string& line, const Hides& hidden) {
     const auto words = words_of_line(line);
     if (words.empty()) return "";
     try {
-        return said(lesson, words);
+        return said(lesson, words, hidden);
     } catch (const std::exception&) {
         return line;
     }

@@ -2,14 +2,18 @@
 #pragma once
 #include <pliant/lesson/lesson.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace pliant {
 
+// Of the key of a parameter: must its value not be told?
+using Hides = std::function<bool(std::string_view)>;
+
 // "set ν to 0.45 and Method to “one linear step”", "run 50 steps", "run until nothing changes any more". A line that is none of
 // the actions stays as it is.
-std::string action_sentence(const Lesson& lesson, const std::string& line);
+std::string action_sentence(const Lesson& lesson, const std::string& line, const Hides& hidden = {});
 
 // A parameter and a value of it: "Δt = 20 ms" would be "time step Δt to 20 ms" behind `set`; of a choice the name of the option.
 std::string setting_words(const Parameter& parameter, Real value, std::string_view between);

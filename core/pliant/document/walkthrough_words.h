@@ -21,7 +21,14 @@ Runner::Assignments assignments_of(const std::vector<std::string>& words);
 // Without the blanks at both ends.
 std::string trimmed(std::string_view line);
 
-// Does the action lead to the scene of a slide, without running it?
-bool sets_up(const std::string& line);
+// Tells the actions that are the set-up of a slide from those that wait for Next, asked line by line.
+class SetUp {
+public:
+    bool takes(const std::string& line);
+    void end() { open_ = false; }
+
+private:
+    bool open_ = true;
+};
 
 }  // namespace pliant

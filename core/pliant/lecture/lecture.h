@@ -22,8 +22,8 @@
 //
 // Keys of a slide; those of the last group stand in a ```show block of Markdown, a line each with the value behind the name:
 //   title
-//   text formula ask predict do expect answer hide notes controls     as in a walkthrough (walkthrough.h); a text or a list of
-//   lines minutes    that it is to take lesson     opens it; with `preset` (a name), `set` (parameters), `field` (that colours
+//   text formula ask predict do expect answer hide plots notes controls     as in a walkthrough (walkthrough.h); a text or a list
+//   of lines minutes    that it is to take lesson     opens it; with `preset` (a name), `set` (parameters), `field` (that colours
 //   the picture) scene      opens a scene: an object as in a scene file, a share string, or the path of a scene file beside with
 //   one of these: a second run, B, with these parameters set otherwise; a line of `expect` that begins with "B "
 //              is about it

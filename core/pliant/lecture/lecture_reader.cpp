@@ -97,7 +97,7 @@ private:
         const auto& facts = slide_fact_keys();
         if (std::ranges::find(facts, key) == facts.end()) {
             std::vector<std::string> known{"title",  "text",   "formula", "ask",   "predict", "do",
-                                           "expect", "answer", "hide",    "notes", "controls"};
+                                           "expect", "answer", "hide",    "plots", "notes",   "controls"};
             std::erase_if(known, [](const std::string& k) { return k != "title" && k != "text" && !block_kind(k); });
             known.insert(known.end(), facts.begin(), facts.end());
             refuse(pointer,
