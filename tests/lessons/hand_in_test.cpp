@@ -28,6 +28,13 @@ HandIn measured() {
     h.entries.push_back(measurement_of(flow, "cell_pressure"));
     h.entries.push_back(
         {.kind = EntryKind::answer, .lesson = "mesh/rod", .slide = "A fixed end", .question = "What comes back?", .text = "It."});
+    h.entries.push_back({.kind = EntryKind::answer,
+                         .lesson = "mesh/rod",
+                         .slide = "A fixed end",
+                         .question = "Why?",
+                         .came = "So.",
+                         .text = "Because.",
+                         .own_verdict = false});
     h.entries.push_back({.kind = EntryKind::prediction,
                          .lesson = "mesh/rod",
                          .slide = "s",
@@ -66,7 +73,7 @@ TEST_CASE("hand-in: it reads back the same, and its numbers come out again") {
     CHECK(read.unchanged);
     CHECK(read.hand_in == h);
     const auto findings = check_hand_in(read.hand_in);
-    REQUIRE(findings.size() == 4);
+    REQUIRE(findings.size() == 5);
     for (const HandInFinding& f : findings) {
         INFO(f.words);
         CHECK(f.holds);
@@ -74,9 +81,9 @@ TEST_CASE("hand-in: it reads back the same, and its numbers come out again") {
     CHECK(findings[0].repeated);
     CHECK(findings[1].repeated);
     CHECK_FALSE(findings[2].repeated);
-    CHECK_THAT(hand_in_report(read, findings), ContainsSubstring("comes out") &&
-                                                   ContainsSubstring("1 of 1 prediction was right") &&
-                                                   ContainsSubstring("cannot tell who"));
+    CHECK_THAT(hand_in_report(read, findings),
+               ContainsSubstring("comes out") && ContainsSubstring("1 of 1 prediction was right") &&
+                   ContainsSubstring("cannot tell who") && ContainsSubstring("Because. (“I was not right”)"));
 }
 
 TEST_CASE("hand-in: a change by hand is said; blanks are none") {
@@ -106,6 +113,10 @@ TEST_CASE("hand-in: what is none is refused with its place") {
     CHECK_THROWS_WITH(read_hand_in("{\"pliant_handin\": 2}", "h.json"), ContainsSubstring("version 1"));
     CHECK_THROWS_WITH(read_hand_in("{\"pliant_handin\": 1, \"name\": \"a\", \"entries\": [{\"kind\": \"guess\"}]}", "h.json"),
                       ContainsSubstring("'guess'"));
+    CHECK_THROWS_WITH(read_hand_in("{\"pliant_handin\": 1, \"name\": \"a\", \"entries\": [{\"kind\": \"answer\", \"lesson\": "
+                                   "\"mesh/rod\", \"own_verdict\": \"perhaps\"}]}",
+                                   "h.json"),
+                      ContainsSubstring("'perhaps' is no verdict"));
     CHECK_THROWS_WITH(
         read_hand_in("{\"pliant_handin\": 1, \"name\": \"a\", \"entries\": [{\"kind\": \"measurement\", \"lesson\": "
                      "\"mesh/rod\", \"scene\": \"x\", \"step\": 0.5, \"passes\": 0, \"time\": 0}]}",

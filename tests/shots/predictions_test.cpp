@@ -1,5 +1,6 @@
 // Predictions at the desk and in the hall: entered by mouse and keys, compared with the run, kept to be handed in.
 #include <pliant/document/hand_in.h>
+#include <pliant/document/scene_file.h>
 
 #include "app/lab.h"
 #include "platform/headless_context.h"
@@ -218,4 +219,72 @@ TEST_CASE("predictions, numbers and answers of several lessons are handed in, an
     it.frames(6);
     REQUIRE(it.session().notebook.hand_in().entries.size() == 4);
     CHECK(it.session().notebook.hand_in().entries.back().png.starts_with("iVBOR"));  // the signature of PNG
+}
+
+TEST_CASE("an answer in words stands beside that of the slide, and only who gave it judges it", "[prediction][handin]") {
+    Student it("mesh/mass_spring");
+    it.session().open_extension(0);
+    it.frames(6);
+    REQUIRE(it.player().prediction());
+    REQUIRE(it.player().prediction()->kind == Prediction::Kind::words);
+    it.click("predict words");
+    it.write("Länger: sie");
+    it.press(ImGuiKey_Space);  // a key of the run, but here a blank
+    it.write(" fällt weit.");
+    CHECK_FALSE(it.session().playing);
+    it.press(ImGuiKey_Enter);
+    CHECK(it.player().guess().words == "Länger: sie fällt weit.");
+    CHECK_FALSE(it.lab().state().controls.contains("own verdict right"));
+    it.click("walkthrough next");
+    it.frames(6);
+    REQUIRE(it.player().verdict());
+    CHECK_THAT(it.player().verdict()->words, ContainsSubstring("You said: “Länger: sie fällt weit.”"));
+    CHECK_FALSE(it.player().verdict()->right);
+    REQUIRE(it.session().notebook.hand_in().entries.size() == 1);
+    CHECK_FALSE(it.session().notebook.hand_in().entries[0].own_verdict);
+    it.click("own verdict not right");
+    it.click("own verdict right");
+    CHECK(it.player().guess().was_right == true);
+    // One entry, with both answers.
+    REQUIRE(it.session().notebook.hand_in().entries.size() == 1);
+    const HandInEntry e = it.session().notebook.hand_in().entries[0];
+    CHECK(e.kind == HandInEntry::Kind::answer);
+    CHECK(e.text == "Länger: sie fällt weit.");
+    CHECK_FALSE(e.came.empty());
+    CHECK(e.own_verdict == true);
+}
+
+TEST_CASE("a scene restores what was predicted on its slide", "[prediction]") {
+    Student it("mesh/mass_spring");
+    it.go_to("Implicit Euler");
+    it.click("predict 2");
+    const auto restored = [&] { return parse_scene(scene_text(it.session().scene_file()), "s.json"); };
+    SceneFile scene = restored();
+    it.session().open_scene(scene);
+    it.frames(4);
+    CHECK(it.player().guess().option == 1u);
+    CHECK_FALSE(it.player().revealed());
+    it.next();
+    scene = restored();
+    const std::size_t noted = it.session().notebook.hand_in().entries.size();
+    it.session().open_scene(scene);
+    it.frames(4);
+    CHECK(it.player().guess().option == 1u);
+    REQUIRE(it.player().verdict());
+    CHECK_THAT(it.player().verdict()->words, ContainsSubstring("You predicted"));
+    CHECK(it.session().notebook.hand_in().entries.size() == noted);
+    scene.slide->predicted = {.words = "Something else"};
+    it.session().open_scene(scene);
+    REQUIRE(it.session().message());
+    CHECK_THAT(it.session().message()->text, ContainsSubstring("another kind"));
+}
+
+TEST_CASE("a deck has no line for an answer in words: in a hall it is given aloud", "[prediction]") {
+    Student it("mesh/mass_spring", Layout::deck);
+    const auto& slides = it.player().walkthrough().slides;
+    for (std::size_t n = 0; n < slides.size(); ++n) {
+        it.session().go_to_slide(n);
+        it.frames(2);
+        CHECK_FALSE(it.lab().state().controls.contains("predict words"));
+    }
 }

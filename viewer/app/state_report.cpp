@@ -100,6 +100,8 @@ nlohmann::ordered_json prediction_json(const LabState& lab) {
     if (g.option) j["option"] = *g.option + 1;
     if (g.number) j["number"] = *g.number;
     if (!g.sketch.empty()) j["sketch"] = g.sketch;
+    if (!g.words.empty()) j["answer"] = g.words;
+    if (g.was_right) j["was_right"] = *g.was_right;
     if (player->verdict()) j["right"] = player->verdict()->right, j["words"] = player->verdict()->words;
     return j;
 }

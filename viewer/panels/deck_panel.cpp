@@ -63,6 +63,12 @@ float height_of(const PanelContext& lab, const std::vector<Paragraph>& words) {
     return height;
 }
 
+// In a hall a free answer is given aloud: its line is in the lab alone.
+bool has_prediction(const PanelContext& lab) {
+    const auto& p = lab.session.walkthrough->prediction();
+    return p && p->kind != Prediction::Kind::words;
+}
+
 // How the words of a slide are set. Its answer may take the place of the introduction.
 struct Setting {
     ImFont* font;
@@ -82,7 +88,7 @@ std::vector<Setting> settings(const PanelContext& lab) {
 std::size_t fitting_setting(const PanelContext& lab, ImVec2 room) {
     const auto fits_in = [&](ImFont* font, Shown shown) {
         const float words = height_of(lab, words_of(lab, font, shown, room.x));
-        return words + prediction_height(lab, font, room.x, shown.answer) <= room.y;
+        return words + (has_prediction(lab) ? prediction_height(lab, font, room.x, shown.answer) : 0) <= room.y;
     };
     const std::vector<Setting> all = settings(lab);
     std::size_t n = 0;
@@ -147,7 +153,7 @@ void draw_slide_words(PanelContext& lab) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, gap(lab)});
     for (const Paragraph& p : fitting.words) draw_item(lab.fonts.mathematics, p.words, p.colour);
     ImGui::PopStyleVar();
-    draw_prediction(lab, fitting.font);
+    if (has_prediction(lab)) draw_prediction(lab, fitting.font);
     ImGui::EndChild();
 }
 

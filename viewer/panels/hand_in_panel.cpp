@@ -24,7 +24,7 @@ std::string entry_line(const HandInEntry& e) {
             return fmt::format("{}: {} = {} at t = {}", e.lesson, words(e.probe), format_quantity(e.value, e.unit),
                                format_quantity(e.time, "s"));
         case EntryKind::answer:
-            return fmt::format("{}: {}", where, e.text);
+            return fmt::format("{}{}: {}", !e.own_verdict ? "" : *e.own_verdict ? "✓ " : "✗ ", where, e.text);
         case EntryKind::picture:
             return fmt::format("{}: a picture at t = {}", e.lesson, format_quantity(e.time, "s"));
     }

@@ -165,17 +165,30 @@ void sketch_entry(PanelContext& lab, const Prediction& p) {
     tooltip(given ? "Drag on to change it" : "Drag from left to right: that is your curve", lab.scale);
 }
 
-const char* verdict_mark(const PredictionVerdict& v, bool given) { return !given ? "–" : v.right ? "✓" : "✗"; }
+// Entered by Enter, or by going elsewhere.
+void words_entry(PanelContext& lab) {
+    const auto text = words_field(lab.typed, "##predict words", "Your answer, in words", lab.session.walkthrough->guess().words);
+    lab.note_control("predict words");
+    tooltip("Nobody judges it but you: beside the answer of the slide you say whether you were right. Enter takes it.",
+            lab.scale);
+    if (text) lab.session.predict({.words = *text});
+}
+
+const char* verdict_mark(const WalkthroughPlayer& player) {
+    const Guess& g = player.guess();
+    const bool right = g.words.empty() ? player.verdict()->right : g.was_right.value_or(false);
+    return !g.given() || (!g.words.empty() && !g.was_right) ? "–" : right ? "✓" : "✗";
+}
 
 std::string verdict_words(const WalkthroughPlayer& player) {
-    return fmt::format("{}  {}", verdict_mark(*player.verdict(), player.guess().given()), player.verdict()->words);
+    return fmt::format("{}  {}", verdict_mark(player), player.verdict()->words);
 }
 
 void draw_verdict(PanelContext& lab, ImFont* type, const Prediction& p) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
-    const bool given = player.guess().given();
+    const bool judged = player.guess().given() && p.kind != PredictionKind::words;
     const unsigned colour =
-        !given ? ImGui::GetColorU32(ImGuiCol_Text) : lab.ink(player.verdict()->right ? Ink::velocity : Ink::accent);
+        !judged ? ImGui::GetColorU32(ImGuiCol_Text) : lab.ink(player.verdict()->right ? Ink::velocity : Ink::accent);
     draw_item(lab.fonts.mathematics, boxed(lab, type, verdict_words(player), ImGui::GetContentRegionAvail().x), colour);
     lab.note_control("verdict");
     if (p.kind == PredictionKind::sketch) sketch_plot(lab, p, false);
@@ -189,6 +202,7 @@ float prediction_height(const PanelContext& lab, ImFont* type, float width, bool
     if (!p) return 0;
     const float gap = ImGui::GetStyle().ItemSpacing.y, field = lab.fonts.normal->FontSize + 2 * ImGui::GetStyle().FramePadding.y;
     const float sketch = p->kind == PredictionKind::sketch ? sketch_height(lab) + gap : 0;
+    if (p->kind == PredictionKind::words) return field + gap;
     if (revealed) {
         // Of a verdict that is still to come: two lines.
         const float words = player.verdict() ? boxed(lab, type, verdict_words(player), width).height() : 2.6f * type->FontSize;
@@ -205,8 +219,10 @@ void draw_prediction(PanelContext& lab, ImFont* type) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
     const auto& p = player.prediction();
     if (!p) return;
-    if (player.revealed() && player.verdict()) return draw_verdict(lab, type, *p);
+    const bool nothing_said = p->kind == PredictionKind::words && !player.guess().given();
+    if (player.revealed() && player.verdict() && !nothing_said) return draw_verdict(lab, type, *p);
     if (player.revealed()) return;
+    if (p->kind == PredictionKind::words) return words_entry(lab);
     if (p->kind == PredictionKind::choice) {
         for (std::size_t k = 0; k < p->options.size(); ++k) draw_option(lab, type, *p, k);
         return;
@@ -215,6 +231,23 @@ void draw_prediction(PanelContext& lab, ImFont* type) {
     sentence_item(lab, entry_words(lab, *p));
     p->kind == PredictionKind::number ? number_entry(lab, *p) : sketch_entry(lab, *p);
     ImGui::PopFont();
+}
+
+void draw_own_verdict(PanelContext& lab) {
+    const WalkthroughPlayer& player = *lab.session.walkthrough;
+    if (!player.revealed() || player.guess().words.empty()) return;
+    const auto& said = player.guess().was_right;
+    const auto button = [&](const char* words, bool right, const char* control) {
+        ImGui::BeginDisabled(said == right);
+        if (ImGui::Button(words)) lab.session.say_right(right);
+        ImGui::EndDisabled();
+        lab.note_control(control);
+        tooltip("You judge this yourself: no program reads your answer. What you say is handed in with it.", lab.scale);
+    };
+    button("I was right", true, "own verdict right");
+    ImGui::SameLine();
+    button("I was not", false, "own verdict not right");
+    ImGui::Spacing();
 }
 
 }  // namespace pliant::viewer

@@ -56,15 +56,29 @@ std::optional<std::string> slider_or_text(TypedNumber& typed, const char* label,
     return entered(typed, id);
 }
 
-std::optional<std::string> number_field(TypedNumber& typed, const char* label, const std::string& now) {
+namespace {
+
+std::optional<std::string> text_field(TypedNumber& typed, const char* label, const char* hint, const std::string& now,
+                                      ImGuiInputTextFlags flags) {
     const ImGuiID id = ImGui::GetID(label);
     // Unless it is typed into, the field shows what there is.
-    std::array<char, 128> shown{};
+    decltype(typed.text) shown{};
     now.copy(shown.data(), shown.size() - 1);
     auto& text = typed.control == id ? typed.text : shown;
-    ImGui::InputText(label, text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::InputTextWithHint(label, hint, text.data(), text.size(), flags);
     if (ImGui::IsItemActivated()) begin_typing(typed, id, now);
     return entered(typed, id);
+}
+
+}  // namespace
+
+std::optional<std::string> number_field(TypedNumber& typed, const char* label, const std::string& now) {
+    return text_field(typed, label, "", now, ImGuiInputTextFlags_AutoSelectAll);
+}
+
+std::optional<std::string> words_field(TypedNumber& typed, const char* label, const char* hint, const std::string& now) {
+    ImGui::SetNextItemWidth(-1);
+    return text_field(typed, label, hint, now, ImGuiInputTextFlags_None);
 }
 
 Index whole_typed(std::string_view name, std::string_view text, Index least, Index most) {

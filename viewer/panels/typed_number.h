@@ -14,7 +14,7 @@ namespace pliant::viewer {
 // The text that is being typed, and in which control: at most one at a time.
 struct TypedNumber {
     ImGuiID control = 0;
-    std::array<char, 128> text{};
+    std::array<char, 512> text{};
 };
 
 // Draws the slider with this label, which must not take text itself, or in its place a field of text: Ctrl and a click, or Enter
@@ -25,6 +25,9 @@ std::optional<std::string> slider_or_text(TypedNumber& typed, const char* label,
 
 // A field of text alone, with the same rules.
 std::optional<std::string> number_field(TypedNumber& typed, const char* label, const std::string& now);
+
+// Words, in a line as wide as there is room, with the same rules; the hint shows while it is empty.
+std::optional<std::string> words_field(TypedNumber& typed, const char* label, const char* hint, const std::string& now);
 
 // A number that was typed for what is called `name`, within these ends. Throw Refused, in words.
 Index whole_typed(std::string_view name, std::string_view text, Index least, Index most);

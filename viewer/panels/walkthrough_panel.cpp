@@ -96,6 +96,7 @@ void expectations(PanelContext& lab, const WalkthroughPlayer& player) {
 void answer(PanelContext& lab, const WalkthroughPlayer& player) {
     for (const pliant::Block& b : player.slide().blocks)
         if (b.kind == BlockKind::answer) heading(lab, "What happened", Ink::velocity), paragraph(lab, b.paragraph());
+    draw_own_verdict(lab);
     expectations(lab, player);
 }
 

@@ -12,10 +12,23 @@ namespace {
 
 using EntryKind = HandInEntry::Kind;
 
-std::string question_of(const WalkthroughPlayer& player) {
-    for (const Block& b : player.slide().blocks)
-        if (b.kind == BlockKind::ask) return b.paragraph();
-    return "";
+std::string first_of(const WalkthroughPlayer& player, BlockKind kind) {
+    const auto& blocks = player.slide().blocks;
+    const auto found = std::ranges::find(blocks, kind, &Block::kind);
+    return found == blocks.end() ? "" : found->paragraph();
+}
+
+std::string question_of(const WalkthroughPlayer& player) { return first_of(player, BlockKind::ask); }
+
+// A slide without words of its own says by what it expects.
+std::string answer_of(const WalkthroughPlayer& player) {
+    std::string answer = first_of(player, BlockKind::answer);
+    for (const ExpectationResult& r : player.results())
+        if (player.slide().has(BlockKind::answer))
+            break;
+        else
+            answer += (answer.empty() ? "" : "; ") + r.sentence;
+    return answer.empty() ? "the run" : answer;
 }
 
 }  // namespace
@@ -31,21 +44,25 @@ void Notebook::add(HandInEntry entry) {
     ++changes_;
 }
 
-void Notebook::add_prediction(HandInEntry entry) {
+// An answer that was noted by hand has nothing that came, and stays.
+void Notebook::add_anew(HandInEntry entry) {
     std::erase_if(hand_in_.entries, [&](const HandInEntry& e) {
-        return e.kind == EntryKind::prediction && e.lesson == entry.lesson && e.slide == entry.slide &&
-               e.question == entry.question;
+        return e.kind == entry.kind && (e.kind == EntryKind::prediction || !e.came.empty()) && e.lesson == entry.lesson &&
+               e.slide == entry.slide && e.question == entry.question;
     });
     add(std::move(entry));
 }
 
-void Notebook::note_prediction(const Runner& runner, const WalkthroughPlayer& player) {
+void Notebook::note_slide(const Runner& runner, const WalkthroughPlayer& player) {
     if (!player.revealed() || !player.verdict() || !player.guess().given()) return;
     const PredictionVerdict& v = *player.verdict();
     HandInEntry e{.kind = EntryKind::prediction, .lesson = std::string(runner.info().id), .slide = player.slide().title};
     e.question = question_of(player);
-    e.predicted = v.predicted, e.came = v.came, e.text = v.words, e.right = v.right;
-    add_prediction(std::move(e));
+    if (player.guess().words.empty())
+        e.predicted = v.predicted, e.came = v.came, e.text = v.words, e.right = v.right;
+    else
+        e.kind = EntryKind::answer, e.text = v.predicted, e.came = answer_of(player), e.own_verdict = player.guess().was_right;
+    add_anew(std::move(e));
 }
 
 void Notebook::note_claim(std::string_view lesson, std::string_view claim, std::string_view question, std::string_view predicted,
@@ -54,7 +71,7 @@ void Notebook::note_claim(std::string_view lesson, std::string_view claim, std::
     e.question = question, e.predicted = predicted, e.came = came, e.right = right;
     e.text = right ? "right" : "not this time";
     const auto same = std::ranges::find(hand_in_.entries, e);
-    if (same == hand_in_.entries.end()) add_prediction(std::move(e));
+    if (same == hand_in_.entries.end()) add_anew(std::move(e));
 }
 
 void Notebook::note_number(const Runner& runner, std::string_view probe) { add(measurement_of(runner, probe)); }

@@ -18,9 +18,9 @@ public:
     // Counts the changes, so that whoever keeps it in a file knows when to write.
     long changes() const { return changes_; }
 
-    // Of the slide whose answer has just been shown; nothing where nothing was predicted. A slide that is answered again takes
-    // the place of its earlier answer.
-    void note_prediction(const Runner& runner, const WalkthroughPlayer& player);
+    // What was predicted or answered on the slide whose answer shows, and what came; nothing where nothing was. A slide that is
+    // answered again takes the place of its earlier answer.
+    void note_slide(const Runner& runner, const WalkthroughPlayer& player);
     // Of a claim, by its question.
     void note_claim(std::string_view lesson, std::string_view claim, std::string_view question, std::string_view predicted,
                     std::string_view came, bool right);
@@ -37,7 +37,8 @@ public:
 
 private:
     void add(HandInEntry entry);
-    void add_prediction(HandInEntry entry);
+    // In the place of an earlier one of the same kind, to the same question.
+    void add_anew(HandInEntry entry);
 
     HandIn hand_in_;
     long changes_ = 0;

@@ -201,6 +201,8 @@ public:
     void end_walkthrough();  // the run stays as it is
     // What is said on the slide before its answer; a refusal becomes a message.
     void predict(const Guess& guess);
+    // What a person says of their own answer in words, beside that of the slide.
+    void say_right(bool right);
     // Is this probe, curve, field or parameter hidden until the answer of the slide, or a part of what is shown (Slide::hides)?
     bool hides(std::string_view name) const { return walkthrough && walkthrough->hides(name); }
     // What the lesson offers to go on from. One that is opened is a walkthrough of one slide, its question in sight, in the scene
@@ -283,6 +285,7 @@ private:
     bool beside_is_behind() const;
     void go_back(bool (Runner::*move)(), const std::string& nothing_there);
     void record_of_walkthrough();
+    void note_slide();
     void move_walkthrough(const std::function<void()>& move);
     void show_field_of_slide();
     void after_walkthrough();

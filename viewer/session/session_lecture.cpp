@@ -48,7 +48,8 @@ std::optional<SceneSlide> Session::lecture_place() const {
     return SceneSlide{.number = lecture_->slide + 1,
                       .revealed = walkthrough->revealed(),
                       .unlocked = unlocked,
-                      .lecture = lecture_->lecture.path};
+                      .lecture = lecture_->lecture.path,
+                      .predicted = walkthrough->guess()};
 }
 
 const LectureSlide* Session::lecture_slide() const { return lecture_ ? &lecture_->lecture.slides[lecture_->slide] : nullptr; }
@@ -109,7 +110,7 @@ void Session::lecture_next() {
     bool moved = false;
     move_walkthrough([&] {
         moved = walkthrough->next();
-        notebook.note_prediction(*runner_, *walkthrough);
+        note_slide();
     });
     if (moved || message_) return;
     if (slide_number() + 1 == slide_count()) return say(Message::Kind::info, "This was the last slide.");

@@ -117,6 +117,7 @@ void SceneOpening::restore_slide(const SceneFile& scene) {
             throw Refused(fmt::format("slide {} of {} now shows another lesson", slide.number, slide.lecture));
         if (slide.extension == 0 && slide.lecture.empty()) s_.go_to_slide(slide.number - 1);
         if (slide.revealed && !s_.walkthrough->revealed()) s_.walkthrough_next();
+        if (slide.predicted.given()) s_.walkthrough->restore(slide.predicted);
         s_.unlocked = slide.unlocked;
         s_.close_companion();
         s_.runner_->load(scene.parameters);

@@ -36,7 +36,8 @@ SceneFile Session::scene_file() const {
         file.slide = SceneSlide{.number = walkthrough->slide_number() + 1,
                                 .extension = extension_ ? *extension_ + 1 : 0,
                                 .revealed = walkthrough->revealed(),
-                                .unlocked = unlocked};
+                                .unlocked = unlocked,
+                                .predicted = walkthrough->guess()};
     return file;
 }
 

@@ -33,6 +33,19 @@ void Session::predict(const Guess& guess) {
     if (walkthrough) guarded([&] { walkthrough->guess(guess); });
 }
 
+void Session::say_right(bool right) {
+    if (!walkthrough) return;
+    guarded([&] {
+        walkthrough->say_right(right);
+        note_slide();
+    });
+}
+
+// What was said on the slide whose answer shows.
+void Session::note_slide() {
+    if (walkthrough->revealed()) notebook.note_slide(*runner_, *walkthrough);
+}
+
 void Session::note_number(std::string_view probe) {
     guarded([&] {
         notebook.note_number(*runner_, probe);
@@ -118,7 +131,7 @@ void Session::walkthrough_next() {
                 extension_ ? "This was its answer."
                            : "This was the last slide. Below it in the lab is what to try next; H hands in what you "
                              "predicted and noted.");
-        notebook.note_prediction(*runner_, *walkthrough);
+        note_slide();
     });
 }
 

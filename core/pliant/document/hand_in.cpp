@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,6 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Entry = HandInEntry;
 constexpr std::array<std::string_view, 4> hand_in_kinds{"prediction", "measurement", "answer", "picture"};
+constexpr std::array<std::string_view, 2> own_verdicts{"right", "not right"};
 constexpr int hand_in_version = 1;
 
 void put_text(Json& j, const char* key, const std::string& text) {
@@ -27,6 +29,7 @@ Json entry_json(const Entry& e) {
     put_text(j, "predicted", e.predicted), put_text(j, "came", e.came);
     if (e.kind == Entry::Kind::prediction) j["right"] = e.right;
     put_text(j, "text", e.text);
+    if (e.own_verdict) j["own_verdict"] = own_verdicts[*e.own_verdict ? 0 : 1];
     if (!e.scene.empty()) j["scene"] = e.scene, j["step"] = e.step, j["passes"] = e.passes, j["time"] = e.time;
     if (!e.probe.empty()) j["probe"] = e.probe, j["value"] = e.value, j["unit"] = e.unit;
     put_text(j, "png", e.png);
@@ -105,6 +108,11 @@ private:
         if (e.kind == Entry::Kind::prediction) {
             if (!j.contains("right") || !j["right"].is_boolean()) refuse(at, "\"right\" has to be true or false");
             e.right = j["right"].get<bool>();
+        }
+        if (const std::string own = text_at(j, at, "own_verdict", false); !own.empty()) {
+            if (std::ranges::find(own_verdicts, own) == own_verdicts.end())
+                refuse(at + "/own_verdict", fmt::format("'{}' is no verdict: right, or not right", own));
+            e.own_verdict = own == own_verdicts[0];
         }
         const bool measured = e.kind == Entry::Kind::measurement, picture = e.kind == Entry::Kind::picture;
         e.scene = text_at(j, at, "scene", measured || picture);

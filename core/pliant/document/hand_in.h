@@ -6,13 +6,15 @@
 // An entry has a "kind" and "lesson", and
 //   prediction   slide, question, predicted, came, right, words
 //   measurement  scene (a share string), step, passes, probe, value, unit; note
-//   answer       slide, question, text
+//   answer       slide, question, text; came and own_verdict ("right" or "not right") where it was given on a slide before the
+//                lesson's own answer was shown, which is what came
 //   picture      scene, step, passes, png (base64); note
 // "time" is that of the simulation, s. The checksum is that of all else, so what was changed by hand is noticed; it does not
 // prove who made the file, nor that nobody has computed it anew.
 #pragma once
 #include <pliant/run/runner.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +28,8 @@ struct HandInEntry {
     std::string slide{}, question{};          // where it was asked; "" outside a walkthrough
     std::string predicted{}, came{}, text{};  // text: of an answer, the words of a verdict, or a note
     bool right = false;
-    std::string scene{};  // a share string: parameters and what was done
+    std::optional<bool> own_verdict{};  // of an answer: does the person say that it was right?
+    std::string scene{};                // a share string: parameters and what was done
     Index step = 0, passes = 0;
     Real time = 0;  // s, simulated
     std::string probe{}, unit{};

@@ -43,12 +43,19 @@ HandInFinding repeated(const Entry& e) try {
     return {true, false, fmt::format("{} in {}: {}", spoken(e.probe), place_of(e), r.what())};
 }
 
+// What the person says of the answer.
+std::string said_of(const Entry& e) {
+    if (!e.own_verdict) return "";
+    return *e.own_verdict ? " (“I was right”)" : " (“I was not right”)";
+}
+
 HandInFinding told(const Entry& e) {
     switch (e.kind) {
         case Entry::Kind::prediction:
             return {false, true, fmt::format("prediction, {}, {}: {}", e.lesson, e.slide, e.text)};
         case Entry::Kind::answer:
-            return {false, true, fmt::format("answer, {}{}{}: {}", e.lesson, e.slide.empty() ? "" : ", ", e.slide, e.text)};
+            return {false, true,
+                    fmt::format("answer, {}{}{}: {}{}", e.lesson, e.slide.empty() ? "" : ", ", e.slide, e.text, said_of(e))};
         case Entry::Kind::picture:
             return {false, true, fmt::format("picture of {}{}{}", place_of(e), e.text.empty() ? "" : ": ", e.text)};
         case Entry::Kind::measurement:
@@ -96,6 +103,7 @@ std::string hand_in_report_json(const HandInRead& read, const std::vector<HandIn
         const Entry& e = read.hand_in.entries[k];
         Json entry{
             {"lesson", e.lesson}, {"repeated", findings[k].repeated}, {"holds", findings[k].holds}, {"words", findings[k].words}};
+        if (e.own_verdict) entry["own_verdict"] = *e.own_verdict ? "right" : "not right";
         if (!e.probe.empty()) entry["probe"] = e.probe, entry["value"] = e.value;
         j["entries"].push_back(std::move(entry));
     }

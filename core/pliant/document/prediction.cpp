@@ -98,7 +98,7 @@ std::string per_cent(Real part) { return part < 0.1 ? fmt::format("{:.2g} %", 10
 Prediction read_prediction(const Block& block, const std::string& path) { return PredictionReader(block, path).read(); }
 
 void check_prediction(const Prediction& prediction, const Lesson& lesson) {
-    if (prediction.kind != Prediction::Kind::choice) lesson.probe(prediction.probe);
+    if (!prediction.probe.empty()) lesson.probe(prediction.probe);
 }
 
 Sketch sketch_through(const std::vector<Real>& values) {
@@ -172,6 +172,15 @@ PredictionVerdict judge_number(const Prediction& p, const Guess& guess, Real mea
     const std::string limit = p.relative ? per_cent(p.tolerance) : format_quantity(p.tolerance, unit, 2);
     v.words = fmt::format("You predicted {}; the run gives {}. That is {} off, and up to {} counts as right: {}.", v.predicted,
                           v.came, distance, limit, v.right ? "right" : "not this time");
+    return v;
+}
+
+PredictionVerdict verdict_of_words(const Guess& guess) {
+    PredictionVerdict v;
+    if (guess.words.empty()) return v;
+    v.predicted = guess.words;
+    v.words = fmt::format("You said: {}.", in_quotes(guess.words));
+    if (guess.was_right) v.words += *guess.was_right ? " You were right, as you say." : " You were not right, as you say.";
     return v;
 }
 

@@ -8,6 +8,7 @@
 //   sketch PROBE over T s from A to B         a curve of the probe, drawn before the run into a plot of that span and height
 //                                             (over N steps in a static lesson); it is right when it is off by at most 15 % of
 //                                             the height, on average
+// A slide that asks without such a block takes an answer in words, which only the person who gave it can judge.
 #pragma once
 #include <pliant/lesson/lesson.h>
 
@@ -21,7 +22,7 @@ namespace pliant {
 struct Block;
 
 struct Prediction {
-    enum class Kind { choice, number, sketch };
+    enum class Kind { choice, number, sketch, words };
     struct Option {
         std::string words, condition;
         int line = 0;  // in the file
@@ -44,13 +45,17 @@ void check_prediction(const Prediction& prediction, const Lesson& lesson);
 inline constexpr std::size_t sketch_points = 33;
 using Sketch = std::vector<Real>;
 
-// What a person says: a choice, a number or a sketch.
+// What a person says: a choice, a number, a sketch or an answer in words.
 struct Guess {
     std::optional<std::size_t> option{};
     std::optional<Real> number{};
     Sketch sketch{};
-    bool given() const { return option || number || !sketch.empty(); }
+    std::string words{};
+    std::optional<bool> was_right{};  // of words: what the person says of them once the answer is shown
+    bool given() const { return option || number || !sketch.empty() || !words.empty(); }
+    bool operator==(const Guess&) const = default;
 };
+inline constexpr std::size_t longest_answer = 500;  // bytes
 
 // As many values as a sketch has, on straight lines between those given at equal distances: at least 2. Throws Refused.
 Sketch sketch_through(const std::vector<Real>& values);
@@ -71,6 +76,8 @@ struct PredictionVerdict {
 // met: which conditions of a choice hold now. measured: the probe now.
 PredictionVerdict judge_choice(const Prediction& prediction, const Guess& guess, const std::vector<bool>& met);
 PredictionVerdict judge_number(const Prediction& prediction, const Guess& guess, Real measured, const std::string& unit);
+// It repeats the answer, and what the person says of it; it is never right by itself.
+PredictionVerdict verdict_of_words(const Guess& guess);
 PredictionVerdict judge_sketch(const Prediction& prediction, const Guess& guess, const Sketch& measured, const std::string& unit);
 
 }  // namespace pliant

@@ -129,11 +129,22 @@ Written json_inspector(const SceneInspector& in) {
     return j;
 }
 
+Written json_guess(const Guess& g) {
+    Written j = Written::object();
+    if (g.option) j["option"] = *g.option + 1;
+    if (g.number) j["number"] = *g.number;
+    if (!g.sketch.empty()) j["sketch"] = g.sketch;
+    put(j, "words", g.words, std::string());
+    if (g.was_right) j["right"] = *g.was_right;
+    return j;
+}
+
 Written json_slide(const SceneSlide& s) {
     Written j{{"number", s.number}};
     put(j, "extension", s.extension, std::size_t{0});
     put(j, "revealed", s.revealed, false), put(j, "unlocked", s.unlocked, false);
     put(j, "lecture", s.lecture, std::string());
+    if (s.predicted.given()) j["predicted"] = json_guess(s.predicted);
     return j;
 }
 

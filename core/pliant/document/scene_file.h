@@ -18,7 +18,8 @@
 //            "patterns": true, "extreme": true, "compare": "swipe", "of_stage": "contact", "swipe": 0.3}
 //   "stops": {"stages": ["contact"], "passes": [...], "conditions": ["energy > 2"], "assumptions": true, "laws": true}
 //   "inspector": {"on": "node", "index": 5, "asked": [{"field": "velocity", "index": 5}], "pinned": [{..., "from": 20}]}
-//   "slide": {"number": 3, "revealed": true, "unlocked": true, "extension": 1, "lecture": "talk.md"}
+//   "slide": {"number": 3, "revealed": true, "unlocked": true, "extension": 1, "lecture": "talk.md",
+//             "predicted": {"option": 2}}   or {"number": 0.2}, {"sketch": [1, 2]}, {"words": "It grows.", "right": true}
 //   "layout": {"layout": "slide", "tab": "atlas", "claim": "E4", "fill": "plot energy"}
 //   "plots": {"shown": ["energy"], "plots": {"energy": {"x": [0, 1], "y_log": true, "hidden": ["exact"]}}, "cost": true,
 //             "axis": 1, "across": [0.5, 0.2]}

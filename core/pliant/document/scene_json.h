@@ -76,6 +76,7 @@ private:
     std::vector<SceneNumber> numbers(const SceneJson& list, const std::string& pointer, bool followed) const;
     SceneNumber number(const SceneJson& object, const std::string& pointer, bool followed) const;
     SceneSlide slide(const SceneJson& object) const;
+    Guess guess(const SceneJson& object, const std::string& pointer) const;
     SceneLayout layout(const SceneJson& object, std::size_t followed) const;
     void check_plot(const std::string& name, const std::string& pointer, std::size_t followed) const;
     ScenePlots plots(const SceneJson& object, std::size_t followed) const;

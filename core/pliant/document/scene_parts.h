@@ -1,6 +1,7 @@
 // What a scene holds beside its lesson, parameters and events: where the run stands, what stands beside it, and how all of it is
 // looked at. Every part is optional, and what is at its default is not written.
 #pragma once
+#include <pliant/document/prediction.h>
 #include <pliant/run/runner.h>
 
 #include <array>
@@ -113,6 +114,7 @@ struct SceneSlide {
     std::size_t extension = 0;  // that is open, from 1; 0 for the walkthrough
     bool revealed = false, unlocked = false;
     std::string lecture{};  // the file, or name, of a lecture whose slide it is; "" for the lesson's walkthrough
+    Guess predicted{};      // on the slide
     bool operator==(const SceneSlide&) const = default;
 };
 

@@ -213,7 +213,7 @@ SceneNumber SceneReader::number(const SceneJson& object, const std::string& poin
 }
 
 SceneSlide SceneReader::slide(const SceneJson& object) const {
-    known_keys(object, "/slide", {"number", "extension", "revealed", "unlocked", "lecture"});
+    known_keys(object, "/slide", {"number", "extension", "revealed", "unlocked", "lecture", "predicted"});
     constexpr Index most = 1000;
     Index number = 1, extension = 0;
     take_whole(object, "/slide", "number", 1, most, number);
@@ -222,7 +222,31 @@ SceneSlide SceneReader::slide(const SceneJson& object) const {
     take_flag(object, "/slide", "revealed", s.revealed);
     take_flag(object, "/slide", "unlocked", s.unlocked);
     if (object.contains("lecture")) s.lecture = text_at(object, "lecture", "/slide/lecture");
+    if (object.contains("predicted")) s.predicted = guess(object["predicted"], "/slide/predicted");
     return s;
+}
+
+// Whether the slide asks for it is seen when it is shown.
+Guess SceneReader::guess(const SceneJson& object, const std::string& pointer) const {
+    known_keys(object, pointer, {"option", "number", "sketch", "words", "right"});
+    const auto here = [&](const char* key) { return fmt::format("{}/{}", pointer, key); };
+    Guess g;
+    if (object.contains("option"))
+        g.option = static_cast<std::size_t>(whole_at(object["option"], here("option"), "option", 1, 9)) - 1;
+    if (object.contains("number")) g.number = number_at(object["number"], here("number"), "number");
+    if (object.contains("sketch")) {
+        const SceneJson& list = object["sketch"];
+        if (!list.is_array() || list.size() < 2 || list.size() > sketch_points)
+            refuse(here("sketch"), fmt::format("'sketch' is a list of 2 to {} numbers", sketch_points));
+        std::vector<Real> values;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            values.push_back(number_at(list[k], fmt::format("{}/{}", here("sketch"), k), "sketch"));
+        g.sketch = sketch_through(values);
+    }
+    if (object.contains("words")) g.words = text_at(object, "words", here("words"));
+    if (object.contains("right")) take_flag(object, pointer, "right", g.was_right.emplace());
+    if (g.was_right && g.words.empty()) refuse(here("right"), "'right' is said of 'words'");
+    return g;
 }
 
 SceneLayout SceneReader::layout(const SceneJson& object, std::size_t followed) const {

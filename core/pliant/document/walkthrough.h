@@ -126,6 +126,10 @@ public:
     const Guess& guess() const { return guesses_[slide_]; }
     // Before the answer is shown. Throws Refused for an answer that there is none of.
     void guess(const Guess& guess);
+    // Of an answer in words, once the lesson's is shown. Throws Refused where none was given.
+    void say_right(bool right);
+    // What was said earlier, in a scene that is opened again; also behind the answer. Throws Refused as guess.
+    void restore(const Guess& guess);
     // Once the answer is shown; also of a slide where nothing was predicted, and then it says what came.
     const std::optional<PredictionVerdict>& verdict() const { return verdict_; }
     // Of a sketch: what was measured, as that has it; empty before.
@@ -140,6 +144,7 @@ private:
     void check_controls() const;
     void check_names() const;
     void read_predictions();
+    void check_guess(const Guess& guess) const;
     void enter();
     void play(bool set_up);
     void follow_sketch();

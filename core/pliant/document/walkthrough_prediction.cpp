@@ -57,17 +57,41 @@ void WalkthroughPlayer::read_predictions() {
                 refuse(b.first_line, fmt::format("{} (in predict)", e.what()));
             }
         }
+        if (!prediction && s.has(BlockKind::ask) && s.has_answer()) prediction = Prediction{.kind = Prediction::Kind::words};
     }
     guesses_.resize(walkthrough_.slides.size());
 }
 
-void WalkthroughPlayer::guess(const Guess& guess) {
+void WalkthroughPlayer::check_guess(const Guess& guess) const {
     const auto& p = prediction();
     if (!p) throw Refused("this slide asks for no prediction");
-    if (revealed_) throw Refused("the answer is shown already: Backspace goes back to the start of the slide");
     if (guess.option && *guess.option >= p->options.size())
         throw Refused(fmt::format("answer {} is not there: there are {}", *guess.option + 1, p->options.size()));
+    if (guess.words.size() > longest_answer)
+        throw Refused(fmt::format("an answer has at most {} bytes, this one {}", longest_answer, guess.words.size()));
+    const bool fits = (!guess.number || p->kind == Prediction::Kind::number) &&
+                      (guess.sketch.empty() || p->kind == Prediction::Kind::sketch) &&
+                      (guess.words.empty() || p->kind == Prediction::Kind::words);
+    if (!fits) throw Refused("this slide asks for a prediction of another kind");
+}
+
+void WalkthroughPlayer::guess(const Guess& guess) {
+    check_guess(guess);
+    if (revealed_) throw Refused("the answer is shown already: Backspace goes back to the start of the slide");
     guesses_[slide_] = guess;
+    guesses_[slide_].was_right.reset();
+}
+
+void WalkthroughPlayer::say_right(bool right) {
+    if (!revealed_ || guess().words.empty()) throw Refused("there is no answer in words beside the lesson's here");
+    guesses_[slide_].was_right = right;
+    judge();
+}
+
+void WalkthroughPlayer::restore(const Guess& guess) {
+    check_guess(guess);
+    guesses_[slide_] = guess;
+    if (revealed_) judge();
 }
 
 // From here on the probe of a sketch is measured step by step.
@@ -89,6 +113,10 @@ void WalkthroughPlayer::track_step() {
 void WalkthroughPlayer::judge() {
     const auto& p = prediction();
     if (!p) return;
+    if (p->kind == Prediction::Kind::words) {
+        verdict_ = verdict_of_words(guess());
+        return;
+    }
     if (p->kind == Prediction::Kind::choice) {
         std::vector<bool> met;
         for (const Prediction::Option& o : p->options) met.push_back(check(o.condition, o.line).met);
