@@ -1,4 +1,5 @@
 // Nets of springs as bodies: blocks, sheets and their static tests, against closed forms and invariants.
+#include <pliant/math/error.h>
 #include <pliant/solids/cloth_sheet.h>
 #include <pliant/solids/sheet_levels.h>
 #include <pliant/solids/spring_block.h>
