@@ -146,11 +146,14 @@ TEST_CASE("However far one zooms, the axis keeps two ends that differ and are fi
     }
 }
 
-TEST_CASE("Numbers that agree to six digits are shown to agree; who zooms in sees more") {
+TEST_CASE("Numbers that agree to four digits are shown to agree; who zooms in sees more") {
     const Range match = nice_range({0.149460001, 0.149460003}, AxisScale::linear, Margin::some);
     CHECK(match.span() > 1e-4);
     CHECK(match.span() < 2e-3);
     CHECK(match.contains({0.149460001, 0.149460003}));
+    CHECK(nice_range({0.14946018, 0.14946054}, AxisScale::linear, Margin::some).span() > 1e-4);
+    // A place that is looked at closely is no match of anything either.
+    CHECK(nice_range({1, 1.00001}, AxisScale::linear, Margin::none).span() < 2e-5);
     const Range differ = nice_range({0.1494, 0.1495}, AxisScale::linear, Margin::some);
     CHECK(differ.span() < 3e-4);
     // What is nearly 0 is no match of anything.

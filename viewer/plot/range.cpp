@@ -13,8 +13,9 @@ constexpr Real finest = 1e-12;
 // Room about a single value, as a part of it on a linear axis and in decades on a log axis.
 constexpr Real room_linear = 0.1, room_decades = 0.5;
 // Numbers that differ by less, relative to their size, are one number to whoever looks: an axis begins about as wide as
-// `room_alike` of it, so that what agrees is seen to agree. Who zooms in sees more.
-constexpr Real alike = 1e-6, room_alike = 1e-3;
+// `room_alike` of it, so that what agrees is seen to agree. Who zooms in sees more. What a clock or a place runs through, on an
+// axis without margin, differs by less where it is looked at closely.
+constexpr Real alike = 1e-4, alike_without_margin = 1e-6, room_alike = 1e-3;
 // How far a growing range reaches beyond the data, in parts of the span of the data.
 constexpr Real reserve = 0.25;
 constexpr Real margin_part = 0.04;
@@ -54,9 +55,10 @@ Range round_exponents(Range exponents) {
 }
 
 // Wide enough not to magnify what is alike.
-Range apart(Range data, AxisScale scale) {
+Range apart(Range data, AxisScale scale, Margin margin) {
+    const Real near = margin == Margin::some ? alike : alike_without_margin;
     const Real size = std::max(std::abs(data.lo), std::abs(data.hi)), span = data.span();
-    if (scale == AxisScale::log || span <= finest * size || span > alike * size || size <= smallest) return data;
+    if (scale == AxisScale::log || span <= finest * size || span > near * size || size <= smallest) return data;
     const Real middle = data.lo / 2 + data.hi / 2;
     return {middle - room_alike * size, middle + room_alike * size};
 }
@@ -106,7 +108,7 @@ Range widened(Range range, AxisScale scale) {
 Range nice_range(Range data, AxisScale scale, Margin margin) {
     // A clock that has not moved yet.
     if (scale == AxisScale::linear && margin == Margin::none && data == Range{0, 0}) return {0, 1};
-    const Range range = widened(apart(data, scale), scale);
+    const Range range = widened(apart(data, scale, margin), scale);
     const bool has_room = range != data || scale == AxisScale::log;
     const Real part = margin == Margin::some && !has_room ? margin_part : 0;
     const Range line = stretched(to_linear(range, scale), part, part, scale);
