@@ -49,9 +49,24 @@ void mark_now(const PanelContext& lab, Plot& plot) {
     plot.vertical_line("now", runner.is_static() ? static_cast<Real>(runner.place().step) : runner.time());
 }
 
-// A curve that belongs to the parameters of the run, such as what theory says: beside another run it says to which.
-std::string of_run(const Session& s, std::string_view curve) {
-    return s.companion() ? fmt::format("{} (of A)", curve) : std::string(curve);
+// A curve that belongs to the parameters of the run, such as what theory says: beside another run it says to which, unless it is
+// the same for both.
+std::string of_run(const Session& s, std::string_view curve, bool of_both) {
+    return s.companion() && !of_both ? fmt::format("{} (of A)", curve) : std::string(curve);
+}
+
+// As far as both reach.
+bool same_numbers(const std::vector<Real>& a, const std::vector<Real>& b) {
+    const std::size_t count = std::min(a.size(), b.size());
+    if (count == 0) return false;
+    const auto same = [](Real x, Real y) {
+        return std::abs(x - y) <= 1e-9 * std::max(std::abs(x), std::abs(y)) || (std::isnan(x) && std::isnan(y));
+    };
+    return std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(count), b.begin(), same);
+}
+
+bool same_curve(const Curve& a, const Curve& b) {
+    return a.position.size() == b.position.size() && same_numbers(a.position, b.position) && same_numbers(a.value, b.value);
 }
 
 // A name that stands over a plot, along its axis, or in its legend; a slide may hide them until its answer.
@@ -85,8 +100,11 @@ void plot_probe(PanelContext& lab, Plot& plot, std::size_t i, Point size) {
     if (const Companion* b = s.companion(); b && !b->recorder().empty())
         line(run_name(s, true, 1), b->recorder().series(i), Dash::dashed);
     if (s.pinned() && !s.pinned()->recorder.empty()) line("pinned", s.pinned()->recorder.series(i), Dash::dashed);
-    if (!s.hides("theory") && std::ranges::any_of(series.exact(), [](Real x) { return std::isfinite(x); }))
-        plot.reference(legend.name(of_run(s, "exact")), series.at(), series.exact());
+    if (!s.hides("theory") && std::ranges::any_of(series.exact(), [](Real x) { return std::isfinite(x); })) {
+        const Companion* b = s.companion();
+        const bool of_both = b && !b->recorder().empty() && same_numbers(series.exact(), b->recorder().series(i).exact());
+        plot.reference(legend.name(of_run(s, "exact", of_both)), series.at(), series.exact());
+    }
     mark_now(lab, plot);
     s.watch(i, zoomed_part(plot));
     plot.end();
@@ -115,12 +133,14 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     if (!curve.position.empty())
         plot.line(legend.name(s.companion() ? run_name(s, false, 1) : "now"), curve.position, curve.value);
     Curve of_b;
-    if (const Line* b = line_of_b(s, line)) {
+    const Line* b = line_of_b(s, line);
+    if (b) {
         of_b = curve_of(b->sample);
         plot.line(legend.name(run_name(s, true, 1)), of_b.position, of_b.value, {.dash = Dash::dashed});
     }
     if (s.hides("theory")) return plot.end();
-    const std::string name = reference.position.empty() ? "" : legend.name(of_run(s, line.reference_name));
+    const bool of_both = b && same_curve(reference, curve_of(b->reference));
+    const std::string name = reference.position.empty() ? "" : legend.name(of_run(s, line.reference_name, of_both));
     if (!reference.position.empty())
         line.reference_points ? plot.points(name, reference.position, reference.value)
                               : plot.reference(name, reference.position, reference.value);
@@ -129,7 +149,8 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
         const auto& [label, sample, points] = line.others[i];
         others[i] = curve_of(sample);
         if (others[i].position.empty()) continue;
-        const std::string named = legend.name(of_run(s, label));
+        const bool shared = b && i < b->others.size() && same_curve(others[i], curve_of(b->others[i].sample));
+        const std::string named = legend.name(of_run(s, label, shared));
         points ? plot.points(named, others[i].position, others[i].value) : plot.line(named, others[i].position, others[i].value);
     }
     plot.end();
