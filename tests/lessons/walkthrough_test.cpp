@@ -148,6 +148,25 @@ TEST_CASE("an action or an expectation with more, or less, than it says is refus
     CHECK(decimal.x() == 5);
 }
 
+TEST_CASE("a slide that asks without a prediction takes words, and nothing else", "[walkthrough]") {
+    Played p("## One\n```ask\nWhy?\n```\n```answer\nSo.\n```\n## Two\n```ask\nWhy?\n```\n");
+    WalkthroughPlayer& player = p.player;
+    REQUIRE(player.prediction());
+    CHECK(player.prediction()->kind == Prediction::Kind::words);
+    CHECK_THROWS_AS(player.guess({.option = 0u}), Refused);
+    CHECK_THROWS_AS(player.guess({.number = 1}), Refused);
+    CHECK_THROWS_AS(player.guess({.words = std::string(longest_answer + 1, 'a')}), Refused);
+    CHECK_THROWS_AS(player.say_right(true), Refused);
+    player.guess({.words = "Because", .was_right = true});
+    CHECK_FALSE(player.guess().was_right);  // said once the answer is shown
+    CHECK_THROWS_AS(player.say_right(true), Refused);
+    player.next();
+    player.say_right(false);
+    CHECK(player.guess().was_right == false);
+    player.next();
+    CHECK_FALSE(player.prediction());  // nothing would answer it
+}
+
 TEST_CASE("a NUL byte in a walkthrough is refused with its line and column", "[walkthrough]") {
     using namespace std::string_view_literals;
     check_refused("# T\n## One\nab\0c\n"sv, "w.md:3", "column 3");

@@ -90,26 +90,6 @@ TEST_CASE("prediction: an answer in words is repeated, and judged by nobody but 
     CHECK(verdict_of_words({}).words.empty());
 }
 
-TEST_CASE("prediction: a slide that asks without a block takes words, and nothing else") {
-    Runner runner(find_lesson("mesh/mass_spring"));
-    WalkthroughPlayer player(
-        runner, parse_walkthrough("## One\n```ask\nWhy?\n```\n```answer\nSo.\n```\n## Two\n```ask\nWhy?\n```\n", "w.md"));
-    REQUIRE(player.prediction());
-    CHECK(player.prediction()->kind == Prediction::Kind::words);
-    CHECK_THROWS_AS(player.guess({.option = 0u}), Refused);
-    CHECK_THROWS_AS(player.guess({.number = 1}), Refused);
-    CHECK_THROWS_AS(player.guess({.words = std::string(longest_answer + 1, 'a')}), Refused);
-    CHECK_THROWS_AS(player.say_right(true), Refused);
-    player.guess({.words = "Because", .was_right = true});
-    CHECK_FALSE(player.guess().was_right);  // said once the answer is shown
-    CHECK_THROWS_AS(player.say_right(true), Refused);
-    player.next();
-    player.say_right(false);
-    CHECK(player.guess().was_right == false);
-    player.next();
-    CHECK_FALSE(player.prediction());  // nothing would answer it
-}
-
 TEST_CASE("a slide hides what is expected or predicted, and what it names") {
     const Walkthrough w = parse_walkthrough(
         "## One\n```predict\nchoice\nA | energy > 1\nB | sag < 1\n```\n```expect\nheight = 1 within "
