@@ -88,7 +88,7 @@ void draw_hanging_rod(const RodLesson& l, Scene& picture, Rule rule, Real x) {
     }
     picture.lines.push_back(std::move(bar));
     if (computed || n <= most_ticks) picture.points.push_back(std::move(nodes));
-    const std::string name = rule == Rule::derived ? "k = EA/Δs" : "k₀ by hand";
+    const std::string name = rule == Rule::derived ? "derived" : "by hand";
     picture.label(position(x, 0), name, computed ? Ink::accent : Ink::text, 0, -14);
     draw_descent(l, picture, x, u[n]);
 }
