@@ -83,6 +83,7 @@ TEST_CASE("prediction: an answer in words is repeated, and judged by nobody but 
     Guess guess{.words = "It swings on"};
     CHECK(guess.given());
     CHECK(verdict_of_words(guess).words == "You said: “It swings on”.");
+    CHECK(verdict_of_words({.words = "Does it?"}).words == "You said: “Does it?”");
     CHECK_FALSE(verdict_of_words(guess).right);
     guess.was_right = true;
     CHECK_THAT(verdict_of_words(guess).words, ContainsSubstring("as you say"));

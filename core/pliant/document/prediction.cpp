@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace pliant {
 namespace {
@@ -179,7 +180,8 @@ PredictionVerdict verdict_of_words(const Guess& guess) {
     PredictionVerdict v;
     if (guess.words.empty()) return v;
     v.predicted = guess.words;
-    v.words = fmt::format("You said: {}.", in_quotes(guess.words));
+    const bool ends = std::string_view(".!?").find(guess.words.back()) != std::string_view::npos;
+    v.words = fmt::format("You said: {}{}", in_quotes(guess.words), ends ? "" : ".");
     if (guess.was_right) v.words += *guess.was_right ? " You were right, as you say." : " You were not right, as you say.";
     return v;
 }
