@@ -81,6 +81,16 @@ std::string identifier_in(const std::string& text) {
     return "";
 }
 
+// A parameter of the lesson by its key, "k_bending", where it is not the symbol; "" for none.
+std::string key_in(const std::string& text, const Lesson& lesson) {
+    for (const Parameter* p : lesson.parameters) {
+        const std::string key(p->info.key);
+        if (key.find('_') == std::string::npos || key == p->info.symbol) continue;
+        if (!banned_in(text, {key}).empty()) return key;
+    }
+    return "";
+}
+
 void add_slides(Sentences& all, const std::string& where, const std::vector<Slide>& slides) {
     for (const Slide& slide : slides) {
         all.push_back({where + ", slide", slide.title});
@@ -165,11 +175,13 @@ TEST_CASE("every text of a lesson keeps to the glossary, and has no names for pr
     REQUIRE(terms.size() > 20);
     for (const LessonEntry& entry : every_lesson()) {
         const Sentences all = sentences_of(entry);
+        const auto lesson = entry.make();
         CHECK(all.size() > 10);
         for (const auto& [where, text] : all) {
             CAPTURE(where, text);
             CHECK(banned_in(text, terms) == "");
             CHECK(identifier_in(text) == "");
+            CHECK(key_in(text, *lesson) == "");
         }
     }
 }

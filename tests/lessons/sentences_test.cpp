@@ -1,6 +1,7 @@
 // Keys, actions and expectations as they are said.
 #include <pliant/document/walkthrough_sentences.h>
 #include <pliant/lesson/registry.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/run/awaited.h>
 #include <pliant/run/runner.h>
 #include <pliant/text/format.h>
@@ -43,6 +44,26 @@ TEST_CASE("what a walkthrough does is a sentence without names for programs", "[
     CHECK(said("reset") == "start again");
     // What cannot be read stays as it is.
     CHECK(said("set no_such=3") == "set no_such=3");
+}
+
+TEST_CASE("settings and ranges are said with name, value and unit", "[sentences]") {
+    const auto lesson = find_lesson("mesh/mass_spring").make();
+    CHECK(settings_words(*lesson, {{"time_step", "0.02"}, {"cells_x", "4"}, {"ground", "false"}}, "to") ==
+          "time step to 20 ms, cells along x to 4 and ground to off");
+    CHECK(settings_words(*lesson, {{"integrator", "implicit_euler"}}) == "integrator “implicit Euler”");
+    CHECK_THROWS_AS(settings_words(*lesson, {{"no_such", "1"}}), Refused);
+    CHECK(range_words({0, 1e15}, "N/m") == "0 to 1000 TN/m");
+    CHECK(range_words({1e-3, 10}, "s") == "1 ms to 10 s");
+    CHECK(range_words({2, 10}, "s") == "2 to 10 s");
+    CHECK(range_words({0, 1, true, false}, "") == "above 0 to 1");
+    CHECK(range_words({-1, 0.5, true, true}, "") == "above -1 to below 0.5");
+    const Parameter& dt = lesson->parameter("time_step");
+    try {
+        dt.parse("3 kg");
+        FAIL("a time in kg");
+    } catch (const Refused& e) {
+        CHECK(refusal_words(dt, e.what()).starts_with("time step = '3 kg'"));
+    }
 }
 
 TEST_CASE("what a walkthrough expects has units, and as many digits as tell the numbers apart", "[sentences]") {

@@ -2,6 +2,8 @@
 
 #include "panels/scene_panel.h"
 
+#include <pliant/lesson/setting_words.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,8 +29,7 @@ std::string fix_label(const Session& s, const Autopsy& a, std::size_t n) {
 }
 
 std::string fix_help(const Session& s, const Autopsy& a, std::size_t n) {
-    std::string help;
-    for (const auto& [key, value] : a.fix_at(n).assign) help += fmt::format("{} = {}\n", words(key), value);
+    std::string help = fmt::format("Sets {}.\n", settings_words(s.lesson(), a.fix_at(n).assign, "to"));
     if (const Parameter* p = s.locked_of_fix(n))
         help += fmt::format("This slide locks {}; a press unlocks all parameters.\n", words(p->info.key));
     return help + (a.restarts ? "Starts the scene again with it" : "Goes on from the last good state");

@@ -1,5 +1,7 @@
 #include "session/live_error.h"
 
+#include <pliant/lesson/setting_words.h>
+
 #include "session/companion.h"
 
 #include <fmt/format.h>
@@ -93,10 +95,8 @@ void LiveError::make_reference(const Runner& runner) {
     if (!runner.events().empty()) return drop_reference("A scene with recorded events has no finer run to measure against.");
     Runner::Assignments all;
     for (const Parameter* p : runner.lesson().parameters) all.emplace_back(std::string(p->info.key), p->text(runner.wanted(*p)));
-    for (const auto& [key, text] : finer) {
-        all.emplace_back(key, text);
-        reference_text_ += fmt::format("{}{} = {}", reference_text_.empty() ? "" : ", ", key, text);
-    }
+    all.insert(all.end(), finer.begin(), finer.end());
+    reference_text_ = settings_words(runner.lesson(), finer);
     try {
         reference_ = std::make_unique<Runner>(*entry_, all, std::size_t{0});
     } catch (const Error& e) {

@@ -56,7 +56,7 @@ public:
     std::size_t probe_number() const { return probe_number_; }  // where there is one
     const ErrorSeries& exact() const { return exact_; }
     const ErrorSeries& finer() const { return finer_; }
-    // Settings of the finer run, as "time_step = 0.001"; empty when there is none.
+    // Settings of the finer run, as "time step 1 ms"; empty when there is none.
     const std::string& reference() const { return reference_text_; }
     // Why there is no finer run, in words; empty otherwise.
     const std::string& no_reference() const { return no_reference_; }

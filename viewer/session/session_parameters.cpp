@@ -1,6 +1,7 @@
 // The session and its parameters: sliders, handles and undo.
 #include "session/session.h"
 
+#include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/spoken.h>
 
@@ -37,7 +38,8 @@ bool Session::refuse_locked(const Parameter& parameter) {
     say(Message::Kind::refused,
         hides(parameter.info.key)
             ? fmt::format("The value of {} is shown after Next: it would give the answer away.", spoken(parameter.info.key))
-            : fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", parameter.info.key));
+            : fmt::format("The {} is locked on this slide: press L to unlock it, or end the walkthrough.",
+                          spoken(parameter.info.key)));
     return true;
 }
 
@@ -75,7 +77,7 @@ void Session::enter(const Parameter& parameter, std::string_view text) {
         const Real now = (beside ? companion_->runner() : *runner_).wanted(parameter);
         assign(parameter, parameter.parse(text, unit_shown(now, parameter.info.unit, value_digits)));
     } catch (const Refused& e) {
-        say(Message::Kind::refused, e.what());
+        say(Message::Kind::refused, refusal_words(parameter, e.what()));
     }
 }
 

@@ -1,7 +1,7 @@
 #include "session/usage.h"
 
 #include <pliant/document/unused.h>
-#include <pliant/text/format.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
@@ -11,18 +11,11 @@
 namespace pliant::viewer {
 namespace {
 
-std::string value_said(const Parameter& p, const std::string& text) {
-    const Real value = p.parse(text);
-    if (p.info.kind == Kind::choice) return fmt::format("“{}”", p.info.options.at(static_cast<std::size_t>(value)).label);
-    if (p.info.kind == Kind::toggle) return value != 0 ? "on" : "off";
-    return format_quantity(value, p.info.unit);
-}
-
 // "the lattice is “sheet of squares” or “chain”", "the friction is above 0".
 std::string need_said(const Lesson& lesson, const Need& need) {
     const Parameter& p = lesson.parameter(need.key);
     std::string values;
-    for (const std::string& text : need.values) values += (values.empty() ? "" : " or ") + value_said(p, text);
+    for (const std::string& text : need.values) values += (values.empty() ? "" : " or ") + value_words(p, p.parse(text));
     const std::string_view where = need.what == Need::What::above ? "above " : need.what == Need::What::below ? "below " : "";
     return fmt::format("{} is {}{}", spoken(p.info.key), where, values);
 }

@@ -1,5 +1,6 @@
 #include <pliant/document/walkthrough_sentences.h>
 #include <pliant/document/walkthrough_words.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/spoken.h>
 
@@ -12,12 +13,6 @@
 namespace pliant {
 namespace {
 
-std::string listed(const std::vector<std::string>& parts) {
-    std::string text;
-    for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
-    return text;
-}
-
 std::string settings_said(const Lesson& lesson, const std::vector<std::string>& words, const Hides& hidden) {
     std::vector<std::string> parts;
     for (const auto& [key, text] : assignments_of(words)) {
@@ -25,7 +20,7 @@ std::string settings_said(const Lesson& lesson, const std::vector<std::string>& 
         const bool covered = hidden && hidden(p.info.key);
         parts.push_back(covered ? fmt::format("{} to ?", spoken(p.info.key)) : setting_words(p, p.parse(text), "to"));
     }
-    return "set " + listed(parts);
+    return "set " + listed_words(parts);
 }
 
 std::string run_said(const std::vector<std::string>& words) {
@@ -78,18 +73,6 @@ std::string_view comparison_said(std::string_view sign) {
 }
 
 }  // namespace
-
-std::string setting_words(const Parameter& p, Real value, std::string_view between) {
-    const std::string name = spoken(p.info.key);
-    switch (p.info.kind) {
-        case Kind::choice:
-            return fmt::format("{} {} “{}”", name, between, p.info.options.at(static_cast<std::size_t>(value)).label);
-        case Kind::toggle:
-            return fmt::format("{} {} {}", name, between, value != 0 ? "on" : "off");
-        default:
-            return fmt::format("{} {} {}", name, between, format_quantity(value, p.info.unit, 6));
-    }
-}
 
 std::string action_sentence(const Lesson& lesson, const std::string& line, const Hides& hidden) {
     const auto words = words_of_line(line);

@@ -15,9 +15,6 @@ using Hides = std::function<bool(std::string_view)>;
 // the actions stays as it is.
 std::string action_sentence(const Lesson& lesson, const std::string& line, const Hides& hidden = {});
 
-// A parameter and a value of it: "Δt = 20 ms" would be "time step Δt to 20 ms" behind `set`; of a choice the name of the option.
-std::string setting_words(const Parameter& parameter, Real value, std::string_view between);
-
 // "the stretch is 0.38, expected above 0.34". name: of a probe or a parameter, or time or step; comparison as the walkthrough
 // writes it; tolerance: of "=", in the unit of the number, relative: a part of `right`. what: of the right side, where it is no
 // plain number: "the exact value", "before".

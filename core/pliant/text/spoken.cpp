@@ -13,6 +13,9 @@ using Pair = std::pair<std::string_view, std::string_view>;
 
 // Whole keys whose letters do not say their name.
 constexpr std::array names{Pair{"cfl", "Courant number"},
+                           Pair{"cells_x", "cells along x"},
+                           Pair{"cells_y", "cells along y"},
+                           Pair{"cells_z", "cells along z"},
                            Pair{"k_structural", "structural stiffness"},
                            Pair{"k_shear", "shear stiffness"},
                            Pair{"k_bending", "bending stiffness"},
@@ -67,6 +70,12 @@ std::string spoken(std::string_view key) {
         if (!key.empty()) text += ' ', key.remove_prefix(1);
     }
     return text;
+}
+
+std::string duration_words(double seconds) {
+    if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+    return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
 std::string counted(long long count, std::string_view one) {

@@ -8,6 +8,9 @@ namespace pliant {
 // The name in words, small where it is no proper one: "youngs_modulus" is "Young's modulus", "cfl" the "Courant number".
 std::string spoken(std::string_view key);
 
+// A time that one waits: "0.4 s", "12 s", "3 min", "2.5 h".
+std::string duration_words(double seconds);
+
 // "1 pass", "2 passes", "1 step", "3 steps".
 std::string counted(long long count, std::string_view one);
 

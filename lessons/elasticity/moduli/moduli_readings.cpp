@@ -180,7 +180,7 @@ std::optional<Fix> ModuliLesson::compressible() const { return Fix{"ν = 0.45", 
 std::optional<Fix> ModuliLesson::more_iterations() const {
     if (solver_->status() != ConjugateGradients::Status::capped) return poisson_ratio > 0.45 ? compressible() : std::nullopt;
     const Real more = std::min(std::max(max_iterations.info.initial, 10 * max_iterations.value()), max_iterations.accepted().max);
-    return Fix{fmt::format("max_iterations = {:.0f}", more), {{"max_iterations", format_exact(more)}}};
+    return Fix{fmt::format("{:.0f} iterations", more), {{"max_iterations", format_exact(more)}}};
 }
 
 std::optional<Fix> ModuliLesson::fix(const Failure&) const {

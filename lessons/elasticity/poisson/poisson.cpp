@@ -120,7 +120,7 @@ std::string PoissonLesson::blow_up_hint() const {
     return "The solve is linear and cannot blow up by itself; " +
            (poisson_ratio > 0.4
                 ? fmt::format("ν = {} is close to ½, where λ is infinite: lower it", format_quantity(poisson_ratio, ""))
-                : fmt::format("a strain of {} carries it too far: lower axial_strain", format_quantity(axial_strain, "")));
+                : fmt::format("a strain of {} carries it too far: lower the axial strain", format_quantity(axial_strain, "")));
 }
 
 const Registration<PoissonLesson> registration{

@@ -154,7 +154,7 @@ void DiffusionLesson::declare_checks() {
             "terms left out: the old u, and 1/Δx²",
             "u ← νΔt Σ keeps only the increment, and of that not the 1/Δx²: the first step leaves almost nothing of u")
             .when([this] { return literal(); })
-            .mended_by(Fix{"form = careful", {{"form", "careful"}}}),
+            .mended_by(Fix{"the careful form", {{"form", "careful"}}}),
         assumption_of(
             "mode resolved in time", "", [this] { return rate() * modes_.laplace_factor(mode); }, [] { return most_decay; },
             "ν|k|²Δt ≤ 0.5, of the watched mode",
@@ -185,14 +185,14 @@ std::string DiffusionLesson::blow_up_hint() const {
     const Real shortest = 4 * static_cast<Real>(dims());
     if (literal())
         return fmt::format(
-            "The slide's formula multiplies the shortest wave by −{}νΔt/(1 m²) = {} in every step: set form to careful", shortest,
-            format_quantity(-shortest * rate() * dx() * dx(), "", 3));
+            "The slide's formula multiplies the shortest wave by −{}νΔt/(1 m²) = {} in every step: choose the careful form",
+            shortest, format_quantity(-shortest * rate() * dx() * dx(), "", 3));
     if (!is_explicit())
         return "An implicit step has no limit of stability: lower the diffusion number below 10⁶, or raise the tolerance";
     return fmt::format(
         "r = νΔt/Δx² = {} is above the limit of the explicit stencil, {}: the shortest wave is multiplied by 1 − {}r = {} in "
         "every "
-        "step. Lower diffusion_number to {} or less, or set scheme to implicit",
+        "step. Lower r to {} or less, or choose the implicit scheme",
         format_quantity(rate(), "", 3), limit_text, shortest, format_quantity(1 - shortest * rate(), "", 3), limit());
 }
 

@@ -42,7 +42,7 @@ struct DiffusionLesson final : Lesson {
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure&) const override {
-        if (literal()) return Fix{"form = careful, r = 0.2", {{"form", "careful"}, {"diffusion_number", "0.2"}}};
+        if (literal()) return Fix{"the careful form, r = 0.2", {{"form", "careful"}, {"diffusion_number", "0.2"}}};
         if (is_explicit()) return stable_again();
         return Fix{"r = 1", {{"diffusion_number", "1"}}};
     }

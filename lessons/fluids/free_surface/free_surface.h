@@ -48,7 +48,7 @@ struct FreeSurface final : Lesson {
                            format_quantity(2 * dx() / std::max(liquid_speed(), Real(1e-300)), "s"));
     }
     std::optional<Fix> fix(const Failure& failure) const override {
-        if (failure.field == "pressure") return Fix{"tolerance = 1e-4", {{"tolerance", "1e-4"}}};
+        if (failure.field == "pressure") return Fix{"a tolerance of 10⁻⁴", {{"tolerance", "1e-4"}}};
         return fix_by(dt, rounded_down(2 * dx() / std::max(liquid_speed(), dx() / dt)));
     }
     std::vector<std::pair<std::string, std::string>> finer() const override {

@@ -32,7 +32,7 @@ void NavierStokes::check() const {
         throw Refused(
             "time_step", dt, "s",
             fmt::format("at most Δx²/(4ν) = {:.4g} s, where explicit viscosity is stable for viscosity = {:.4g} m²/s and "
-                        "resolution = {}, or set viscosity_scheme to implicit",
+                        "resolution = {}, or choose the implicit viscosity scheme",
                         limit, nu(), Index(resolution)));
 }
 
@@ -85,7 +85,7 @@ std::string NavierStokes::blow_up_hint() const {
 
 std::optional<Fix> NavierStokes::fix(const Failure& failure) const {
     if (failure.field == "pressure" && max_iterations < 200) return Fix{"200 iterations", {{"max_iterations", "200"}}};
-    if (failure.field == "pressure") return Fix{"tolerance = 1e-4", {{"tolerance", "1e-4"}}};
+    if (failure.field == "pressure") return Fix{"a tolerance of 10⁻⁴", {{"tolerance", "1e-4"}}};
     return fix_by(dt, rounded_down(2 * dx() / std::max(max_speed(velocity_), dx() / dt)));
 }
 

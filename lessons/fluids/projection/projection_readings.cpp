@@ -156,7 +156,7 @@ void Projection::declare_checks() {
                        [this] { return 1e-10 * std::abs(speed); }, "|inflow − outflow| ≤ 10⁻¹⁰ |inflow|",
                        "more flows in than out: no velocity without divergence fits the walls, and no pressure exists")
                        .when([this] { return walls_move() && grid_->fluid_cells() > 0; })
-                       .mended_by(Fix{"outflow = 1", {{"outflow", "1"}}}),
+                       .mended_by(fix_by(outflow, 1)),
                    assumption_of(
                        "pressures that the grid does not see", "", [this] { return static_cast<Real>(invisible_count()); },
                        [] { return Real{1}; }, "dim ker ∇ ≤ 1",
@@ -167,7 +167,7 @@ void Projection::declare_checks() {
                    assumption_of(
                        "solver tolerance", "", [this] { return Real(tolerance); }, [] { return loose; }, "τ ≤ 0.01",
                        "so much divergence is left that the fluid loses or gains volume where one looks")
-                       .mended_by(Fix{"τ = 1e-6", {{"tolerance", "1e-6"}}})};
+                       .mended_by(Fix{"τ = 10⁻⁶", {{"tolerance", "1e-6"}}})};
     conserved = {
         {"max_divergence", Law::zero,
          [this] {
@@ -184,11 +184,11 @@ void Projection::declare_checks() {
 std::optional<Fix> Projection::fix(const Failure& failure) const {
     if (failure.field == "velocity") {
         if (outflow == 1 && solids() != Obstacle::none) return Fix{"no obstacle", {{"obstacle", "none"}}};
-        return Fix{"outflow = 1", {{"outflow", "1"}}};
+        return fix_by(outflow, 1);
     }
     if (staggered() && solver != PressurePreconditioner::multigrid && max_iterations >= 20)
         return Fix{"multigrid", {{"solver", "multigrid"}}};
-    return Fix{"max_iterations = 1000, τ = 1e-6", {{"max_iterations", "1000"}, {"tolerance", "1e-6"}}};
+    return Fix{"1000 iterations, τ = 10⁻⁶", {{"max_iterations", "1000"}, {"tolerance", "1e-6"}}};
 }
 
 std::string Projection::blow_up_hint() const {

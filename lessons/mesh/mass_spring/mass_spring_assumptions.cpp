@@ -116,7 +116,7 @@ std::string MassSpringLesson::too_large_a_step() const {
 
 std::string MassSpringLesson::blow_up_hint() const {
     if (const std::string hint = too_large_a_step(); !hint.empty()) return hint;
-    if (implicit()) return "Lower time_step, or allow more newton_iterations";
+    if (implicit()) return "Lower the time step, or allow more Newton iterations";
     return fmt::format(
         "Δt = {} is below the limit {} of small motions: the deformation is large. Lower the time step, or choose implicit Euler",
         format_quantity(dt, "s"), format_quantity(stable_time_step(), "s", 3));

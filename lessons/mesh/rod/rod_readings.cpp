@@ -273,7 +273,7 @@ std::string RodLesson::blow_up_hint() const {
     if (const std::string hint = too_large_a_step(*this); !hint.empty()) return hint;
     const Real limit = stable_time_step();
     return fmt::format(
-        "Δt = {}{}: segments have turned over. Lower amplitude or time_step", format_quantity(dt, "s"),
+        "Δt = {}{}: segments have turned over. Lower the amplitude or the time step", format_quantity(dt, "s"),
         std::isfinite(limit) ? fmt::format(" is below the stability limit {}", format_quantity(limit, "s", 3)) : "");
 }
 

@@ -93,7 +93,7 @@ std::string IntegrationLesson::unrest() const {
 }
 
 std::string IntegrationLesson::blow_up_hint() const {
-    if (implicit()) return "Lower time_step, or allow more newton_iterations";
+    if (implicit()) return "Lower the time step, or allow more Newton iterations";
     const Real limit = stable_time_step(), w = motion_->fast_rate();
     const std::string growth = fmt::format("every step multiplies the motion of ω = {} by {}", format_quantity(w, "rad/s", 3),
                                            format_quantity(growth_per_step(), "", 5));
@@ -104,7 +104,7 @@ std::string IntegrationLesson::blow_up_hint() const {
     if (dt > limit)
         return fmt::format("Δt = {} is above the limit of {} for {}: {}. Lower the time step, or choose implicit Euler",
                            format_quantity(dt, "s"), format_quantity(limit, "s"), info_of(scheme).name, growth);
-    return fmt::format("Δt = {} is below the limit {} of small motions. Lower time_step", format_quantity(dt, "s"),
+    return fmt::format("Δt = {} is below the limit {} of small motions. Lower the time step", format_quantity(dt, "s"),
                        format_quantity(limit, "s", 3));
 }
 
