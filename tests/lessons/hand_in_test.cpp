@@ -1,5 +1,7 @@
 // What is handed in reads back to the bit, says whether it was changed, and its numbers come out again.
 #include <pliant/document/hand_in.h>
+#include <pliant/document/share.h>
+#include <pliant/document/walkthrough.h>
 #include <pliant/math/error.h>
 #include <pliant/run/until.h>
 #include <pliant/text/sha256.h>
@@ -8,6 +10,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 using namespace pliant;
@@ -105,6 +108,91 @@ TEST_CASE("hand-in: a number that does not come out is told with what does") {
     CHECK_THAT(findings[0].words, ContainsSubstring("is handed in, and") && ContainsSubstring("comes out"));
     h.entries[0].scene = "pliant1:xyz";
     CHECK_FALSE(check_hand_in(h)[0].holds);
+}
+
+namespace {
+
+// The slide of this title, answered with the guess after what a person does there.
+HandInEntry answered(std::string_view lesson, std::string_view title, const Guess& guess,
+                     const std::function<void(Runner&)>& meanwhile = {}) {
+    Runner runner(find_lesson(lesson));
+    WalkthroughPlayer player(runner, walkthrough_of(find_lesson(lesson)));
+    const auto& slides = player.walkthrough().slides;
+    const auto found = std::ranges::find(slides, title, &Slide::title);
+    REQUIRE(found != slides.end());
+    player.go_to_slide(static_cast<std::size_t>(found - slides.begin()));
+    player.guess(guess);
+    if (meanwhile) meanwhile(runner);
+    player.next();
+    return prediction_of(runner, player);
+}
+
+std::string slide_with(std::string_view lesson, Prediction::Kind kind) {
+    Runner runner(find_lesson(lesson));
+    const WalkthroughPlayer player(runner, walkthrough_of(find_lesson(lesson)));
+    for (const Slide& slide : player.walkthrough().slides)
+        for (const Block& b : slide.blocks)
+            if (b.kind == BlockKind::predict && read_prediction(b, "").kind == kind) return slide.title;
+    FAIL("no slide of " << lesson << " asks for such a prediction");
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("hand-in: a prediction is played again, whatever its kind, and the verdict is the same") {
+    HandIn h{.name = "Ada"};
+    const std::string choice = slide_with("mesh/mass_spring", Prediction::Kind::choice),
+                      sketch = slide_with("mesh/mass_spring", Prediction::Kind::sketch),
+                      number = slide_with("time/integration", Prediction::Kind::number);
+    h.entries.push_back(answered("mesh/mass_spring", choice, {.option = 0}));
+    h.entries.push_back(answered("mesh/mass_spring", choice, {.option = 1}));
+    h.entries.push_back(answered("mesh/mass_spring", sketch, {.sketch = Sketch(sketch_points, 5)}));
+    h.entries.push_back(answered("time/integration", number, {.number = 0.25}));
+    // Changed and run on before the answer was shown.
+    h.entries.push_back(answered("mesh/mass_spring", choice, {.option = 0}, [](Runner& r) {
+        advance(r, Until::after_steps(3));
+        r.assign("mass", 2 * r.lesson().parameter("mass").value());
+        advance(r, Until::after_steps(2));
+    }));
+    CHECK_FALSE(h.entries.back().left.empty());
+    const HandInRead read = read_hand_in(hand_in_text(h), "h.json");
+    CHECK(read.hand_in == h);
+    for (const HandInFinding& f : check_hand_in(read.hand_in)) {
+        INFO(f.words);
+        CHECK(f.repeated);
+        CHECK(f.holds);
+    }
+
+    SECTION("another verdict, guess, result or slide does not come out") {
+        HandIn other = h;
+        other.entries[0].right = !other.entries[0].right;
+        other.entries[1].came = "nothing";
+        other.entries[2].guess.sketch = sampled({{0, 1e9}, {1, 1e9}}, 1);
+        other.entries[2].right = true;
+        other.entries[3].scene = "pliant1:none";
+        const auto findings = check_hand_in(other);
+        for (std::size_t k = 0; k < 4; ++k) {
+            INFO(findings[k].words);
+            CHECK_FALSE(findings[k].holds);
+        }
+    }
+    SECTION("a slide that asks something else than this version's is said to") {
+        HandIn other = h;
+        other.entries[0].slide_text += "```do\nrelease\n```\n";
+        const HandInFinding finding = check_hand_in(other)[0];
+        CHECK_THAT(finding.words, ContainsSubstring("asks something else"));
+    }
+}
+
+TEST_CASE("hand-in: the file is called after the person and the lesson") {
+    HandIn h{.name = "Ada “B” Müller / 3"};
+    CHECK(hand_in_file_name(h, "mesh/rod") == "ada_“b”_müller_3_rod.handin.json");
+    h.entries.push_back({.kind = EntryKind::answer, .lesson = "mesh/cloth", .text = "It."});
+    CHECK(hand_in_file_name(h, "mesh/rod") == "ada_“b”_müller_3_cloth.handin.json");
+    h.entries.push_back({.kind = EntryKind::answer, .lesson = "mesh/rod", .text = "It."});
+    CHECK(hand_in_file_name(h, "mesh/rod") == "ada_“b”_müller_3_work.handin.json");
+    CHECK(hand_in_file_name({.name = ""}, "mesh/rod") == "rod.handin.json");
+    CHECK(hand_in_file_name({.name = "../"}, "mesh/rod") == "rod.handin.json");
 }
 
 TEST_CASE("hand-in: what is none is refused with its place") {

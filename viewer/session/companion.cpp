@@ -121,11 +121,6 @@ void look_at(Runner& runner, Recorder& recorder, const std::vector<std::pair<std
     recorder.look_again(runner, before);
 }
 
-void apply_to(Runner& runner, const SceneChanges& changes) {
-    if (!changes.set.empty()) runner.assign(changes.set);
-    if (changes.pull || changes.release) runner.pull(changes.pull);
-}
-
 std::vector<Differing> differing(const Runner& a, const Runner& b) {
     std::vector<Differing> all;
     for (std::size_t i = 0; i < a.lesson().parameters.size(); ++i) {

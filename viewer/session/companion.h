@@ -63,9 +63,6 @@ private:
 // Sets parameters that only look, by key: the run stays where it is, and numbers that read otherwise now are recorded anew.
 void look_at(Runner& runner, Recorder& recorder, const std::vector<std::pair<std::string, Real>>& values);
 
-// Does to a run what a person did where it stands. Throws Refused.
-void apply_to(Runner& runner, const SceneChanges& changes);
-
 // A parameter in which two runs of one lesson differ, with the values that they have or will have from the next step on.
 struct Differing {
     const Parameter* parameter;

@@ -55,13 +55,10 @@ void Notebook::add_anew(HandInEntry entry) {
 
 void Notebook::note_slide(const Runner& runner, const WalkthroughPlayer& player) {
     if (!player.revealed() || !player.verdict() || !player.guess().given()) return;
-    const PredictionVerdict& v = *player.verdict();
-    HandInEntry e{.kind = EntryKind::prediction, .lesson = std::string(runner.info().id), .slide = player.slide().title};
+    if (player.guess().words.empty()) return add_anew(prediction_of(runner, player));
+    HandInEntry e{.kind = EntryKind::answer, .lesson = std::string(runner.info().id), .slide = player.slide().title};
     e.question = question_of(player);
-    if (player.guess().words.empty())
-        e.predicted = v.predicted, e.came = v.came, e.text = v.words, e.right = v.right;
-    else
-        e.kind = EntryKind::answer, e.text = v.predicted, e.came = answer_of(player), e.own_verdict = player.guess().was_right;
+    e.text = player.verdict()->predicted, e.came = answer_of(player), e.own_verdict = player.guess().was_right;
     add_anew(std::move(e));
 }
 

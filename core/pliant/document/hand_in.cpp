@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 namespace pliant {
 namespace {
@@ -23,6 +25,9 @@ void put_text(Json& j, const char* key, const std::string& text) {
     if (!text.empty()) j[key] = text;
 }
 
+// The scene of a prediction has its place itself.
+bool stands_somewhere(const Entry& e) { return !e.scene.empty() && e.kind != Entry::Kind::prediction; }
+
 Json entry_json(const Entry& e) {
     Json j{{"kind", hand_in_kinds[static_cast<std::size_t>(e.kind)]}, {"lesson", e.lesson}};
     put_text(j, "slide", e.slide), put_text(j, "question", e.question);
@@ -30,8 +35,13 @@ Json entry_json(const Entry& e) {
     if (e.kind == Entry::Kind::prediction) j["right"] = e.right;
     put_text(j, "text", e.text);
     if (e.own_verdict) j["own_verdict"] = own_verdicts[*e.own_verdict ? 0 : 1];
-    if (!e.scene.empty()) j["scene"] = e.scene, j["step"] = e.step, j["passes"] = e.passes, j["time"] = e.time;
+    put_text(j, "scene", e.scene);
+    if (stands_somewhere(e)) j["step"] = e.step, j["passes"] = e.passes, j["time"] = e.time;
     if (!e.probe.empty()) j["probe"] = e.probe, j["value"] = e.value, j["unit"] = e.unit;
+    put_text(j, "slide_text", e.slide_text), put_text(j, "script", e.script), put_text(j, "left", e.left);
+    if (e.guess.option) j["guess"]["option"] = *e.guess.option + 1;
+    if (e.guess.number) j["guess"]["number"] = *e.guess.number;
+    if (!e.guess.sketch.empty()) j["guess"]["sketch"] = e.guess.sketch;
     put_text(j, "png", e.png);
     return j;
 }
@@ -93,6 +103,23 @@ private:
         return static_cast<Index>(value);
     }
 
+    Guess guess(const Json& j, const std::string& at) const {
+        if (!j.is_object()) refuse(at, "\"guess\" is an object");
+        Guess g;
+        if (j.contains("option")) {
+            const Index option = whole_at(j, at, "option");
+            if (option == 0) refuse(at + "/option", "\"option\" counts from 1");
+            g.option = static_cast<std::size_t>(option - 1);
+        }
+        if (j.contains("number")) g.number = number_at(j, at, "number");
+        if (!j.contains("sketch")) return g;
+        const Json& sketch = j["sketch"];
+        const auto is_number = [](const Json& value) { return value.is_number(); };
+        if (!sketch.is_array() || sketch.size() != sketch_points || !std::ranges::all_of(sketch, is_number))
+            refuse(at + "/sketch", fmt::format("\"sketch\" has to be {} numbers", sketch_points));
+        return g.sketch = sketch.get<Sketch>(), g;
+    }
+
     Entry entry(const Json& j, const std::string& at) const {
         if (!j.is_object()) refuse(at, "an entry is an object");
         Entry e;
@@ -108,6 +135,9 @@ private:
         if (e.kind == Entry::Kind::prediction) {
             if (!j.contains("right") || !j["right"].is_boolean()) refuse(at, "\"right\" has to be true or false");
             e.right = j["right"].get<bool>();
+            e.slide_text = text_at(j, at, "slide_text", false);
+            e.script = text_at(j, at, "script", false), e.left = text_at(j, at, "left", false);
+            if (j.contains("guess")) e.guess = guess(j["guess"], at + "/guess");
         }
         if (const std::string own = text_at(j, at, "own_verdict", false); !own.empty()) {
             if (std::ranges::find(own_verdicts, own) == own_verdicts.end())
@@ -116,7 +146,7 @@ private:
         }
         const bool measured = e.kind == Entry::Kind::measurement, picture = e.kind == Entry::Kind::picture;
         e.scene = text_at(j, at, "scene", measured || picture);
-        if (!e.scene.empty())
+        if (stands_somewhere(e))
             e.step = whole_at(j, at, "step"), e.passes = whole_at(j, at, "passes"), e.time = number_at(j, at, "time");
         if (measured) {
             e.probe = text_at(j, at, "probe", true), e.unit = text_at(j, at, "unit", true);
@@ -136,6 +166,24 @@ std::string hand_in_text(const HandIn& h) {
     Json j = content_json(h);
     j["checksum"] = checksum_of(j);
     return dumped(j, 1) + "\n";
+}
+
+std::string hand_in_file_name(const HandIn& h, std::string_view lesson) {
+    std::set<std::string_view> lessons;
+    for (const Entry& e : h.entries) lessons.insert(e.lesson);
+    const std::string_view of = lessons.empty() ? lesson : *lessons.begin();
+    const std::string_view work = lessons.size() > 1 ? "work" : of.substr(of.find('/') + 1);
+    std::string name;
+    for (const char c : h.name) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool takes = byte >= 0x80 || std::isalnum(byte) || c == '-';
+        if (takes)
+            name += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
+        else if (!name.empty() && name.back() != '_')
+            name += '_';
+    }
+    if (!name.empty() && name.back() != '_') name += '_';
+    return fmt::format("{}{}{}", name, work, hand_in_ending);
 }
 
 HandInRead read_hand_in(std::string_view text, std::string_view path) { return HandInReader(text, path).read(); }

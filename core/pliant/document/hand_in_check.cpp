@@ -49,10 +49,19 @@ std::string said_of(const Entry& e) {
     return *e.own_verdict ? " (“I was right”)" : " (“I was not right”)";
 }
 
-HandInFinding told(const Entry& e) {
+HandInFinding repeated_or_told(const Entry& e, const RepeatClaim& claim) try {
+    if (claim)
+        if (const auto finding = claim(e)) return *finding;
+    if (!e.scene.empty()) return repeated_prediction(e);
+    return {false, true, fmt::format("prediction, {}, {}: {}", e.lesson, e.slide, e.text)};
+} catch (const Error& error) {
+    return {true, false, fmt::format("prediction, {}, {}: it cannot be played again: {}", e.lesson, e.slide, error.what())};
+}
+
+HandInFinding told(const Entry& e, const RepeatClaim& claim) {
     switch (e.kind) {
         case Entry::Kind::prediction:
-            return {false, true, fmt::format("prediction, {}, {}: {}", e.lesson, e.slide, e.text)};
+            return repeated_or_told(e, claim);
         case Entry::Kind::answer:
             return {false, true,
                     fmt::format("answer, {}{}{}: {}{}", e.lesson, e.slide.empty() ? "" : ", ", e.slide, e.text, said_of(e))};
@@ -70,9 +79,9 @@ bool all_hold(const HandInRead& read, const std::vector<HandInFinding>& findings
 
 }  // namespace
 
-std::vector<HandInFinding> check_hand_in(const HandIn& h) {
+std::vector<HandInFinding> check_hand_in(const HandIn& h, const RepeatClaim& claim) {
     std::vector<HandInFinding> findings;
-    for (const Entry& e : h.entries) findings.push_back(told(e));
+    for (const Entry& e : h.entries) findings.push_back(told(e, claim));
     return findings;
 }
 
@@ -88,9 +97,7 @@ std::string hand_in_report(const HandInRead& read, const std::vector<HandInFindi
     const auto right =
         std::ranges::count_if(h.entries, [](const Entry& e) { return e.kind == Entry::Kind::prediction && e.right; });
     const auto asked = std::ranges::count(h.entries, Entry::Kind::prediction, &Entry::kind);
-    if (asked > 0)
-        text += fmt::format("{} of {} {} right. Predictions are not repeated: they are what was said.\n", right, asked,
-                            asked == 1 ? "prediction was" : "predictions were");
+    if (asked > 0) text += fmt::format("{} of {} {} right.\n", right, asked, asked == 1 ? "prediction was" : "predictions were");
     return text;
 }
 

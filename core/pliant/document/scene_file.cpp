@@ -218,45 +218,6 @@ std::string scene_text(const SceneFile& scene) { return json_scene(scene).dump(2
 
 std::string compact_scene_text(const SceneFile& scene) { return json_scene(scene).dump(); }
 
-// --------------------------------------------------------------------------------------------------- the scene of a run
-
-namespace {
-Runner::Assignments start_of(const Runner& runner) {
-    Runner::Assignments parameters;
-    for (const Parameter* p : runner.lesson().parameters)
-        if (const Real value = runner.recording().start(*p); value != p->info.initial)
-            parameters.emplace_back(p->info.key, p->text(value));
-    return parameters;
-}
-
-std::vector<Event> both(std::vector<Event> script, const std::vector<Event>& recorded) {
-    script.insert(script.end(), recorded.begin(), recorded.end());
-    std::ranges::stable_sort(script, {}, &Event::step);
-    return script;
-}
-}  // namespace
-
-SceneFile scene_of(const Runner& runner) {
-    return {.lesson = std::string(runner.info().id),
-            .parameters = start_of(runner),
-            .events = both(runner.events(), runner.recording().events())};
-}
-
-SceneRun run_of(const Runner& runner) {
-    SceneRun run{.parameters = start_of(runner)};
-    run.place.step = runner.place().step, run.place.passes = runner.place().passes;
-    // What takes effect with the next step. Before the first one it is an event like any other.
-    const Index next = runner.inside_step() ? run.place.step + 1 : run.place.step;
-    std::vector<Event> recorded = runner.recording().events();
-    if (next > 0 && !recorded.empty() && recorded.back().step >= next) {
-        const Event& last = recorded.back();
-        run.place.changes = {last.assign, last.pull, last.release};
-        recorded.pop_back();
-    }
-    run.events = both(runner.events(), recorded);
-    return run;
-}
-
 SceneFile preset(const LessonEntry& entry, std::string_view name) {
     const std::string_view text = preset_text(entry.info.id, name);
     if (text.empty()) {

@@ -75,6 +75,12 @@ std::string compact_scene_text(const SceneFile& scene);
 SceneFile scene_of(const Runner& runner);
 // The same, with the place where it stands, and apart from it what was done there.
 SceneRun run_of(const Runner& runner);
+// Both in one scene, so that it can be gone on with.
+SceneFile placed_scene_of(const Runner& runner);
+// What was done at a place.
+void apply_to(Runner& runner, const SceneChanges& changes);
+// The run from its start to the place of the scene. Throws Refused and Diverged.
+void play_to_place(Runner& runner, const SceneFile& scene);
 
 // A scene that came with a lesson, by its name; throws Refused with the nearest known name.
 SceneFile preset(const LessonEntry& entry, std::string_view name);

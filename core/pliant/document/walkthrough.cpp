@@ -77,6 +77,8 @@ void WalkthroughPlayer::enter() {
     verdict_.reset();
     measured_curve_.clear();
     before_.clear();
+    entered_.reset(), left_.reset();
+    if (prediction()) entered_ = placed_scene_of(runner_);
     for (const Probe& p : runner_.lesson().probes)
         if (const auto value = runner_.value(p)) before_[std::string(p.name)] = *value;
     play(true);
@@ -103,7 +105,10 @@ void WalkthroughPlayer::play(bool set_up) {
 
 // Where a person has changed or moved something since the slide was entered, its scene is set up again.
 void WalkthroughPlayer::reveal() {
-    if (runner_.revision() != entered_at_) play(true);
+    if (runner_.revision() != entered_at_) {
+        if (prediction()) left_ = placed_scene_of(runner_);
+        play(true);
+    }
     results_.clear();
     follow_sketch();
     play(false);

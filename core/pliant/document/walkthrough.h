@@ -31,6 +31,7 @@
 //                the slide shows; `none`, or an empty block, locks all. A slide without this block leaves all free.
 #pragma once
 #include <pliant/document/prediction.h>
+#include <pliant/document/scene_file.h>
 #include <pliant/run/runner.h>
 
 #include <functional>
@@ -134,6 +135,10 @@ public:
     const std::optional<PredictionVerdict>& verdict() const { return verdict_; }
     // Of a sketch: what was measured, as that has it; empty before.
     const Sketch& measured_curve() const { return measured_curve_; }
+    // Where the run stood before this slide was set up, and as a person left it before the answer was shown, where it had been
+    // changed or moved since: what it takes to play the prediction again. Of slides that ask for one.
+    const std::optional<SceneFile>& entered() const { return entered_; }
+    const std::optional<SceneFile>& left() const { return left_; }
     // Does something show that the slide hides until its answer?
     bool hides(std::string_view name) const { return !revealed_ && slide().hides(name); }
 
@@ -169,6 +174,7 @@ private:
     std::vector<std::optional<Prediction>> predictions_;  // of each slide
     std::vector<Guess> guesses_;
     std::optional<PredictionVerdict> verdict_;
+    std::optional<SceneFile> entered_, left_;
     Track track_;
     Real track_start_ = 0;
     Sketch measured_curve_;
