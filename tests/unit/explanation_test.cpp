@@ -101,7 +101,10 @@ TEST_CASE("sums write a few of their terms") {
         return all;
     };
     CHECK(put_in("y = Σ x", family("x", {-1, 2, -3})) == "y = −1 + 2 − 3");
-    CHECK(put_in("y = Σ x", family("x", std::vector<Real>(10, 1))) == "y = 1 + 1 + 1 + 1 + 1 + 1 + … (10 terms)");
+    CHECK(put_in("y = Σ x", family("x", std::vector<Real>(10, 1))) == "y = 1 + 1 + 1 + 1 + 1 + 1 + … (4 more, together 4)");
+    // The largest first, whatever their sign; those of one size in turn.
+    CHECK(put_in("y = Σ x", family("x", {1, -1, 2, 1, 7, -9, 1, 1, 4, -3}, "N")) ==
+          "y = −9 N + 7 N + 4 N − 3 N + 2 N + 1 N + … (4 more, together 2 N)");
     CHECK(put_in("y = Σ_i x_i", family("x_i", {0, 1, 0})) == "y = 1");
     CHECK(put_in("y = Σ x", family("x", {0, 0})) == "y = 0");
     CHECK(put_in("y = 2 Σ x", family("x", {1, 2}, "m")) == "y = 2 · (1 m + 2 m)");
@@ -109,7 +112,7 @@ TEST_CASE("sums write a few of their terms") {
     CHECK(put_in("y = max_i |x_i|", family("x_i", {1, -2})) == "y = max(|1|, |-2|)");
     CHECK(put_in("y = Σ_i (x_i − mean x_i)²", family("x_i", {1, 3}, "m")) == "y = (1 m − 2 m)² + (3 m − 2 m)²");
     CHECK(put_in("y = Σ_i (x_i − 1) (x_i − 2) (x_i − 3)", family("x_i", {4, 5, 6, 7, 8})) ==
-          "y = (4 − 1) · (4 − 2) · (4 − 3) + (5 − 1) · (5 − 2) · (5 − 3) + … (5 terms)");
+          "y = (8 − 1) · (8 − 2) · (8 − 3) + (7 − 1) · (7 − 2) · (7 − 3) + … (3 more, together 90)");
     std::vector<Given> pairs = family("w", {2, -4});
     for (const Given& g : family("q", {3, -5})) pairs.push_back(g);
     CHECK(put_in("y = Σ w q", pairs) == "y = 2 · 3 − 4 · (-5)");

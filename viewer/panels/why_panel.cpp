@@ -80,9 +80,9 @@ void over_item(const PanelContext& lab, const std::string& text, float indent) {
 
 // The inputs of an answer; a click asks the same of one of them. Intermediate results unfold.
 void inputs_of(PanelContext& lab, const Answer& a, std::optional<Inspector::Asked>& next) {
-    for (std::size_t k = 0; k < a.inputs.size(); ++k) {
-        const Answer& in = a.inputs[k];
-        ImGui::PushID(static_cast<int>(k));
+    for (const Answer* input : inputs_to_read(a)) {
+        const Answer& in = *input;
+        ImGui::PushID(static_cast<int>(input - a.inputs.data()));
         share_bar(lab, a, in);
         const std::string text = as_formula(fmt::format("{} = {}", in.symbol, format_quantity(in.value, in.unit, digits)));
         if (in.kind == Answer::Kind::part) {
@@ -133,7 +133,7 @@ void draw_why(PanelContext& lab) {
     sentence_item(lab, fmt::format("Why is {} = {}?", title_of(a, s.lesson()), format_quantity(a.value, a.unit, digits)));
     const bool end_of_step = a.kind == Answer::Kind::state;
     if (!a.stage.empty()) {
-        ImGui::TextDisabled("step %lld, stage %s", static_cast<long long>(a.when.step + 1), words(a.stage).c_str());
+        ImGui::TextDisabled("step %lld, stage %s", static_cast<long long>(step_number(a.when)), words(a.stage).c_str());
         if (!a.source.empty()) tooltip(a.source, lab.scale);
     } else if (end_of_step) {
         ImGui::TextDisabled("%s", origin_of(a).c_str());

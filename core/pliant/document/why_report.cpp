@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace pliant {
 namespace {
@@ -40,7 +41,7 @@ Json json_of(const Answer& a, int depth) {
     j["value"] = std::isfinite(a.value) ? Json(a.value) : Json(nullptr);
     j["unit"] = a.unit;
     j["kind"] = name_of(a.kind);
-    j["step"] = a.when.step;
+    j["step"] = step_number(a.when);
     j["passes"] = a.when.passes;
     j["stage"] = a.stage;
     j["formula"] = a.formula;
@@ -91,7 +92,7 @@ std::string name_of(const Answer& a) {
     }
 }
 
-// Long sums list their first terms. A part that is one of many terms tells its formula alone.
+// Long sums list what matters most. A part that is one of many terms tells its formula alone.
 void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
     constexpr std::size_t most = 12, most_parts = 3;
     const std::string origin = where_from(a);
@@ -103,10 +104,12 @@ void text_of(const Answer& a, int indent, bool with_inputs, std::string& text) {
     if (const std::string words = unit_words(a); !words.empty()) text += fmt::format("{:{}}{}\n", "", indent + 4, words);
     if (!with_inputs) return;
     const auto parts = static_cast<std::size_t>(std::ranges::count(a.inputs, Answer::Kind::part, &Answer::kind));
-    const std::size_t shown = a.inputs.size() > most ? most - 2 : a.inputs.size();
+    const auto inputs = inputs_to_read(a);
+    const std::size_t shown = inputs.size() > most ? most - 2 : inputs.size();
     for (std::size_t k = 0; k < shown; ++k)
-        text_of(a.inputs[k], indent + 2, k == 0 || parts <= most_parts || a.inputs[k].kind != Answer::Kind::part, text);
-    if (shown < a.inputs.size()) text += fmt::format("{:{}}… and {} more\n", "", indent + 2, a.inputs.size() - shown);
+        text_of(*inputs[k], indent + 2, k == 0 || parts <= most_parts || inputs[k]->kind != Answer::Kind::part, text);
+    if (shown < inputs.size())
+        text += fmt::format("{:{}}… and {} more, none of which matters more than these\n", "", indent + 2, inputs.size() - shown);
 }
 
 }  // namespace
@@ -136,6 +139,14 @@ std::string words_of_solve(const Answer& a, const Lesson& lesson) {
                     name_of(field->on), others == 1 ? "" : "s");
     if (left != a.inputs.end()) text += fmt::format(" What the solver has left of it is {}: go on from there.", left->symbol);
     return text;
+}
+
+std::vector<const Answer*> inputs_to_read(const Answer& a) {
+    constexpr std::size_t few = 8;  // that are seen at once stay in the order of the formula
+    std::vector<const Answer*> inputs;
+    for (const Answer& input : a.inputs) inputs.push_back(&input);
+    if (inputs.size() > few) std::ranges::stable_sort(inputs, std::ranges::greater{}, &Answer::sensitivity);
+    return inputs;
 }
 
 std::string title_of(const Answer& a, const Lesson& lesson) {

@@ -125,8 +125,11 @@ public:
     // Only where the units of all symbols are known.
     UnitCheck check_units() const;
 
+    // Of what stands at a node; empty where it is not known, or suits every unit.
+    std::optional<Unit> unit_at(int node) const;
+
     // The right side with the numbers in place of the symbols, each with its unit as it is written, "½ · 3 kg · (2 m/s)²". Of the
-    // terms of a long sum the first ones are written, and none that is 0.
+    // terms of a long sum the largest ones are written, with how many more there are and what they add up to; none that is 0.
     std::string with_numbers(std::span<const FormulaNumbers> numbers, std::span<const std::string> units) const;
 
     // In LaTeX, "f = k \left(x - l\right)", without the remark.

@@ -118,6 +118,14 @@ Formula::UnitCheck Formula::check_units() const {
     }
 }
 
+std::optional<Unit> Formula::unit_at(int node) const {
+    try {
+        return has_units() ? UnitSweep(*this).at(node) : std::nullopt;
+    } catch (const Mismatch&) {
+        return std::nullopt;
+    }
+}
+
 void Formula::mark_degrees() {
     std::optional<UnitSweep> sweep;
     try {

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace pliant {
 namespace {
@@ -152,11 +155,28 @@ private:
         member_ = outer, in_family_ = outside;
         return one;
     }
-    // Terms with their signs; of a long sum the first ones stand for all.
-    Printed added(int k, const FormulaNode& n, const std::vector<std::size_t>& members, std::string_view what) {
+    // By their size, the largest first; those of one size stay in turn.
+    void sort_by_size(int k, const FormulaNode& n, std::vector<std::size_t>& members) {
+        const auto size = [&](std::size_t i) {
+            sweep_.set_member(k, i);
+            return std::abs(sweep_.at(n.of[0]));
+        };
+        std::ranges::stable_sort(members, std::ranges::greater{}, size);
+    }
+    // "15 more, together −0.2 N".
+    std::string rest_of(int k, const FormulaNode& n, std::span<const std::size_t> members) {
+        Real sum = 0;
+        for (const std::size_t i : members) sweep_.set_member(k, i), sum += sweep_.at(n.of[0]);
+        const auto unit = f_.unit_at(n.of[0]);
+        return fmt::format("{} more, together {}", members.size(),
+                           format_quantity(sum, unit && !unit->is_number() ? unit->usual_text() : "", 6));
+    }
+    // Terms with their signs; of a long sum the largest ones stand for all.
+    Printed added(int k, const FormulaNode& n, std::vector<std::size_t> members) {
         if (members.empty()) return {"0"};
         std::string text;
         const std::size_t shown = shown_of(members.size(), is_long(k, n));
+        if (shown < members.size()) sort_by_size(k, n, members);
         Binding binding = Binding::sum;
         for (std::size_t i = 0; i < shown; ++i) {
             const Printed one = member(k, n, members[i], true);
@@ -165,21 +185,17 @@ private:
             text += minus ? one.text.substr(1) : at_least(Binding::product, one);
             if (members.size() == 1 && !minus) binding = one.binding;
         }
-        if (shown < members.size()) text += fmt::format(" + … ({} {})", members.size(), what);
+        if (shown < members.size()) text += fmt::format(" + … ({})", rest_of(k, n, std::span(members).subspan(shown)));
         return {text, binding};
     }
     Printed total(int k, const FormulaNode& n, bool first) {
-        Printed all = added(k, n, telling(k, n), "terms");
+        Printed all = added(k, n, telling(k, n));
         if (all.text.starts_with("−") && !first) return {enclosed(all.text)};
         return all;
     }
     Printed mean(int k, const FormulaNode& n) {
-        const std::vector<std::size_t> some = telling(k, n);
-        const std::size_t count = sweep_.members(k);
-        return {
-            fmt::format("{} / {}",
-                        at_least(Binding::product, added(k, n, some, some.size() < count ? "that are not 0" : "terms")), count),
-            Binding::product};
+        return {fmt::format("{} / {}", at_least(Binding::product, added(k, n, telling(k, n))), sweep_.members(k)),
+                Binding::product};
     }
     std::string members(int k, const FormulaNode& n) {
         const std::size_t count = sweep_.members(k), shown = shown_of(count, is_long(k, n));

@@ -25,6 +25,8 @@ struct Place {
 // For people, who count steps from 1: "step 7" is the seventh, that under way or, between two steps, the one that has ended.
 // Every text that names a step means it so.
 std::string place_words(Place place);
+// The number of the step alone.
+inline Index step_number(Place place) { return place.passes > 0 ? place.step + 1 : place.step; }
 
 // Wall time and counted work of a stage since the last reset.
 struct StageCost {
@@ -67,6 +69,8 @@ public:
     void load(const Assignments& assignments);
     // The value that the parameter has, or will have from the next step on.
     Real wanted(const Parameter& parameter) const;
+    // Does a change of it wait for the end of the step that is under way?
+    bool waits(const Parameter& parameter) const { return wanted(parameter) != parameter.value(); }
     void pull(const std::optional<Pull>& pull);
     const std::optional<Pull>& pulled() const { return pull_; }
     // The script of a run: it happens in every run until others are set.

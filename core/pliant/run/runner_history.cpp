@@ -10,7 +10,7 @@ namespace pliant {
 
 std::string place_words(Place place) {
     if (place.passes == 0) return fmt::format("step {}", place.step);
-    return fmt::format("step {}, {} {} done", place.step + 1, place.passes, place.passes == 1 ? "pass" : "passes");
+    return fmt::format("step {}, {} {} done", step_number(place), place.passes, place.passes == 1 ? "pass" : "passes");
 }
 
 void Runner::store_snapshot() {

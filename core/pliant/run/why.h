@@ -15,6 +15,8 @@ struct When {
     Index step = 0, passes = 0;
     auto operator<=>(const When&) const = default;
 };
+// As people count steps: of a value, the step that made it.
+inline Index step_number(const When& when) { return step_number(Place{when.step, when.passes}); }
 // The place where the runner stands, as the end of its latest step when it stands between two.
 When now_of(const Runner& runner);
 
@@ -70,8 +72,8 @@ std::vector<Answer> why(Runner& runner, std::span<const AskedNumber> questions, 
 // Is there a formula in it that cannot be evaluated?
 bool has_trouble(const Answer& answer);
 
-// "field, index, value, unit, stage, formula, substituted, latex, unit_check, inputs[]", the inputs likewise down to the depth,
-// and each with its sensitivity.
+// "field, index, value, unit, step, passes, stage, formula, substituted, latex, unit_check, inputs[]", the inputs likewise down
+// to the depth, and each with its sensitivity. step: as people count them, the one that made the value.
 std::string why_json(const Answer& answer, int depth);
 // For people: one line a value, inputs indented below it.
 std::string why_text(const Answer& answer);
@@ -79,6 +81,8 @@ std::string why_text(const Answer& answer);
 std::string unit_words(const Answer& answer);
 // "Solved together with 1023 others: ..."; "" of what is not an unknown of a solve.
 std::string words_of_solve(const Answer& answer, const Lesson& lesson);
+// The inputs of an answer in the order in which people read them: of many, those that matter most come first.
+std::vector<const Answer*> inputs_to_read(const Answer& answer);
 // "velocity x of cell 413", "viscosity": what the number is.
 std::string title_of(const Answer& answer, const Lesson& lesson);
 
