@@ -7,6 +7,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <algorithm>
+#include <cfloat>
+#include <utility>
+
 using namespace pliant;
 using namespace pliant::viewer;
 using Catch::Matchers::ContainsSubstring;
@@ -58,4 +62,59 @@ TEST_CASE("what if: half and twice a number, the other options of a choice, and 
     CHECK(what_if(s, s.lesson().parameter("integrator")).size() + 1 == s.lesson().parameter("integrator").info.options.size());
     s.assign(s.lesson().parameter("gravity"), 0);
     CHECK(what_if(s, s.lesson().parameter("gravity")).empty());
+}
+
+TEST_CASE("the table of methods is readable in narrow panels", "[methods]") {
+    const auto width_of = [](const std::string& text, ImFont* font) {
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+    };
+    for (const auto& [size, scale] : {std::pair{Size{1440, 810}, 1.f}, {Size{1280, 720}, 1.5f}, {Size{1920, 1080}, 1.5f}}) {
+        const auto context = open_headless(size);
+        Lab lab(*context, "time/integration");
+        lab.set_scale(scale);
+        const auto frames = [&](int count) {
+            for (int i = 0; i < count; ++i) lab.frame(0), context->present();
+        };
+        lab.session().run(Until::after_steps(40));
+        frames(2);
+        MethodTable& table = lab.state().methods.table;
+        table.follow(lab.session());
+        table.make_now(lab.session());
+        lab.state().side_wanted = SideTab::methods;
+        frames(6);
+        CAPTURE(size.width, scale);
+        REQUIRE(table.result());
+        for (const MethodRun& r : table.result()->runs) {
+            CAPTURE(r.label);
+            const float least = width_of("semi-implicit", lab.state().fonts.small);
+            // A name takes room for its first words, a number all that it needs.
+            REQUIRE(lab.state().controls.contains("method name " + r.option));
+            CHECK(lab.state().controls.at("method name " + r.option).width >=
+                  std::min(least, width_of(r.label, lab.state().fonts.small)) - 1);
+        }
+    }
+}
+
+TEST_CASE("a comparison that takes long tells so and waits for its button", "[methods]") {
+    const auto context = open_headless({1280, 800});
+    Lab lab(*context, "time/integration");
+    const auto frames = [&](int count) {
+        for (int i = 0; i < count; ++i) lab.frame(0), context->present();
+    };
+    MethodTable& table = lab.state().methods.table;
+    table.follow(lab.session());
+    const MethodTable::Work before = table.work(lab.session());
+    CHECK(before.runs == 8);
+    CHECK(before.steps == lab.session().entry().info.demo_steps);
+    CHECK_FALSE(before.seconds);
+    CHECK_FALSE(MethodTable::Work{.runs = 8, .steps = 10, .seconds = 3}.long_one());
+    CHECK(MethodTable::Work{.runs = 8, .steps = 1000000, .seconds = 300}.long_one());
+    lab.session().run(Until::after_steps(60));
+    const MethodTable::Work after = table.work(lab.session());
+    CHECK(after.steps == 60);
+    REQUIRE(after.seconds);
+    CHECK(*after.seconds > 0);
+    lab.state().side_wanted = SideTab::methods;
+    frames(4);
+    CHECK(lab.state().controls.contains("methods work"));
 }

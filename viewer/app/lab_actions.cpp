@@ -151,7 +151,8 @@ void Lab::compare_all_methods() {
     table.follow(state_.session);
     if (!state_.methods_over.empty()) table.over = std::exchange(state_.methods_over, "");
     state_.side_wanted = SideTab::methods, state_.methods.focus = true;
-    if (!table.over.empty() && !table.busy()) table.start(state_.session);
+    // What takes long is told first, and begun by its button, which has the keys.
+    if (!table.over.empty() && !table.busy() && !table.work(state_.session).long_one()) table.start(state_.session);
 }
 
 bool Lab::perform_on_view(Action action) {

@@ -1,6 +1,7 @@
 #include "panels/methods_panel.h"
 
 #include <pliant/text/format.h>
+#include <pliant/text/spoken.h>
 
 #include "panels/flowing_text.h"
 #include "panels/typeset_text.h"
@@ -9,7 +10,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace pliant::viewer {
 namespace {
@@ -29,6 +32,14 @@ void choose_over(PanelContext& lab, MethodTable& table) {
     tooltip("The choice whose options are compared", lab.scale);
 }
 
+// "8 runs of 2000 steps each: about 12 s at the pace of this run."
+std::string work_words(const MethodTable::Work& work) {
+    std::string text = counted(work.runs, "run");
+    if (work.steps > 0) text += fmt::format(" of {} each", counted(work.steps, "step"));
+    if (work.seconds) text += fmt::format(": about {} at the pace of this run", duration_words(*work.seconds));
+    return text + ".";
+}
+
 void compare_or_cancel(PanelContext& lab, MethodsPanelState& panel) {
     MethodTable& table = panel.table;
     if (!table.busy()) {
@@ -45,6 +56,9 @@ void compare_or_cancel(PanelContext& lab, MethodsPanelState& panel) {
     ImGui::ProgressBar(static_cast<float>(progress.share().value_or(0)), {-1, 0});
     lab.note_control("methods progress");
 }
+
+std::string passes_text(const MethodRun& r) { return fmt::format("{}", r.passes); }
+std::string time_text(const MethodRun& r) { return r.ran() ? format_quantity(r.ms / 1000, "s", 2) : "–"; }
 
 std::string error_text(const MethodRun& r) {
     if (!r.error) return "–";
@@ -83,6 +97,7 @@ void table_row(PanelContext& lab, const MethodComparison& c, std::size_t k) {
     ImGui::PopID();
     ImGui::SameLine(0, 0);
     fitted_text(r.label, ImGui::GetContentRegionAvail().x);
+    lab.note_control("method name " + r.option);
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, packed(colour_of(r.outcome)));
     ImGui::TextUnformatted(mark_of(r.outcome));
@@ -90,17 +105,40 @@ void table_row(PanelContext& lab, const MethodComparison& c, std::size_t k) {
     tooltip(std::string(name_of(r.outcome)) + ": " + r.words, lab.scale);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(error_text(r).c_str());
+    lab.note_control("method error " + r.option);
     ImGui::TableNextColumn();
-    ImGui::Text("%lld", static_cast<long long>(r.passes));
+    ImGui::TextUnformatted(passes_text(r).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(r.ran() ? format_quantity(r.ms / 1000, "s", 2).c_str() : "–");
+    ImGui::TextUnformatted(time_text(r).c_str());
+    lab.note_control("method time " + r.option);
+}
+
+// As wide as its head and its widest text.
+float column_width(const MethodComparison& c, const char* head, std::string (*text)(const MethodRun&)) {
+    float width = ImGui::CalcTextSize(head).x;
+    for (const MethodRun& r : c.runs) width = std::max(width, ImGui::CalcTextSize(text(r).c_str()).x);
+    return width;
 }
 
 void draw_table(PanelContext& lab, const MethodComparison& c) {
     ImGui::PushFont(lab.fonts.small);
-    if (ImGui::BeginTable("methods", 5, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
-        ImGui::TableSetupColumn(words(c.parameter).c_str(), ImGuiTableColumnFlags_WidthStretch);
-        for (const char* name : {"", "error", "passes", "took"}) ImGui::TableSetupColumn(name);
+    // The names take what the numbers leave; where that is too little to tell them apart, the table scrolls sideways.
+    constexpr int columns = 5;
+    const std::array<float, columns - 1> widths{ImGui::CalcTextSize("✓").x, column_width(c, "error", error_text),
+                                                column_width(c, "passes", passes_text), column_width(c, "took", time_text)};
+    const float padding = 2 * ImGui::GetStyle().CellPadding.x, numbers = std::accumulate(widths.begin(), widths.end(), 0.f),
+                left = ImGui::GetContentRegionAvail().x - numbers - columns * padding, least = lab.px(96);
+    const bool scrolls = left < least;
+    const float rows = static_cast<float>(c.runs.size() + 1) * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y),
+                height = scrolls ? rows + ImGui::GetStyle().ScrollbarSize + lab.px(2) : 0;
+    if (ImGui::BeginTable("methods", columns,
+                          ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | (scrolls ? ImGuiTableFlags_ScrollX : 0),
+                          {0, height})) {
+        if (scrolls) ImGui::TableSetupScrollFreeze(1, 1);
+        constexpr int fixed = ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoResize;
+        ImGui::TableSetupColumn(words(c.parameter).c_str(), fixed, std::max(left, least));
+        constexpr std::array heads{"", "error", "passes", "took"};
+        for (std::size_t k = 0; k < heads.size(); ++k) ImGui::TableSetupColumn(heads[k], fixed, widths[k]);
         ImGui::TableHeadersRow();
         for (std::size_t k = 0; k < c.runs.size(); ++k) table_row(lab, c, k);
         ImGui::EndTable();
@@ -135,6 +173,10 @@ void draw_methods(PanelContext& lab, MethodsPanelState& panel) {
     compare_or_cancel(lab, panel);
     if (!table.trouble().empty()) sentence_item(lab, table.trouble());
     const MethodComparison* c = table.result();
+    if (!table.busy() && (!c || table.outdated(lab.session))) {
+        sentence_item(lab, work_words(table.work(lab.session)));
+        lab.note_control("methods work");
+    }
     if (!c) {
         if (table.trouble().empty() && !table.busy())
             sentence_item(
@@ -145,9 +187,9 @@ void draw_methods(PanelContext& lab, MethodsPanelState& panel) {
     }
     ImGui::PushFont(lab.fonts.small);
     if (table.outdated(lab.session)) sentence_item(lab, "The scene has changed since: compare again.");
-    sentence_item(lab, c->reference.empty() ? "There is nothing to measure errors against."
-                                            : fmt::format("{} {} each; error of the {} against {}.", c->steps,
-                                                          c->steps == 1 ? "step" : "steps", words(c->probe), c->reference));
+    sentence_item(lab, !c->no_error.empty() ? c->no_error
+                                            : fmt::format("{} each; error of the {} against {}.", counted(c->steps, "step"),
+                                                          spoken(c->probe), c->reference));
     ImGui::PopFont();
     draw_table(lab, *c);
     plot_runs(lab, panel, *c);

@@ -48,6 +48,18 @@ std::unique_ptr<MethodTable::Job> MethodTable::job_of(const Session& session) co
                                  until);
 }
 
+MethodTable::Work MethodTable::work(const Session& session) const {
+    if (over.empty()) return {};
+    Work work{.runs = static_cast<Index>(session.lesson().parameter(over).info.options.size())};
+    const Index done = session.runner().place().step;
+    if (!session.runner().is_static()) work.steps = done > 0 ? done : session.entry().info.demo_steps;
+    // One that is solved runs to its end, as this one has.
+    const Index steps = work.steps > 0 ? work.steps : done;
+    if (const auto step_ms = session.costs().step_ms(); step_ms && steps > 0)
+        work.seconds = static_cast<Real>(work.runs * steps) * *step_ms / 1000;
+    return work;
+}
+
 void MethodTable::take(const std::function<MethodComparison()>& made, const Job& job) {
     trouble_.clear();
     try {

@@ -38,6 +38,14 @@ public:
     Watch::Progress progress() const { return under_way_ ? under_way_->watch.progress() : Watch::Progress{}; }
 
     const MethodComparison* result() const { return result_ ? &*result_ : nullptr; }
+    // What start() would run, and how long that takes at the pace of the present run, which has to have made a step.
+    struct Work {
+        Index runs = 0, steps = 0;  // steps: of each; 0 where they end by themselves
+        std::optional<Real> seconds{};
+        bool long_one() const { return seconds && *seconds > 20; }
+    };
+    Work work(const Session& session) const;
+
     // Has something beside the choice changed since?
     bool outdated(const Session& session) const;
     const std::string& trouble() const { return trouble_; }

@@ -1,4 +1,5 @@
 #include <pliant/document/summary.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/math/watch.h>
 #include <pliant/study/method_comparison.h>
 #include <pliant/study/stability_verdict.h>
@@ -49,11 +50,14 @@ struct Sampled {
     std::vector<Real> at, value;
 };
 
-// The probe of a run over the times that the others are compared at.
+// The probe at a time, on a straight line between two samples where it has none then.
 Real value_at(const Sampled& s, Real at, Real within) {
     const auto found = std::ranges::lower_bound(s.at, at - within);
-    if (found == s.at.end() || *found > at + within) return TimeSeries::undefined;
-    return s.value[static_cast<std::size_t>(found - s.at.begin())];
+    if (found == s.at.end()) return TimeSeries::undefined;
+    const auto k = static_cast<std::size_t>(found - s.at.begin());
+    if (*found <= at + within) return s.value[k];
+    if (k == 0) return TimeSeries::undefined;
+    return std::lerp(s.value[k - 1], s.value[k], (at - s.at[k - 1]) / (s.at[k] - s.at[k - 1]));
 }
 
 class Comparing {
@@ -70,8 +74,8 @@ public:
         }
         if (reference_.at.empty()) find_finer();
         for (MethodRun& run : result_.runs) take_error(run);
-        // A reference that is 0 throughout measures nothing.
-        if (std::ranges::none_of(result_.runs, [](const MethodRun& r) { return r.error.has_value(); })) result_.reference.clear();
+        if (std::ranges::none_of(result_.runs, [](const MethodRun& r) { return r.error.has_value(); }))
+            result_.no_error = why_none();
         result_.reference_at = reference_.at, result_.reference_value = reference_.value;
         return std::move(result_);
     }
@@ -178,9 +182,7 @@ private:
             const Real end = probe_of_settings.is_static() ? static_cast<Real>(result_.steps)
                                                            : static_cast<Real>(result_.steps) * probe_of_settings.time_step();
             Runner::Assignments all = scene_.parameters;
-            std::vector<std::string> settings;
-            for (const auto& [key, text] : finer)
-                assign(all, key, text), settings.push_back(fmt::format("{} {}", spoken(key), text));
+            for (const auto& [key, text] : finer) assign(all, key, text);
             Runner r(entry_, all, 0);
             r.set_events(scene_.events);
             const auto look = [&] {
@@ -190,12 +192,25 @@ private:
             look();
             tell_progress("finer run", 0, 0);
             advance(r, r.is_static() ? Until::after_steps(result_.steps) : Until::after_time(end), look);
-            result_.reference = fmt::format("a finer run: {}", fmt::join(settings, ", "));
-        } catch (const Diverged&) {
-            reference_ = {};
-        } catch (const Refused&) {
-            reference_ = {};
+            result_.reference = fmt::format("a finer run: {}", settings_words(r.lesson(), finer));
+        } catch (const Diverged& d) {
+            no_finer(fmt::format("it stops in the stage {}", spoken(d.failure.stage)));
+        } catch (const Refused& e) {
+            no_finer(e.what());
         }
+    }
+
+    void no_finer(const std::string& why) {
+        reference_ = {};
+        trouble_ = fmt::format("The finer run gives nothing to measure errors against: {}.", why);
+    }
+
+    std::string why_none() const {
+        if (result_.reference.empty())
+            return trouble_.empty() ? "There is neither an exact solution nor a finer run to measure errors against." : trouble_;
+        const auto ended = [](const MethodRun& r) { return r.ran() && r.outcome != MethodRun::Outcome::stopped; };
+        if (std::ranges::none_of(result_.runs, ended)) return "No method gets to the end, so none has an error there.";
+        return fmt::format("The {} is 0 in {}: an error would be relative to nothing.", spoken(result_.probe), result_.reference);
     }
 
     void take_error(MethodRun& run) const {
@@ -217,6 +232,7 @@ private:
     std::string key_;
     MethodComparison result_;
     Sampled reference_;
+    std::string trouble_;  // of the finer run
 };
 
 }  // namespace

@@ -39,6 +39,7 @@ struct MethodComparison {
     std::string lesson, parameter;  // key of the choice
     std::string probe, unit;        // whose error is taken
     std::string reference;          // what errors are measured against, in words; "" where there is nothing
+    std::string no_error{};         // why no run has an error, in a sentence; "" where one has
     bool is_static = false;
     Index steps = 0;                                  // of each run, where it gets so far
     std::vector<MethodRun> runs;                      // in the order of the options

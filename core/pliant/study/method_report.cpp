@@ -34,8 +34,8 @@ Json number_json(const std::optional<Real>& value) { return value && std::isfini
 std::string comparison_text(const MethodComparison& c) {
     std::string text = fmt::format("{}: every {} of the scene, {} {} each\n", c.lesson, spoken(c.parameter), c.steps,
                                    c.steps == 1 ? "step" : "steps");
-    text += c.reference.empty()
-                ? "There is no exact solution and no finer run to measure errors against.\n"
+    text += !c.no_error.empty()
+                ? c.no_error + "\n"
                 : fmt::format("Errors are those of the {} at the end, against {}.\n", spoken(c.probe), c.reference);
     std::vector<std::vector<std::string>> rows{{"method", "", spoken(c.probe), "error", "passes", "time taken"}};
     for (const MethodRun& r : c.runs)
@@ -57,8 +57,8 @@ std::string comparison_text(const MethodComparison& c) {
 }
 
 std::string comparison_json(const MethodComparison& c) {
-    Json j{{"lesson", c.lesson},       {"parameter", c.parameter}, {"probe", c.probe},        {"unit", c.unit},
-           {"reference", c.reference}, {"steps", c.steps},         {"methods", Json::array()}};
+    Json j{{"lesson", c.lesson},       {"parameter", c.parameter}, {"probe", c.probe}, {"unit", c.unit},
+           {"reference", c.reference}, {"no_error", c.no_error},   {"steps", c.steps}, {"methods", Json::array()}};
     for (const MethodRun& r : c.runs)
         j["methods"].push_back({{"option", r.option},
                                 {"label", r.label},
