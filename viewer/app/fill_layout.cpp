@@ -75,7 +75,10 @@ void Lab::filled_layout(float width, float height) {
 // Without the clock, so that one picture of it is like another.
 void Lab::presenter_layout(float width, float height) {
     const FixedPanel panel("Presenter", {0, 0, width, height}, ImGuiWindowFlags_NoScrollbar);
-    const PresenterPage page{state_.fonts, state_.theme, state_.scale, state_.controls};
+    next_slide_.make_now(state_.session);
+    if (!next_renderer_) next_renderer_ = std::make_unique<SceneRenderer>();
+    const PresenterPage page{state_.fonts,    state_.theme,           state_.scale,
+                             state_.controls, &next_slide_.preview(), next_renderer_.get()};
     draw_presenter(page, presenter_view(state_), {}, "");
 }
 

@@ -142,6 +142,8 @@ private:
     void ask_for_probes();
     void do_for_hand_in();
     void note_claims();
+    std::string name_to_hand_in() const;
+    void save_hand_in(const std::string& path);
     void quick_save();
     void remember(const std::string& path);
     void forget_file_of_another_scene();
@@ -161,6 +163,8 @@ private:
     SceneRenderer renderer_;
     LabState state_;
     std::optional<PlotShot> plot_to_save_;
+    NextSlide next_slide_;  // of the page of the lecturer, where it is drawn alone
+    std::unique_ptr<SceneRenderer> next_renderer_;
     DeckKeys deck_keys_;
     Lens lens_;
     std::optional<Capture> capture_;

@@ -54,13 +54,15 @@ PresenterWindow::PresenterWindow(Context& audience, Real now) : audience_(audien
 
 PresenterWindow::~PresenterWindow() {
     const Current current(*this);
+    renderer_.reset();
     gui_.reset();
     context_.reset();
 }
 
-Real PresenterWindow::wait(Real now, const PresenterView& view, const std::string& busy) {
+Real PresenterWindow::wait(Real now, const PresenterView& view, const std::string& busy, const SlidePreview& next) {
     const bool damaged = context_->take_damage();
-    if (damaged || gui_->has_input() || view != shown_ || busy != busy_shown_) unsettled_ = frames_after_input;
+    if (damaged || gui_->has_input() || view != shown_ || busy != busy_shown_ || next.picture != next_shown_)
+        unsettled_ = frames_after_input;
     const Real next_second = clock_paused() ? drawn_ + 1 : clock_start_ + std::floor(drawn_ - clock_start_) + 1;
     return std::max(Real{0}, (unsettled_ > 0 ? drawn_ + seconds_of_frame : next_second) - now);
 }
@@ -77,11 +79,12 @@ void PresenterWindow::obey(const PresenterWishes& wishes, Real now) {
         clock_stopped_ = now;
 }
 
-void PresenterWindow::frame(Real now, Theme theme, const PresenterView& view, const std::string& busy) {
+void PresenterWindow::frame(Real now, Theme theme, const PresenterView& view, const std::string& busy, const SlidePreview& next) {
     const Current current(*this);
     gui_->begin_frame(seconds_of_frame);
     if (std::exchange(theme_, theme) != theme) apply_theme(theme, scale_);
-    shown_ = view, busy_shown_ = busy, drawn_ = now;
+    shown_ = view, busy_shown_ = busy, next_shown_ = next.picture, drawn_ = now;
+    if (next.picture && !renderer_) renderer_ = std::make_unique<SceneRenderer>();
     unsettled_ = std::max(0, unsettled_ - 1);
     handle_keys({.walkthrough = view.count > 0,
                  .deck = view.in_deck,
@@ -94,7 +97,7 @@ void PresenterWindow::frame(Real now, Theme theme, const PresenterView& view, co
     controls_.clear();
     {
         const FixedPanel panel("Presenter", {0, 0, display.x, display.y}, ImGuiWindowFlags_NoScrollbar);
-        const PresenterPage page{fonts_, theme, scale_, controls_};
+        const PresenterPage page{fonts_, theme, scale_, controls_, &next, renderer_.get()};
         obey(draw_presenter(page, view, {time_of_day(), elapsed(now), clock_paused()}, busy), now);
     }
     ImGui::PopFont();

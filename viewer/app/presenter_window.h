@@ -24,10 +24,10 @@ public:
     PresenterWindow& operator=(const PresenterWindow&) = delete;
 
     bool close_requested() const { return context_->close_requested(); }
-    // s until it has something new to show: the view, an input, or another second of the clock.
-    Real wait(Real now, const PresenterView& view, const std::string& busy);
+    // s until it has something new to show: the view, the picture of the next slide, an input, or another second of the clock.
+    Real wait(Real now, const PresenterView& view, const std::string& busy, const SlidePreview& next);
     // Draws the page. The context and the GUI that were current are so again behind it.
-    void frame(Real now, Theme theme, const PresenterView& view, const std::string& busy);
+    void frame(Real now, Theme theme, const PresenterView& view, const std::string& busy, const SlidePreview& next);
     // What keys have asked of the lab since the last call.
     std::vector<Action> take_actions();
 
@@ -48,7 +48,9 @@ private:
     std::optional<Theme> theme_;
     Real clock_start_ = 0;
     std::optional<Real> clock_stopped_;
+    std::unique_ptr<SceneRenderer> renderer_;  // of the next slide
     PresenterView shown_;
+    KeptPicture next_shown_;
     std::string busy_shown_;
     Real drawn_ = -1;
     int unsettled_ = 4;  // frames until all that was asked for shows

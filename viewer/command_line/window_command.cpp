@@ -70,6 +70,7 @@ void restore(Lab& lab, const SettingsFile& file, const WindowOptions& o, float s
     lab.session().patterns = s.patterns.value_or(false);
     lab.state().sizes = s.panels;
     lab.state().recent = s.recent;
+    lab.state().hand_in.file = s.hand_in_file;
 }
 
 // Writes the lecturer's notes to standard output, for a terminal on another screen, whenever the slide changes.
@@ -117,13 +118,16 @@ public:
         drew_ = false;
         if (!window_) return changed;
         const std::string busy = busy_line();
-        drew_ = window_->wait(now, state.view, busy) <= 0;
+        if (lab_.state().resting && !lab_.busy()) next_.follow(lab_.session());
+        drew_ = window_->wait(now, state.view, busy, next_.preview()) <= 0;
         if (drew_) draw(now, busy);
         return hand_over(window_->take_actions()) || changed;
     }
     bool drew() const { return drew_; }
     // s until it has to be drawn again.
-    Real wait(Real now) { return window_ ? window_->wait(now, lab_.state().presenter.view, busy_line()) : Redraw::longest_wait; }
+    Real wait(Real now) {
+        return window_ ? window_->wait(now, lab_.state().presenter.view, busy_line(), next_.preview()) : Redraw::longest_wait;
+    }
 
 private:
     void open(Real now) {
@@ -141,7 +145,7 @@ private:
     }
     void draw(Real now, const std::string& busy) {
         LabState& lab = lab_.state();
-        window_->frame(now, lab.theme, lab.presenter.view, busy);
+        window_->frame(now, lab.theme, lab.presenter.view, busy, next_.preview());
         lab.presenter.clock_paused = window_->clock_paused();
         lab.presenter.frames = window_->frames();
         lab.presenter.controls = window_->controls();
@@ -156,6 +160,7 @@ private:
 
     Lab& lab_;
     Context& audience_;
+    NextSlide next_;
     std::unique_ptr<PresenterWindow> window_;
     bool drew_ = false;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pliant::viewer {
 namespace {
@@ -101,6 +102,19 @@ void headed(const PresenterPage& page, const char* heading, const std::string& t
     ImGui::Dummy({0, page.px(4)});
 }
 
+// As wide as the column, and no higher than what the words leave.
+void draw_next_picture(const PresenterPage& page, float room) {
+    if (!page.next || !page.next->picture || !page.renderer) return;
+    const SlidePreview& next = *page.next;
+    const float width = std::min(ImGui::GetContentRegionAvail().x, room * preview_aspect), height = width / preview_aspect;
+    if (height < page.px(60)) return;
+    const Size pixels{static_cast<int>(width), static_cast<int>(height)};
+    const GLuint texture =
+        page.renderer->render(*next.picture, next.dimension, next.camera, palette(page.theme), next.scale, pixels, page.scale, 0);
+    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {width, height}, {0, 1}, {1, 0});
+    note_last(page, "next picture");
+}
+
 void draw_next(const PresenterPage& page, const PresenterView& v) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const auto height = [&](const std::string& text) {
@@ -114,6 +128,8 @@ void draw_next(const PresenterPage& page, const PresenterView& v) {
     if (v.next_title.empty()) return;
     ImGui::Separator();
     headed(page, "The slide after this one", v.next_title, page.fonts.medium, text_colour());
+    const float words = page.fonts.mathematics.sentence(v.next_words, font->FontSize, room.x).height() + page.px(8);
+    draw_next_picture(page, ImGui::GetContentRegionAvail().y - std::min(words, 0.4f * room.y));
     words_in(page, v.next_words, font, quiet_text());
 }
 

@@ -2,6 +2,8 @@
 // is drawn from plain words, so that it needs neither the session nor the window of the lab.
 #pragma once
 #include "panels/panel_context.h"
+#include "render/scene_renderer.h"
+#include "session/next_slide.h"
 
 #include <cstddef>
 #include <map>
@@ -41,6 +43,9 @@ struct PresenterPage {
     Theme theme;
     float scale;
     std::map<std::string, Rectangle>& controls;
+    // The slide after this one, made by a renderer of the context that the page is drawn in; null where there is none.
+    const SlidePreview* next = nullptr;
+    SceneRenderer* renderer = nullptr;
     float px(float length) const { return length * scale; }
 };
 
