@@ -18,7 +18,7 @@ public:
     explicit Asked(FileChoice::Purpose purpose, std::string name = "") {
         fs::create_directories(scratch.folder() / "scenes" / "old");
         for (const char* file : {"b.json", "a.json", "notes.txt", "scenes/c.json"}) scratch.file(file, "{}");
-        choice.ask(purpose, "Choose", ".json", std::move(name), [this](const std::string& path) {
+        choice.ask(purpose, "Choose", {".json"}, std::move(name), [this](const std::string& path) {
             if (!refusal.empty()) throw Refused(refusal);
             chosen.push_back(path);
         });
@@ -117,9 +117,25 @@ TEST_CASE("file choice: a file that is there is replaced only when asked for") {
 TEST_CASE("file choice: the next question begins in the folder of the last answer") {
     Asked a(FileChoice::Purpose::open);
     a.type("scenes/c.json");
-    a.choice.ask(FileChoice::Purpose::save, "Save", ".json", "x.json", [](const std::string&) {});
+    a.choice.ask(FileChoice::Purpose::save, "Save", {".json"}, "x.json", [](const std::string&) {});
     CHECK(a.choice.folder().filename() == "scenes");
     CHECK(a.names() == std::vector<std::string>{"old/", "c.json"});
     a.choice.cancel();
     CHECK_FALSE(a.choice.asking());
+}
+
+TEST_CASE("file choice: of several endings each is shown, and the first is added to a name that has none") {
+    Asked a(FileChoice::Purpose::add);
+    a.scratch.file("talk.md", "# Talk");
+    a.choice.ask(FileChoice::Purpose::add, "Add", {".md", ".json"}, "lecture.md",
+                 [&](const std::string& path) { a.chosen.push_back(fs::path(path).filename()); });
+    a.choice.go_to(a.scratch.folder());
+    CHECK(a.names() == std::vector<std::string>{"scenes/", "a.json", "b.json", "talk.md"});
+    CHECK(a.choice.ending_words() == ".md or .json");
+    a.type("new");
+    CHECK(a.chosen.back() == "new.md");
+    a.choice.ask(FileChoice::Purpose::add, "Add", {".md", ".json"}, "",
+                 [&](const std::string& path) { a.chosen.push_back(fs::path(path).filename()); });
+    a.type("other.json");
+    CHECK(a.chosen.back() == "other.json");
 }

@@ -163,6 +163,7 @@ public:
     void click(Spot s) { move(s), press(), release(); }
     void click(const std::string& control) { click(on(control)); }
     void drag(Spot from, Spot to) { move(from), press(), move({(from.x + to.x) / 2, (from.y + to.y) / 2}), move(to), release(); }
+    void click_right(Spot s) { move(s), act({"mousedown", "3"}), act({"mouseup", "3"}); }
     // As a hand does it: the second press is held for some frames.
     void double_click(Spot s) {
         move(s);

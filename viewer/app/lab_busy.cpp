@@ -1,4 +1,6 @@
 // The lab while its worker has the run: the last picture stays, with a card that tells how far the work is and calls it off.
+#include <pliant/text/spoken.h>
+
 #include "app/lab.h"
 
 #include <fmt/format.h>
@@ -11,10 +13,6 @@
 namespace pliant::viewer {
 namespace {
 
-std::string seconds_text(Real seconds) {
-    return seconds < 9.95 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.0f} s", seconds);
-}
-
 bool contains(const Rectangle& r, const ImVec2& p) {
     return p.x >= r.x && p.x < r.x + r.width && p.y >= r.y && p.y < r.y + r.height;
 }
@@ -22,12 +20,12 @@ bool contains(const Rectangle& r, const ImVec2& p) {
 }  // namespace
 
 BusyWords busy_words(const Watch::Progress& p, Real seconds) {
-    BusyWords text{.title = p.what.empty() ? "Computing" : words(p.what), .line = seconds_text(seconds) + " so far"};
+    BusyWords text{.title = p.what.empty() ? "Computing" : words(p.what), .line = duration_words(seconds) + " so far"};
     if (p.total > 0)
         text.title += fmt::format(", {:.0f} %", 100 * *p.share());
     else if (p.done > 0)
         text.title += fmt::format(", pass {}", p.done + 1);
-    if (const auto left = p.seconds_left()) text.line += fmt::format(", about {} left", seconds_text(*left));
+    if (const auto left = p.seconds_left()) text.line += fmt::format(", about {} left", duration_words(*left));
     return text;
 }
 

@@ -1,6 +1,7 @@
 // What the lab takes from files and the clipboard, and what it leaves there.
 #include <pliant/document/share.h>
 #include <pliant/text/file.h>
+#include <pliant/text/spoken.h>
 
 #include "app/lab.h"
 #include "platform/image.h"
@@ -40,7 +41,7 @@ std::string time_to_open(const Session& session) {
     Real seconds = 0;
     for (const Stage& stage : run.lesson().stages) seconds += run.cost(stage).total_ms / 1000;
     if (seconds < soon) return "";
-    return fmt::format(" It opens at step {}: to run there takes about {:.0f} s.", run.place().step, seconds);
+    return fmt::format(" It opens at step {}: to run there takes about {}.", step_number(run.place()), duration_words(seconds));
 }
 
 }  // namespace
@@ -119,13 +120,13 @@ void Lab::quick_save() {
 }
 
 void Lab::ask_to_open() {
-    state_.files.ask(FileChoice::Purpose::open, "Open a scene file", scene_ending, "",
+    state_.files.ask(FileChoice::Purpose::open, "Open a scene file", {scene_ending}, "",
                      [this](const std::string& path) { open_file(path); });
 }
 
 void Lab::ask_to_save() {
     const std::string name = state_.file.empty() ? lesson_file(state_.session, ".scene.json") : state_.file;
-    state_.files.ask(FileChoice::Purpose::save, "Save the scene", scene_ending, name, [this](const std::string& path) {
+    state_.files.ask(FileChoice::Purpose::save, "Save the scene", {scene_ending}, name, [this](const std::string& path) {
         save_file(path);
         tell_written(path);
     });
@@ -137,8 +138,8 @@ void Lab::copy_share() {
         const std::string text = share_text(scene_file());
         ImGui::SetClipboardText(text.c_str());
         s.say(Told::info,
-              fmt::format("Copied: {} letters that hold this scene. Whoever pastes them into Pliant (Ctrl Shift V) opens it.{}",
-                          text.size(), time_to_open(s)));
+              fmt::format("Copied: {} letters that hold this scene{}. Whoever pastes them into Pliant (Ctrl Shift V) opens it.{}",
+                          text.size(), s.companion() ? " with its second run, B" : "", time_to_open(s)));
     } catch (const Error& e) {
         s.say(Told::refused, e.what());
     }
@@ -186,7 +187,7 @@ void Lab::save_svg(const std::string& title, const std::string& svg) {
 }
 
 void Lab::ask_for_probes() {
-    state_.files.ask(FileChoice::Purpose::save, "Save the probes as CSV", ".csv", lesson_file(state_.session, ".csv"),
+    state_.files.ask(FileChoice::Purpose::save, "Save the probes as CSV", {".csv"}, lesson_file(state_.session, ".csv"),
                      [this](const std::string& path) {
                          write_file(path, state_.session.recorder().csv(state_.session.lesson()));
                          tell_written(path);
@@ -194,7 +195,7 @@ void Lab::ask_for_probes() {
 }
 
 void Lab::ask_for_picture(bool whole) {
-    state_.files.ask(FileChoice::Purpose::save, whole ? "Save the window as PNG" : "Save the picture as PNG", ".png",
+    state_.files.ask(FileChoice::Purpose::save, whole ? "Save the window as PNG" : "Save the picture as PNG", {".png"},
                      lesson_file(state_.session, ".png"), [this, whole](const std::string& path) {
                          check_writable(path);
                          state_.session.dismiss();
@@ -205,6 +206,7 @@ void Lab::ask_for_picture(bool whole) {
 void Lab::capture() {
     const Capture c = *std::exchange(capture_, std::nullopt);
     if (c.to_notebook) {
+        state_.hand_in.takes_picture = false;
         state_.session.notebook.note_picture(state_.session.runner(), png_bytes(scene_pixels()));
         return state_.session.say(Told::info, "Noted: the picture of the scene.");
     }

@@ -54,7 +54,7 @@ bool Lab::perform_on_lecture(Action action) {
 }
 
 void Lab::ask_for_lecture() {
-    state_.files.ask(FileChoice::Purpose::open, "Open a lecture, .json or .md", "", "",
+    state_.files.ask(FileChoice::Purpose::open, "Open a lecture, .md or .json", {".md", ".json"}, "",
                      [this](const std::string& path) { open_lecture_file(path); });
 }
 
@@ -98,7 +98,7 @@ void Lab::add_to_lecture(const LectureSlide& slide) {
                            fmt::format("Added as slide {} of {}.", now.slides.size(), fs::path(path).filename().string()));
     };
     if (state_.lecture_file.empty())
-        return state_.files.ask(FileChoice::Purpose::add, "Add to a lecture, new or old", ".json", "lecture.json", add);
+        return state_.files.ask(FileChoice::Purpose::add, "Add to a lecture, new or old", {".md", ".json"}, "lecture.md", add);
     try {
         add(state_.lecture_file);
     } catch (const Error& e) {

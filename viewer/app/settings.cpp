@@ -96,6 +96,7 @@ Settings parse_settings(std::string_view text, std::string_view path) {
     s.headings = read_headings(json);
     s.recent = read<std::vector<std::string>>(json, "recent").value_or(std::vector<std::string>{});
     if (s.recent.size() > most_recent) s.recent.resize(most_recent);
+    s.hand_in_file = read<std::string>(json, "hand_in_file").value_or("");
     return s;
 }
 
@@ -110,13 +111,14 @@ std::string settings_text(const Settings& s) {
     put_sizes(json, s.panels);
     put_headings(json, s.headings);
     json["recent"] = s.recent;
+    if (!s.hand_in_file.empty()) json["hand_in_file"] = s.hand_in_file;
     // A path need not be UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Settings settings_of(const LabState& lab) {
-    return {lab.theme, lab.scale,  lab.session.speed,      lab.layout, lab.scene.hints_shown, lab.session.patterns,
-            lab.sizes, lab.recent, lab.parameters.headings};
+    return {lab.theme, lab.scale,  lab.session.speed,       lab.layout,      lab.scene.hints_shown, lab.session.patterns,
+            lab.sizes, lab.recent, lab.parameters.headings, lab.hand_in.file};
 }
 
 fs::path settings_path() {
@@ -150,7 +152,7 @@ void SettingsFile::note(const LabState& lab) {
     };
     take(&Settings::theme), take(&Settings::scale), take(&Settings::speed), take(&Settings::layout);
     take(&Settings::hints_shown), take(&Settings::patterns), take(&Settings::panels), take(&Settings::headings),
-        take(&Settings::recent);
+        take(&Settings::recent), take(&Settings::hand_in_file);
     seen_ = now;
 }
 

@@ -20,6 +20,7 @@ struct Settings {
     PanelSizes panels{};              // where borders were dragged to
     std::vector<std::string> recent;  // scene files, the latest first
     FoldedHeadings headings{};        // of parameters, by lesson
+    std::string hand_in_file{};       // that was saved last
     bool operator==(const Settings&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pliant::viewer {
@@ -96,7 +97,8 @@ nlohmann::ordered_json prediction_json(const LabState& lab) {
     const auto& player = lab.session.walkthrough;
     if (!player || !player->prediction()) return nullptr;
     const Guess& g = player->guess();
-    nlohmann::ordered_json j{{"given", g.given()}};
+    constexpr std::array kinds{"choice", "number", "sketch"};
+    nlohmann::ordered_json j{{"kind", kinds[static_cast<std::size_t>(player->prediction()->kind)]}, {"given", g.given()}};
     if (g.option) j["option"] = *g.option + 1;
     if (g.number) j["number"] = *g.number;
     if (!g.sketch.empty()) j["sketch"] = g.sketch;
@@ -137,14 +139,14 @@ nlohmann::ordered_json focus_json(const LabState& lab) {
 std::string state_json(const LabState& lab) {
     const Runner& r = lab.session.runner();
     const Lesson& lesson = r.lesson();
-    nlohmann::ordered_json j{{"lesson", r.info().id},
-                             {"step", r.place().step},
-                             {"passes", r.place().passes},
-                             {"time", r.time()},
-                             {"playing", lab.session.playing}};
+    nlohmann::ordered_json j{{"lesson", r.info().id},      {"step", r.place().step},
+                             {"passes", r.place().passes}, {"step_shown", step_number(r.place())},
+                             {"time", r.time()},           {"playing", lab.session.playing}};
     const auto stage = r.last_stage();
     j["stage"] = stage ? r.stages()[*stage]->name : "";
     for (const Parameter* p : lesson.parameters) j["parameters"][std::string(p->info.key)] = p->text(r.wanted(*p));
+    for (const Parameter* p : lesson.parameters)
+        if (r.waits(*p)) j["waiting"][std::string(p->info.key)] = {{"now", p->text(p->value())}, {"then", p->text(r.wanted(*p))}};
     for (const Probe& p : lesson.probes) {
         const auto value = p.value();
         j["probes"][std::string(p.name)] = value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nullptr;

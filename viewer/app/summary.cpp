@@ -1,12 +1,16 @@
 #include "app/summary.h"
 
 #include <pliant/document/summary.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/study/stability_report.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace pliant::viewer {
 namespace {
@@ -36,6 +40,52 @@ std::string thing_sentences(const Session& s) {
         text += ".\n";
     }
     return text;
+}
+
+std::optional<Real> number_of(const Runner& r, const Probe& p) {
+    try {
+        const auto value = r.value(p);
+        return value && std::isfinite(*value) ? value : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+// The second run: what it has otherwise, where it stands, and its key numbers against those of A.
+std::string beside_sentences(const Session& s) {
+    if (!s.companion()) return "";
+    const Runner &a = s.runner(), &b = s.companion()->runner();
+    std::vector<std::string> settings;
+    for (const Differing& d : differing(a, b)) {
+        if (s.hides(d.parameter->info.key)) continue;
+        settings.push_back(fmt::format("{} in place of {}", setting_words(*d.parameter, d.b), value_words(*d.parameter, d.a)));
+    }
+    std::string text =
+        fmt::format("Beside it runs B, with {}.\n", settings.empty() ? "the same parameters" : listed_words(settings));
+    text += b.is_static() ? fmt::format("B stands at {}.\n", place_words(b.place()))
+                          : fmt::format("B stands at {}, time {}.\n", place_words(b.place()), format_quantity(b.time(), "s"));
+    if (!s.companion()->stopped().empty()) text += fmt::format("B has stopped: {}\n", s.companion()->stopped());
+    for (const Probe* p : key_probes(a.lesson())) {
+        if (s.hides(p->name)) continue;
+        const auto of_a = number_of(a, *p), of_b = number_of(b, b.lesson().probe(p->name));
+        if (!of_a && !of_b) continue;
+        const auto said = [&](const auto& value) { return value ? format_quantity(*value, p->unit, 6) : "undefined"; };
+        text += fmt::format("{} is {} in A and {} in B", words(p->name), said(of_a), said(of_b));
+        text += of_a && of_b ? fmt::format("; A − B is {}.\n", format_quantity(*of_a - *of_b, p->unit, 3)) : ".\n";
+    }
+    if (s.shows_difference()) text += "The picture shows A − B.\n";
+    return text + fmt::format("The sliders set {}.\n", s.addresses_b() ? "B" : "A");
+}
+
+std::string pinned_sentence(const Session& s) {
+    if (!s.pinned()) return "";
+    std::vector<std::string> settings;
+    for (std::size_t k = 0; k < s.lesson().parameters.size(); ++k) {
+        const Parameter& p = *s.lesson().parameters[k];
+        if (!s.hides(p.info.key) && s.runner().wanted(p) != s.pinned()->settings[k])
+            settings.push_back(setting_words(p, s.pinned()->settings[k]));
+    }
+    return fmt::format("Pinned behind it is a run with {}.\n", settings.empty() ? "the same parameters" : listed_words(settings));
 }
 
 // The unfolded card, while the claims are in front.
@@ -74,6 +124,8 @@ std::string summary_of(const LabState& lab) {
     std::string text = summary_text(s.runner());
     text += s.playing ? "The run is playing.\n" : "The run is paused.\n";
     if (!s.inspector.stopped.empty()) text += fmt::format("It was stopped: {}.\n", s.inspector.stopped);
+    text += beside_sentences(s);
+    text += pinned_sentence(s);
     text += colours_sentence(s);
     text += thing_sentences(s);
     text += claim_sentences(lab);

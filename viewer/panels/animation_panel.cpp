@@ -31,7 +31,7 @@ void choices(PanelContext& lab) {
 void choose_file(PanelContext& lab) {
     lab.animation.asking = false;
     const std::string_view id = lab.session.entry().info.id;
-    lab.files.ask(FileChoice::Purpose::save, "Save the animation as GIF", ".gif",
+    lab.files.ask(FileChoice::Purpose::save, "Save the animation as GIF", {".gif"},
                   std::string(id.substr(id.find('/') + 1)) + ".gif",
                   [&order = lab.animation](const std::string& path) { order.path = path; });
 }

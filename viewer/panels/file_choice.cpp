@@ -3,6 +3,7 @@
 #include <pliant/math/error.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,9 +13,10 @@
 namespace pliant::viewer {
 namespace fs = std::filesystem;
 
-void FileChoice::ask(Purpose purpose, std::string title, std::string ending, std::string first_name, Chosen chosen) {
+void FileChoice::ask(Purpose purpose, std::string title, std::vector<std::string> endings, std::string first_name,
+                     Chosen chosen) {
     purpose_ = purpose;
-    title_ = std::move(title), ending_ = std::move(ending), name = std::move(first_name);
+    title_ = std::move(title), endings_ = std::move(endings), name = std::move(first_name);
     chosen_ = std::move(chosen);
     asking_ = true, replacing_ = false, all_files_ = false;
     ++questions_;
@@ -29,6 +31,12 @@ void FileChoice::show_all_files(bool all) {
     list();
 }
 
+bool FileChoice::ends_right(const std::string& file) const {
+    return endings_.empty() || std::ranges::any_of(endings_, [&](const std::string& ending) { return file.ends_with(ending); });
+}
+
+std::string FileChoice::ending_words() const { return fmt::format("{}", fmt::join(endings_, " or ")); }
+
 void FileChoice::list() {
     entries_.clear();
     std::error_code error;
@@ -38,7 +46,7 @@ void FileChoice::list() {
         const std::string entry = at->path().filename().string();
         const bool folder = at->is_directory(ignored);
         if (entry.starts_with('.') && !all_files_) continue;
-        if (folder || all_files_ || entry.ends_with(ending_)) entries_.push_back({entry, folder});
+        if (folder || all_files_ || ends_right(entry)) entries_.push_back({entry, folder});
     }
     if (error) complaint_ = fmt::format("{} cannot be read: {}", folder_.string(), error.message());
     std::ranges::sort(entries_, [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
@@ -104,7 +112,7 @@ void FileChoice::accept() {
     }
     const bool there = fs::exists(path, ignored);
     if (purpose_ == Purpose::add && there) return finish(path);
-    if (!path.filename().string().ends_with(ending_)) path += ending_, name += ending_;
+    if (!ends_right(path.filename().string())) path += endings_.front(), name += endings_.front();
     replacing_ = purpose_ == Purpose::save && fs::exists(path, ignored);
     if (!replacing_) finish(path);
 }

@@ -18,8 +18,9 @@ public:
         bool folder = false;
     };
 
-    // Begins to ask, in the folder of the last answer. `ending`: of the files that are shown, and added to a name to save.
-    void ask(Purpose purpose, std::string title, std::string ending, std::string name, Chosen chosen);
+    // Begins to ask, in the folder of the last answer. `endings`: of the files that are shown, all without one; the first is
+    // added to a name to save that has none of them.
+    void ask(Purpose purpose, std::string title, std::vector<std::string> endings, std::string name, Chosen chosen);
     bool asking() const { return asking_; }
     // Counts the questions, so that a panel sees a new one.
     int questions() const { return questions_; }
@@ -27,7 +28,7 @@ public:
 
     Purpose purpose() const { return purpose_; }
     const std::string& title() const { return title_; }
-    const std::string& ending() const { return ending_; }
+    std::string ending_words() const;  // ".md or .json"
     const std::filesystem::path& folder() const { return folder_; }
     // Folders first, then the files with the ending, or all of them; by name.
     const std::vector<Entry>& entries() const { return entries_; }
@@ -52,11 +53,13 @@ public:
 
 private:
     std::filesystem::path typed() const;
+    bool ends_right(const std::string& name) const;
     void list();
     void finish(const std::filesystem::path& path);
 
     Purpose purpose_ = Purpose::open;
-    std::string title_, ending_, complaint_;
+    std::string title_, complaint_;
+    std::vector<std::string> endings_;
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
     Chosen chosen_;

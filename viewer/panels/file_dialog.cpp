@@ -61,7 +61,7 @@ void folder_row(PanelContext& lab, FileDialogState& panel) {
 void list_of_files(PanelContext& lab, FileDialogState& panel, float height) {
     FileChoice& files = lab.files;
     ImGui::BeginChild("list", {0, height}, ImGuiChildFlags_Border);
-    if (files.entries().empty()) ImGui::TextDisabled("No folders and no %s files here.", files.ending().c_str());
+    if (files.entries().empty()) ImGui::TextDisabled("No folders and no %s files here.", files.ending_words().c_str());
     std::string taken;
     for (const FileChoice::Entry& e : files.entries()) {
         const bool named = e.name == files.name;
@@ -99,7 +99,7 @@ void answers(PanelContext& lab, FileDialogState& panel) {
     bool all = files.all_files();
     if (ImGui::Checkbox("all files", &all)) files.show_all_files(all);
     lab.note_control("file all");
-    tooltip(fmt::format("Show every file, not only those that end in {}", files.ending()), lab.scale);
+    tooltip(fmt::format("Show every file, not only those that end in {}", files.ending_words()), lab.scale);
 }
 
 void words_of(PanelContext& lab) {

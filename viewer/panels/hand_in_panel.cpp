@@ -98,7 +98,7 @@ void answer_field(PanelContext& lab, HandInPanelState& panel) {
 }  // namespace
 
 void draw_hand_in(PanelContext& lab, HandInPanelState& panel) {
-    if (!panel.shown) return;
+    if (!panel.shown || panel.wants_picture || panel.takes_picture) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(lab.px(560), display.x * 0.9f);
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -109,10 +109,8 @@ void draw_hand_in(PanelContext& lab, HandInPanelState& panel) {
     name_field(lab, panel);
     entries(lab, std::min(lab.px(150), 0.3f * display.y));
     number_menu(lab);
-    if (flowing_button(lab, "Note the picture", "hand-in picture", "The picture of the scene as it stands, within the file")) {
+    if (flowing_button(lab, "Note the picture", "hand-in picture", "The picture of the scene as it stands, within the file"))
         panel.wants_picture = true;
-        panel.shown = false;
-    }
     sentence_item(lab, lab.session.walkthrough ? "In your own words, to the question of this slide:" : "In your own words:");
     answer_field(lab, panel);
     ImGui::Separator();

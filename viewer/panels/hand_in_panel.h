@@ -3,6 +3,7 @@
 #include "panels/panel_context.h"
 
 #include <array>
+#include <string>
 
 namespace pliant::viewer {
 
@@ -10,8 +11,9 @@ struct HandInPanelState {
     bool shown = false;
     std::array<char, 80> name{};
     std::array<char, 2000> answer{};
-    // What the lab itself has to do, at the end of the frame.
-    bool wants_picture = false, wants_save = false;
+    // What the lab itself has to do, at the end of the frame. A picture is taken while the window stands aside.
+    bool wants_picture = false, takes_picture = false, wants_save = false;
+    std::string file{};  // that was handed in last, a path; "" before
 };
 
 void draw_hand_in(PanelContext& lab, HandInPanelState& panel);

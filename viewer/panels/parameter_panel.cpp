@@ -1,6 +1,7 @@
 // One control per parameter, made from its declaration alone.
 #include "panels/parameter_panel.h"
 
+#include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/quantity_text.h>
 
@@ -22,9 +23,8 @@ namespace {
 std::string describe(const Parameter& p) {
     std::string text(p.info.help);
     if (p.info.kind == Kind::number || p.info.kind == Kind::whole)
-        text += "\nUsual " + p.info.useful.text() + ", accepted " + p.accepted().text() +
-                (p.info.unit.empty() ? "" : " " + std::string(p.info.unit)) + ", default " +
-                format_quantity(p.info.initial, p.info.unit) +
+        text += "\nUsual " + range_words(p.info.useful, p.info.unit) + ", accepted " + range_words(p.accepted(), p.info.unit) +
+                ", default " + format_quantity(p.info.initial, p.info.unit) +
                 ".\nCtrl+click, or Enter, types a number: in the unit that is shown, unless another stands behind it; it may lie "
                 "outside the usual range. ← and → go by a step, with Shift by a tenth; so does the wheel with Alt. Shift drags "
                 "finely. A double click restores the default.";
@@ -118,12 +118,21 @@ void cover(PanelContext& lab) {
     ImGui::PopFont();
 }
 
+// A change that waits for the end of the step; "" where none does.
+std::string waiting_words(const Session& s, const Parameter& p) {
+    if (!s.addressed().waits(p)) return "";
+    return fmt::format("Waits for the end of this step: {} until then, {} from the next one on.", value_words(p, p.value()),
+                       value_words(p, s.addressed().wanted(p)));
+}
+
 std::string help_of(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
     if (lab.session.hides(p.info.key)) return "Shown after Next: it would give the answer away.";
     if (lab.session.locked(p)) return "Locked on this slide; End the walkthrough or press L to unlock.";
     if (!p.used()) return fmt::format("{}\n{}", panel.usage.reason(lab.session.addressed(), p), describe(p));
     const auto other = value_in_other_run(lab.session, p);
-    return describe(p) + (other ? fmt::format("\nThe other run has {}.", setting_text(p, *other)) : "");
+    const std::string waiting = waiting_words(lab.session, p);
+    return waiting + (waiting.empty() ? "" : "\n") + describe(p) +
+           (other ? fmt::format("\nThe other run has {}.", setting_text(p, *other)) : "");
 }
 
 // What would be in the tooltip is looked for only where it is shown.
@@ -135,14 +144,19 @@ std::string label_of(const PanelContext& lab, const Parameter& p) {
     std::string label =
         fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "", named_with_symbol(p.info.key, p.info.symbol, "  "));
     if (p.info.effect == Effect::rebuild) label += "  ↻";
+    const bool says_it_beside = p.info.kind == Kind::number || p.info.kind == Kind::whole;
+    if (!says_it_beside && !lab.session.hides(p.info.key) && lab.session.addressed().waits(p))
+        label += fmt::format("  (still {})", value_words(p, p.value()));
     return label;
 }
 
-// Of a number, as it stands above its slider.
+// Of a number, as it stands above its slider: "4 ms", or "4 ms → 8 ms" while the change waits for the end of the step.
 std::string value_text(const PanelContext& lab, const Parameter& p) {
     if (lab.session.hides(p.info.key)) return "?";
     if (p.info.kind == Kind::choice || p.info.kind == Kind::toggle) return "";
-    return format_quantity(lab.session.addressed().wanted(p), p.info.unit, Session::value_digits);
+    const Runner& run = lab.session.addressed();
+    const std::string wanted = format_quantity(run.wanted(p), p.info.unit, Session::value_digits);
+    return run.waits(p) ? fmt::format("{} → {}", format_quantity(p.value(), p.info.unit, Session::value_digits), wanted) : wanted;
 }
 
 // The name and the value on one line, in the large type of a deck.
@@ -157,6 +171,7 @@ bool label_fits_large(const PanelContext& lab, const Parameter& p) {
 // The name on the left and, of a number, the value on the right.
 void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p, ImFont* label_font) {
     const std::string value = value_text(lab, p);
+    const bool waits = lab.session.addressed().waits(p) && !lab.session.hides(p.info.key);
     const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x - lab.px(2);
     const float top = ImGui::GetCursorPosY(), drop = ImGui::GetTextLineHeight();
     ImGui::PushFont(label_font);
@@ -168,7 +183,10 @@ void label_row(PanelContext& lab, ParameterPanelState& panel, const Parameter& p
     ImGui::SameLine();
     ImGui::SetCursorPosX(right);
     ImGui::SetCursorPosY(top);
+    ImGui::PushStyleColor(ImGuiCol_Text, waits ? lab.ink(Ink::accent) : ImGui::GetColorU32(ImGuiCol_Text));
     ImGui::TextUnformatted(value.c_str());
+    ImGui::PopStyleColor();
+    if (waits) parameter_tip(lab, panel, p), lab.note_control("waiting " + std::string(p.info.key));
 }
 
 }  // namespace

@@ -59,7 +59,9 @@ void draw_status_line(PanelContext& lab) {
     const Session& s = lab.session;
     const Runner& r = s.runner();
     const bool under_way = r.inside_step() && !s.shows_last_step();
-    const std::string place = fmt::format("step {}", r.place().step + (under_way ? 1 : 0));
+    std::string place = fmt::format("step {}", under_way ? step_number(r.place()) : r.place().step);
+    // What is shown is the last good state.
+    if (r.failure() && r.failure()->step > r.place().step) place += fmt::format(" ({} broke down)", r.failure()->step);
     if (r.is_static()) {
         ImGui::Text("static   %s", place.c_str());
     } else {

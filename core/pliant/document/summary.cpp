@@ -1,4 +1,5 @@
 #include <pliant/document/summary.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/spoken.h>
 
@@ -15,6 +16,16 @@ std::string place_sentence(const Runner& r) {
         return fmt::format("Static: {} {} done.\n", r.place().step, r.place().step == 1 ? "solve is" : "solves are");
     return fmt::format("S{}, time {}, time step {}.\n", place_words(r.place()).substr(1), format_quantity(r.time(), "s"),
                        format_quantity(r.time_step(), "s"));
+}
+
+// What was set inside a step and waits for its end.
+std::string waiting_sentences(const Runner& r) {
+    std::string text;
+    for (const Parameter* p : r.lesson().parameters)
+        if (r.waits(*p))
+            text += fmt::format("The {} is {} until this step ends, and {} from the next one on.\n", spoken(p->info.key),
+                                value_words(*p, p->value()), value_words(*p, r.wanted(*p)));
+    return text;
 }
 
 std::string stage_sentence(const Runner& r) {
@@ -73,7 +84,9 @@ std::string failure_sentence(const Failure& f) {
     if (!f.stage.empty()) text += fmt::format(", stage {}", spoken(f.stage));
     if (!f.field.empty()) text += fmt::format(", field {}", spoken(f.field));
     if (f.index >= 0) text += fmt::format(", index {}", f.index);
-    return text + fmt::format(": {}. {}\n", f.what, f.limit);
+    text += fmt::format(": {}. {}\n", f.what, f.limit);
+    return text +
+           (f.step > 0 ? fmt::format("What stands here is the last good state, that of the end of step {}.\n", f.step - 1) : "");
 }
 
 }  // namespace
@@ -90,6 +103,7 @@ std::vector<const Probe*> key_probes(const Lesson& lesson) {
 std::string summary_text(const Runner& r) {
     std::string text = fmt::format("Lesson {}.\n", r.info().title);
     text += place_sentence(r);
+    text += waiting_sentences(r);
     text += stage_sentence(r);
     for (const Probe* p : key_probes(r.lesson())) text += number_sentence(r, *p);
     for (const Assumption& a : r.lesson().assumptions)
