@@ -39,7 +39,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("a change inside a step is marked as waiting, with both values, until the step ends", "[desk]") {
+TEST_CASE("a change inside a step is marked as waiting, with both values, until the next one begins", "[desk]") {
     AtDesk desk;
     Session& s = desk.session();
     s.run(Until::after_steps(3));
@@ -54,9 +54,14 @@ TEST_CASE("a change inside a step is marked as waiting, with both values, until 
     CHECK(desk.state().controls.contains("waiting time_step"));
     CHECK(desk.report()["waiting"]["time_step"]["now"] == dt.text(before));
     CHECK(desk.report()["waiting"]["time_step"]["then"] == dt.text(before / 2));
-    CHECK_THAT(summary_of(desk.state()), ContainsSubstring("until this step ends"));
+    CHECK_THAT(summary_of(desk.state()), ContainsSubstring("until the next step begins"));
     s.step();
     desk.frames(3);
+    CHECK(s.runner().time_step() == before);
+    CHECK(desk.state().controls.contains("waiting time_step"));
+    s.step();
+    desk.frames(3);
+    CHECK(s.runner().time_step() == before / 2);
     CHECK_FALSE(s.runner().waits(dt));
     CHECK_FALSE(desk.state().controls.contains("waiting time_step"));
     CHECK(desk.report().contains("waiting") == false);

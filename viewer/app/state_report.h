@@ -10,7 +10,7 @@
 namespace pliant::viewer {
 
 // {"lesson", "step" (whole steps done), "passes", "step_shown" (the number that people see), "waiting": {key: {"now", "then"}}
-// (for the end of the step), "stage", "time", "playing", "parameters": {...}, "probes": {...}, "pulling", "message",
+// (for the next step), "stage", "time", "playing", "parameters": {...}, "probes": {...}, "pulling", "message",
 // "autopsy" (the words of its card), "summary" (while it is shown), "patterns", "focus": {"control", "place"} (what the keys act
 // on), "layout", "fill" (what fills the screen; else ""), "black" (the
 // screen), "lens", "full_screen", "presenter" (what the

@@ -118,10 +118,10 @@ void cover(PanelContext& lab) {
     ImGui::PopFont();
 }
 
-// A change that waits for the end of the step; "" where none does.
+// A change that waits for the next step; "" where none does.
 std::string waiting_words(const Session& s, const Parameter& p) {
     if (!s.addressed().waits(p)) return "";
-    return fmt::format("Waits for the end of this step: {} until then, {} from the next one on.", value_words(p, p.value()),
+    return fmt::format("Waits for the next step: {} until it begins, {} from there on.", value_words(p, p.value()),
                        value_words(p, s.addressed().wanted(p)));
 }
 
@@ -150,7 +150,7 @@ std::string label_of(const PanelContext& lab, const Parameter& p) {
     return label;
 }
 
-// Of a number, as it stands above its slider: "4 ms", or "4 ms → 8 ms" while the change waits for the end of the step.
+// Of a number, as it stands above its slider: "4 ms", or "4 ms → 8 ms" while the change waits for the next step.
 std::string value_text(const PanelContext& lab, const Parameter& p) {
     if (lab.session.hides(p.info.key)) return "?";
     if (p.info.kind == Kind::choice || p.info.kind == Kind::toggle) return "";

@@ -18,12 +18,12 @@ std::string place_sentence(const Runner& r) {
                        format_quantity(r.time_step(), "s"));
 }
 
-// What was set inside a step and waits for its end.
+// What was set inside a step and waits for the next one.
 std::string waiting_sentences(const Runner& r) {
     std::string text;
     for (const Parameter* p : r.lesson().parameters)
         if (r.waits(*p))
-            text += fmt::format("The {} is {} until this step ends, and {} from the next one on.\n", spoken(p->info.key),
+            text += fmt::format("The {} is {} until the next step begins, and {} from there on.\n", spoken(p->info.key),
                                 value_words(*p, p->value()), value_words(*p, r.wanted(*p)));
     return text;
 }

@@ -69,7 +69,7 @@ public:
     void load(const Assignments& assignments);
     // The value that the parameter has, or will have from the next step on.
     Real wanted(const Parameter& parameter) const;
-    // Does a change of it wait for the end of the step that is under way?
+    // Does a change of it, made inside a step, wait for the next one?
     bool waits(const Parameter& parameter) const { return wanted(parameter) != parameter.value(); }
     void pull(const std::optional<Pull>& pull);
     const std::optional<Pull>& pulled() const { return pull_; }
