@@ -1,6 +1,8 @@
 // What the page of the lecturer tells.
 #include "app/presenter_view.h"
 #include "hand.h"
+#include "session/next_slide.h"
+#include "waiting.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -83,4 +85,42 @@ TEST_CASE("minutes are read from what notes begin with") {
     CHECK(elapsed_text(0) == "0:00");
     CHECK(elapsed_text(754.9) == "12:34");
     CHECK(elapsed_text(3723) == "1:02:03");
+}
+
+TEST_CASE("the lecturer's page has a picture of the next slide, played once, and none of words alone", "[presenter]") {
+    Session session("mesh/mass_spring");
+    NextSlide next;
+    next.make_now(session);
+    CHECK_FALSE(next.preview().picture);  // no slides are open
+    session.start_walkthrough();
+    next.make_now(session);
+    REQUIRE(next.preview().picture);
+    CHECK(next.preview().picture->scene.points.size() + next.preview().picture->scene.lines.size() > 0);
+    const long first = next.preview().picture->number;
+    next.make_now(session);
+    CHECK(next.preview().picture->number == first);
+    session.go_to_slide(1);
+    next.make_now(session);
+    REQUIRE(next.preview().picture);
+    CHECK(next.preview().picture->number != first);
+    session.go_to_slide(session.slide_count() - 1);
+    next.make_now(session);
+    CHECK_FALSE(next.preview().picture);
+
+    session.open_lecture(
+        parse_lecture("# L\n\n## One\n\nA word.\n\n## Two\n\nWords.\n\n## Three\n\n```show\nlesson mesh/rod\n```\n", "l.md"));
+    next.make_now(session);
+    CHECK_FALSE(next.preview().picture);
+    session.walkthrough_next();
+    REQUIRE(session.slide_number() == 1);
+    next.make_now(session);
+    CHECK(next.preview().picture);
+
+    // Beside the lab, in a thread of its own.
+    NextSlide beside;
+    CHECK(comes_true([&] {
+        beside.follow(session);
+        return beside.preview().picture != nullptr;
+    }));
+    CHECK_FALSE(beside.busy());
 }

@@ -97,7 +97,7 @@ nlohmann::ordered_json prediction_json(const LabState& lab) {
     const auto& player = lab.session.walkthrough;
     if (!player || !player->prediction()) return nullptr;
     const Guess& g = player->guess();
-    constexpr std::array kinds{"choice", "number", "sketch"};
+    constexpr std::array kinds{"choice", "number", "sketch", "words"};
     nlohmann::ordered_json j{{"kind", kinds[static_cast<std::size_t>(player->prediction()->kind)]}, {"given", g.given()}};
     if (g.option) j["option"] = *g.option + 1;
     if (g.number) j["number"] = *g.number;

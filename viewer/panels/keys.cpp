@@ -200,7 +200,9 @@ bool key_pressed(const KeyBinding& b, const KeyContext& context) {
 }  // namespace
 
 int presses(const KeyBinding& b, const KeyContext& context) {
-    if (ImGui::GetIO().WantTextInput) return 0;
+    // Where a text is typed, letters are its own; from panel to panel one goes all the same.
+    const bool between_panels = b.action == Action::next_panel || b.action == Action::previous_panel;
+    if (ImGui::GetIO().WantTextInput && !between_panels) return 0;
     return b.character ? times_typed(b) : static_cast<int>(key_pressed(b, context));
 }
 

@@ -58,7 +58,7 @@ void compare_or_cancel(PanelContext& lab, MethodsPanelState& panel) {
 }
 
 std::string passes_text(const MethodRun& r) { return fmt::format("{}", r.passes); }
-std::string time_text(const MethodRun& r) { return r.ran() ? format_quantity(r.ms / 1000, "s", 2) : "–"; }
+std::string time_text(const MethodRun& r) { return r.ran() ? format_quantity(r.ms / 1000, "s", 3) : "–"; }
 
 std::string error_text(const MethodRun& r) {
     if (!r.error) return "–";
