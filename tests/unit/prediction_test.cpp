@@ -112,7 +112,9 @@ TEST_CASE("the set-up of a slide ends with its first other action, and with what
 }
 
 TEST_CASE("a slide names the plots beside it") {
-    const Walkthrough w = parse_walkthrough("## One\n```plots\nsag energy\nprofile\n```\n## Two\n", "w.md");
+    const Walkthrough w =
+        parse_walkthrough("## One\n```plots\nsag energy\nprofile\n```\n## Two\n## Three\n```plots\nnone\n```\n", "w.md");
     CHECK(w.slides[0].plots() == std::vector<std::string>{"sag", "energy", "profile"});
-    CHECK(w.slides[1].plots().empty());
+    CHECK_FALSE(w.slides[1].plots());
+    CHECK(w.slides[2].plots() == std::vector<std::string>{});
 }

@@ -13,10 +13,10 @@
 namespace pliant::viewer {
 namespace {
 
-constexpr float words_part = 0.36f, plots_part = 0.23f;  // of the width
-constexpr float row_part = 0.36f;                        // of the height below the title, for plots in a row
-constexpr float most_for_sliders = 0.45f;                // likewise
-constexpr float rows_gain = 1.08f;                       // a scene this much larger is worth the other arrangement
+constexpr float words_part = 0.36f, plots_part = 0.23f, numbers_part = 0.14f;  // of the width
+constexpr float row_part = 0.36f;          // of the height below the title, for plots in a row
+constexpr float most_for_sliders = 0.45f;  // likewise
+constexpr float rows_gain = 1.08f;         // a scene this much larger is worth the other arrangement
 
 // How large the scene is in the picture: px per metre, in 3D up to a factor.
 Real size_of_scene(const LabState& lab, const Rectangle& picture) {
@@ -34,7 +34,8 @@ bool sliders_fit_below_words(const LabState& lab, const Rectangle& words, float 
 }
 
 DeckPlaces with_plots_beside(DeckPlaces p, const LabState& lab, const Rectangle& room, float width) {
-    const float right = width * plots_part, numbers = lab.px(172);
+    const bool plots = slide_has_plots(lab);
+    const float right = width * (plots ? plots_part : numbers_part), numbers = plots ? lab.px(172) : room.height;
     p.picture = {room.x, room.y, room.width - right, room.height};
     p.plots = {room.x + p.picture.width, room.y, right, room.height - numbers};
     p.numbers = {p.plots.x, room.y + p.plots.height, right, numbers};
@@ -77,7 +78,8 @@ DeckPlaces deck_places(const LabState& lab, float width, float height) {
             places->picture.height -= sliders;
             places->parameters = {left, places->picture.y + places->picture.height, places->picture.width, sliders};
         }
-    return size_of_scene(lab, below.picture) > rows_gain * size_of_scene(lab, beside.picture) ? below : beside;
+    return slide_has_plots(lab) && size_of_scene(lab, below.picture) > rows_gain * size_of_scene(lab, beside.picture) ? below
+                                                                                                                      : beside;
 }
 
 void Lab::deck_layout(float width, float height) {
@@ -122,7 +124,7 @@ void Lab::deck_layout(float width, float height) {
         ImGui::PopStyleVar();
         draw_scene(s, s.scene, renderer_);
     }
-    {
+    if (slide_has_plots(s)) {
         const FixedPanel panel("Plots", places.plots, flags);
         places.plots_in_row ? draw_plots_in_row(s, s.plots) : draw_plots(s, s.plots);
     }

@@ -303,22 +303,25 @@ ClaimType claim_type(const PanelContext& lab, const ClaimsPanelState& panel, con
 void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c) {
     ImGui::PushID(c.id.data(), c.id.data() + c.id.size());
     const ClaimType type = claim_type(lab, panel, c);
-    ImGui::PushFont(type.statement);
-    words_here(c.statement);
-    ImGui::PopFont();
-    ImGui::Spacing();
-    ImGui::TextDisabled("%s", c.source.c_str());
     ImGui::PushFont(type.rest);
     question(lab, panel, c);
     ImGui::PopFont();
     ImGui::Spacing();
+    // What the lectures say would answer the question, and so may what is said of its source.
+    if (panel.book.result(c)) {
+        ImGui::TextDisabled("What the lectures say (%s):", c.source.c_str());
+        ImGui::PushFont(type.statement);
+        words_here(c.statement);
+        ImGui::PopFont();
+        ImGui::Spacing();
+    }
     const Phase phase = panel.book.phase(c);
     if (phase == Phase::measuring || phase == Phase::waiting) {
         tell_progress_of(lab, panel, c);
     } else if (panel.book.result(c)) {
         large_outcome(lab, panel, c, type.rest);
     } else {
-        words_here("Next makes the experiment: " + c.experiment);
+        words_here("Next makes the experiment, and shows what the lectures say.");
     }
     ImGui::PopID();
 }

@@ -28,10 +28,9 @@ std::vector<std::string_view> plots_of_scene(const Lesson& lesson) {
 
 // Those that the slide names, else those of the scene.
 std::vector<std::string> wanted_plots(const Session& s) {
-    std::vector<std::string> names = s.walkthrough ? s.walkthrough->slide().plots() : std::vector<std::string>{};
-    if (names.empty())
-        for (const std::string_view name : plots_of_scene(s.lesson())) names.emplace_back(name);
-    return names;
+    if (const auto of_slide = s.walkthrough ? s.walkthrough->slide().plots() : std::nullopt) return *of_slide;
+    const auto of_scene = plots_of_scene(s.lesson());
+    return {of_scene.begin(), of_scene.end()};
 }
 
 // The plots are those of the scene until a person chooses.
@@ -330,6 +329,8 @@ void draw_plots_in_row(PanelContext& lab, PlotPanelState& panel) {
         draw_one(lab, panel, style_of_plots(lab), name, {width, room.y});
     }
 }
+
+bool slide_has_plots(const PanelContext& lab) { return !wanted_plots(lab.session).empty(); }
 
 std::string first_plot_of_scene(const Lesson& lesson) {
     const auto names = plots_of_scene(lesson);

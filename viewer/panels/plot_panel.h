@@ -30,6 +30,8 @@ struct PlotPanelState {
 
 void draw_plots(PanelContext& lab, PlotPanelState& panel);  // below each other
 void draw_plots_in_row(PanelContext& lab, PlotPanelState& panel);
+// Does the slide that is shown have any?
+bool slide_has_plots(const PanelContext& lab);
 // The one that fills the screen, in type for a lecture hall.
 void draw_filled_plot(PanelContext& lab, PlotPanelState& panel);
 // The name of the plot that a scene is seen by first; "" of a lesson that measures nothing.

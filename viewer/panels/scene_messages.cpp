@@ -34,6 +34,21 @@ void draw_banner(PanelContext& lab, const Rectangle& place) {
     ImGui::PopStyleColor(2);
 }
 
+void draw_unsolved(PanelContext& lab, const ScenePanelState& panel, const Rectangle& place) {
+    const Session& s = lab.session;
+    const bool waits = s.runner().is_static() && s.runner().place() == Place{} && !s.playing && !s.moving();
+    // On a slide with a question that is for Next.
+    const bool asked = s.walkthrough && s.walkthrough->slide().has_answer();
+    if (!waits || asked || lab.layout != Layout::lab || lab.animation.progress) return;
+    constexpr const char* words = "Not solved yet: press Space";
+    const ImVec2 size = ImGui::CalcTextSize(words), pad = ImGui::GetStyle().FramePadding;
+    const float width = size.x + 2 * pad.x, up = panel.hints_shown ? 3 * ImGui::GetTextLineHeight() + lab.px(42) : lab.px(10);
+    if (width > place.width) return;
+    ImGui::SetCursorScreenPos({place.x + (place.width - width) / 2, place.y + place.height - ImGui::GetFrameHeight() - up});
+    if (ImGui::Button(words)) lab.wanted.push_back(Action::play);
+    lab.note_control("solve");
+}
+
 void draw_hints(PanelContext& lab, ScenePanelState& panel, const Rectangle& place) {
     if (!panel.hints_shown || lab.layout != Layout::lab || lab.animation.progress) return;
     const bool can_pull = lab.session.lesson().can_pull().has_value();

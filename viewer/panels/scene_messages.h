@@ -7,6 +7,8 @@ namespace pliant::viewer {
 // The message of the session, with what can be done about it.
 void draw_banner(PanelContext& lab, const Rectangle& place);
 // The first three things to try, until they are put away.
+// In the lab: a static lesson that nothing was solved of yet says so, with a button that does it.
+void draw_unsolved(PanelContext& lab, const ScenePanelState& panel, const Rectangle& place);
 void draw_hints(PanelContext& lab, ScenePanelState& panel, const Rectangle& place);
 // How the pinned run differs, at the lower left above the hints.
 void name_pinned(PanelContext& lab, ScenePanelState& panel, const Rectangle& place);

@@ -39,7 +39,7 @@ void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& rend
     });
     if (view.first) mark_thing(lab, view), note_handles(lab, view);
     draw_labels(lab, panel, view);
-    if (view.lesson) {
+    if (view.lesson && !lab.session.hides("matrices")) {
         // Above the hints, where they are shown.
         const bool hinted = panel.hints_shown && lab.layout == Layout::lab;
         const float low = hinted ? 3 * ImGui::GetTextLineHeight() + lab.px(32) : 0;
@@ -212,6 +212,7 @@ void draw_scene(PanelContext& lab, ScenePanelState& panel, SceneRenderer& render
         draw_alone(lab, panel, renderer, std::move(picture), place, bar.right);
     draw_colour_bar(lab, {place.x, place.y, place.width, place.height + bar.below});
     name_pinned(lab, panel, place);
+    draw_unsolved(lab, panel, {place.x, place.y, place.width - bar.right, place.height});
     draw_hints(lab, panel, {place.x, place.y, place.width - bar.right, place.height});
     // Below the names of the pictures and what is said of them.
     draw_banner(lab, lab.layout == Layout::deck ? place : below(place, panel.notes_strip.height));

@@ -22,9 +22,11 @@
 //                  titles   of the plots and their axes, and what sets two runs apart
 //                  legends  the names of the curves
 //                  theory   exact values, and the curves that stand beside a measured one
+//                  matrices of the picture
 //                  lights   of the assumptions
 //                Probes that are expected, or predicted, are hidden without being named
-//   ```plots     the probes and curves that are plotted beside the slide; without it those of the scene
+//   ```plots     the probes and curves that are plotted beside the slide; without it those of the
+//                scene, with `none` none
 //   ```notes     for the lecturer alone: never shown with the slide itself
 //   ```controls  the keys of the parameters that a person may change on this slide, one or more a line. All others are locked
 //   while
@@ -63,11 +65,11 @@ struct Slide {
     std::string notes() const;
     // May a person change the parameter of this key?
     bool allows(std::string_view key) const;
-    // Is this probe, curve, field or parameter hidden until the answer is shown? Or "labels", "titles", "legends", "theory" or
-    // "lights".
+    // Is this probe, curve, field or parameter hidden until the answer is shown? Or one of "labels", "titles", "legends",
+    // "theory", "matrices" and "lights".
     bool hides(std::string_view name) const;
-    // The probes and curves that are plotted beside it; none: those of the scene.
-    std::vector<std::string> plots() const;
+    // The probes and curves that are plotted beside it; empty: it does not say.
+    std::optional<std::vector<std::string>> plots() const;
     // Is there something to reveal?
     bool has_answer() const { return has(BlockKind::actions) || has(BlockKind::expect) || has(BlockKind::answer); }
 };

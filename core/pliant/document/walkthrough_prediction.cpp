@@ -12,7 +12,7 @@ namespace pliant {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> parts_to_hide{"labels", "titles", "legends", "theory", "lights"};
+constexpr std::array<std::string_view, 6> parts_to_hide{"labels", "titles", "legends", "theory", "matrices", "lights"};
 
 bool is_plotted(const Lesson& lesson, std::string_view name) {
     return std::ranges::find(lesson.probes, name, &Probe::name) != lesson.probes.end() ||
@@ -33,6 +33,7 @@ void WalkthroughPlayer::check_names() const {
     for (const Slide& s : walkthrough_.slides)
         for (const Block& b : s.blocks) {
             if (b.kind != BlockKind::hide && b.kind != BlockKind::plots) continue;
+            if (b.kind == BlockKind::plots && b.paragraph() == "none") continue;
             for (const std::string& name : words_of_line(b.paragraph())) {
                 if (b.kind == BlockKind::plots && !is_plotted(lesson, name))
                     refuse(b.first_line, fmt::format("'{}' is neither a probe nor a curve of this lesson (in plots)", name));

@@ -182,12 +182,11 @@ bool Slide::allows(std::string_view key) const {
     return std::ranges::any_of(blocks, [&](const Block& b) { return b.kind == BlockKind::controls && has_word(b, key); });
 }
 
-std::vector<std::string> Slide::plots() const {
-    std::vector<std::string> names;
-    for (const Block& b : blocks)
-        if (b.kind == BlockKind::plots)
-            for (std::string& name : words_of_line(b.paragraph())) names.push_back(std::move(name));
-    return names;
+std::optional<std::vector<std::string>> Slide::plots() const {
+    const auto block = std::ranges::find(blocks, BlockKind::plots, &Block::kind);
+    if (block == blocks.end()) return std::nullopt;
+    const std::string names = block->paragraph();
+    return names == "none" ? std::vector<std::string>{} : words_of_line(names);
 }
 
 bool Slide::hides(std::string_view name) const {
