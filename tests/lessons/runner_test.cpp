@@ -239,6 +239,16 @@ TEST_CASE("runner: a live parameter waits for the next step; a rebuild one reset
     CHECK_THROWS_WITH(runner.assign("stiffnes", 1), ContainsSubstring("'stiffness'"));
     CHECK_THROWS_AS(runner.assign("mass", -1), Refused);
     CHECK(runner.lesson().parameter("mass").value() == 1);
+    // What waits counts in the run that begins next, whoever begins it.
+    runner.step_stage();
+    runner.assign("stiffness", 150);
+    runner.reset();
+    CHECK(runner.lesson().parameter("stiffness").value() == 150);
+    runner.step_stage();
+    runner.assign("stiffness", 250);
+    runner.assign("amplitude", 0.3);
+    CHECK(runner.place() == Place{});
+    CHECK(runner.lesson().parameter("stiffness").value() == 250);
 }
 
 TEST_CASE("runner: stepping back past a change brings back what was before it, and forgets the future") {

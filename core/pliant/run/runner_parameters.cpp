@@ -85,6 +85,7 @@ void Runner::write_or_reset(const Writes& values) {
     }
     std::vector<Real> before;
     for (const Parameter* p : lesson_->parameters) before.push_back(p->value());
+    write(std::exchange(pending_, {}));  // what waited for the next step counts in the run that begins
     write(values);
     if (!rebuild) return note_assigned(values), renew_laws();
     try {
@@ -155,7 +156,8 @@ void Runner::apply(const Event& e) {
 }
 
 void Runner::reset() {
-    const Uncancelled begun;  // there is nothing to go back to
+    const Uncancelled begun;             // there is nothing to go back to
+    write(std::exchange(pending_, {}));  // as it stands on the sliders
     reset_or_leave();
 }
 
