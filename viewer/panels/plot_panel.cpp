@@ -51,7 +51,7 @@ void mark_now(const PanelContext& lab, Plot& plot) {
 // A curve that belongs to the parameters of the run, such as what theory says: beside another run it says to which, unless it is
 // the same for both.
 std::string of_run(const Session& s, std::string_view curve, bool of_both) {
-    return s.companion() && !of_both ? fmt::format("{} (of A)", curve) : std::string(curve);
+    return s.companion() && !of_both ? fmt::format("A: {}", curve) : std::string(curve);
 }
 
 // As far as both reach.
@@ -135,7 +135,8 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     const Line* b = line_of_b(s, line);
     if (b) {
         of_b = curve_of(b->sample);
-        plot.line(legend.name(run_name(s, true, 1)), of_b.position, of_b.value, {.dash = Dash::dashed});
+        if (!of_b.position.empty())
+            plot.line(legend.name(run_name(s, true, 1)), of_b.position, of_b.value, {.dash = Dash::dashed});
     }
     if (s.hides("theory")) return plot.end();
     const bool of_both = b && same_curve(reference, curve_of(b->reference));
@@ -143,14 +144,18 @@ void plot_line(const Session& s, Plot& plot, const Line& line, Point size) {
     if (!reference.position.empty())
         line.reference_points ? plot.points(name, reference.position, reference.value)
                               : plot.reference(name, reference.position, reference.value);
-    std::vector<Curve> others(line.others.size());  // stay in place until the plot is drawn
+    std::vector<Curve> others(line.others.size()), others_of_b(others.size());  // stay in place until the plot is drawn
     for (std::size_t i = 0; i < others.size(); ++i) {
         const auto& [label, sample, points] = line.others[i];
         others[i] = curve_of(sample);
         if (others[i].position.empty()) continue;
-        const bool shared = b && i < b->others.size() && same_curve(others[i], curve_of(b->others[i].sample));
+        if (b && i < b->others.size()) others_of_b[i] = curve_of(b->others[i].sample);
+        const bool shared = same_curve(others[i], others_of_b[i]);
         const std::string named = legend.name(of_run(s, label, shared));
         points ? plot.points(named, others[i].position, others[i].value) : plot.line(named, others[i].position, others[i].value);
+        // A mark of where the run stands, such as its own point on a curve of theory, has a brother for B.
+        if (points && !shared && !others_of_b[i].position.empty())
+            plot.points(legend.name(fmt::format("B: {}", label)), others_of_b[i].position, others_of_b[i].value);
     }
     plot.end();
 }
