@@ -91,6 +91,20 @@ TEST_CASE("a lecture goes through its slides, forward and back", "[lab][lecture]
     CHECK_THAT(h.session().message()->text, ContainsSubstring("last slide"));
 }
 
+TEST_CASE("a lecture keeps what was predicted on a slide that is left", "[lab][lecture]") {
+    Hall h;
+    h.lab.open_lecture(parse_lecture(R"({"pliant_lecture": 1, "title": "Two", "slides": [
+        {"deck": "mesh/mass_spring", "slides": ["Landing"]}, {"title": "Words", "text": "Nothing but words."}]})",
+                                     "two.json"));
+    h.frames(3);
+    REQUIRE(h.session().walkthrough->prediction());
+    h.session().predict({.option = 1u});
+    h.session().go_to_slide(1);
+    h.session().go_to_slide(0);
+    CHECK(h.session().walkthrough->guess().option == 1u);
+    CHECK_FALSE(h.session().walkthrough->revealed());
+}
+
 TEST_CASE("next measures a claim and makes a map before it goes on", "[lab][lecture]") {
     Hall h;
     h.lab.open_lecture(parse_lecture(five, "five.json"), 3);

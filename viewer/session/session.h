@@ -22,6 +22,7 @@
 #include "session/viewpoint.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -302,6 +303,8 @@ private:
     struct LectureShow {
         Lecture lecture;
         std::size_t slide;
+        bool shown = false;                      // has a slide of it been shown?
+        std::map<std::size_t, Guess> guesses{};  // of the slides that have been left
     };
     void show_lecture_slide(std::size_t n);
     void enter(const Lecture& lecture, const LectureSlide& slide);

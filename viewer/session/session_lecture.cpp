@@ -69,15 +69,19 @@ const Slide* Session::slide_after() const {
 // Whatever opens a scene ends a lecture, so the lecture stands aside meanwhile.
 void Session::show_lecture_slide(std::size_t n) {
     LectureShow show = *std::exchange(lecture_, std::nullopt);
+    if (show.shown && walkthrough && walkthrough->prediction()) show.guesses[show.slide] = walkthrough->guess();
     show.slide = std::min(n, show.lecture.slides.size() - 1);
     const LectureSlide& slide = show.lecture.slides[show.slide];
     playing = false;
     dismiss();
     const auto of_slide = [&] {
         enter(show.lecture, slide);
+        if (const auto said = show.guesses.find(show.slide); said != show.guesses.end() && walkthrough->prediction())
+            walkthrough->restore(said->second);
         playing = false;
     };
     if (!guarded(of_slide)) present(walkthrough_of(show.lecture, slide));
+    show.shown = true;
     lecture_ = std::move(show);
 }
 

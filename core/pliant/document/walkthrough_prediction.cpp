@@ -92,7 +92,8 @@ void WalkthroughPlayer::say_right(bool right) {
 void WalkthroughPlayer::restore(const Guess& guess) {
     check_guess(guess);
     guesses_[slide_] = guess;
-    if (revealed_) judge();
+    if (revealed_) return judge();
+    guesses_[slide_].was_right.reset();
 }
 
 // From here on the probe of a sketch is measured step by step.
