@@ -1,6 +1,7 @@
 // What a slide hides until its answer: sliders that are covered, plots without their names, curves of theory.
 #include <pliant/lecture/lecture.h>
 #include <pliant/run/runner.h>
+#include <pliant/study/claims.h>
 
 #include "lab_hand.h"
 #include "panels/companion_panel.h"
@@ -73,4 +74,16 @@ TEST_CASE("a slide that hides a field shows no number of it", "[hide]") {
     CHECK(lab.session().hides("displacement"));
     lab.session().walkthrough_next();
     CHECK_FALSE(lab.session().hides("displacement"));
+}
+
+TEST_CASE("a claim on a slide shows what the lectures say with its answer", "[hide]") {
+    LabHand lab("elasticity/deformation_gradient");
+    lab.session().open_lecture(parse_lecture("# T\n## One\n```show\nclaim E8\n```\n", "l.md"));
+    lab.state().layout = Layout::deck;
+    lab.frames(4);
+    REQUIRE(lab.state().controls.contains("claim answer 0"));
+    CHECK_FALSE(lab.state().controls.contains("claim statement"));
+    lab.state().claims.book.measure_now(find_claim("E8"));
+    lab.frames(3);
+    CHECK(lab.state().controls.contains("claim statement"));
 }

@@ -13,7 +13,7 @@
 namespace pliant::viewer {
 namespace {
 
-constexpr float words_part = 0.36f, plots_part = 0.23f, numbers_part = 0.14f;  // of the width
+constexpr float words_part = 0.36f, plots_part = 0.23f, numbers_part = 0.19f;  // of the width
 constexpr float row_part = 0.36f;          // of the height below the title, for plots in a row
 constexpr float most_for_sliders = 0.45f;  // likewise
 constexpr float rows_gain = 1.08f;         // a scene this much larger is worth the other arrangement

@@ -312,6 +312,7 @@ void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c
         ImGui::TextDisabled("What the lectures say (%s):", c.source.c_str());
         ImGui::PushFont(type.statement);
         words_here(c.statement);
+        lab.note_control("claim statement");
         ImGui::PopFont();
         ImGui::Spacing();
     }
