@@ -13,10 +13,10 @@
 namespace pliant::viewer {
 namespace {
 
-constexpr float words_part = 0.36f, plots_part = 0.23f, numbers_part = 0.19f;  // of the width
-constexpr float row_part = 0.36f;          // of the height below the title, for plots in a row
-constexpr float most_for_sliders = 0.45f;  // likewise
-constexpr float rows_gain = 1.08f;         // a scene this much larger is worth the other arrangement
+constexpr float words_part = 0.36f, plots_part = 0.23f;  // of the width
+constexpr float row_part = 0.36f;                        // of the height below the title, for plots in a row
+constexpr float most_for_sliders = 0.45f;                // likewise
+constexpr float rows_gain = 1.08f;                       // a scene this much larger is worth the other arrangement
 
 // How large the scene is in the picture: px per metre, in 3D up to a factor.
 Real size_of_scene(const LabState& lab, const Rectangle& picture) {
@@ -34,8 +34,7 @@ bool sliders_fit_below_words(const LabState& lab, const Rectangle& words, float 
 }
 
 DeckPlaces with_plots_beside(DeckPlaces p, const LabState& lab, const Rectangle& room, float width) {
-    const bool plots = slide_has_plots(lab);
-    const float right = width * (plots ? plots_part : numbers_part), numbers = plots ? lab.px(172) : room.height;
+    const float right = width * plots_part, numbers = slide_has_plots(lab) ? lab.px(172) : room.height;
     p.picture = {room.x, room.y, room.width - right, room.height};
     p.plots = {room.x + p.picture.width, room.y, right, room.height - numbers};
     p.numbers = {p.plots.x, room.y + p.plots.height, right, numbers};
