@@ -89,6 +89,8 @@ TEST_CASE("every lesson: the declaration is complete and its names are unique", 
                 CHECK((fields.contains(name) || std::ranges::find(lesson->probes, name, &Probe::name) != lesson->probes.end()));
             }
     }
+    // The light of a broken assumption says what there is, not what should be.
+    for (const Assumption& a : lesson->assumptions) CHECK_FALSE(a.otherwise_named.empty());
     for (const Conserved& c : lesson->conserved) CHECK_NOTHROW(lesson->probe(c.probe));
     for (const auto& name : lesson->first_plots()) {
         INFO(name);

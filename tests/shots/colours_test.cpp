@@ -3,6 +3,8 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
+
 using namespace pliant;
 using namespace pliant::viewer;
 
@@ -33,4 +35,49 @@ TEST_CASE("lengths keep the colours of one sign, components have those of two", 
     session.view_changed();
     CHECK(session.colour_scale().map == ColourMap::viridis);
     CHECK(session.colour_scale().min >= 0);
+}
+
+TEST_CASE("a range of rounding, or of numbers that no quantity has, is 0 everywhere", "[session]") {
+    CHECK(scale_for({-2.69e-245, 1e-246}, true) == ColourScale{0, 0, ColourMap::diverging});
+    CHECK(scale_for({0, 3e-101}, false) == ColourScale{0, 0, ColourMap::viridis});
+    CHECK(scale_for({-1e-9, 2e-9}, true, 1e6).max == 0);
+    CHECK(scale_for({-1e-9, 2e-9}, true).max == 2e-9);
+    const ColourScale one = scale_for({1e5, 1e5 + 1e-10}, false);
+    CHECK(one.min == one.max);
+    CHECK(scale_for({1e5, 1e5 + 1e-3}, false).max > 1e5);
+    // One number alone has the middle of its colours, in the picture of a grid too, also where 1 is nothing beside it.
+    for (const Real number : {0.0, 1e30, -1e-30}) {
+        const ColourScale scale{number, number, ColourMap::diverging};
+        CHECK(scale.of(static_cast<float>(number)) == colour_at(ColourMap::diverging, 0.5));
+        CHECK(scale.wide().first < number);
+        CHECK(number < scale.wide().second);
+    }
+    // What has died away beside what it was; another quantity is measured by itself.
+    ColourRange range;
+    range.update({-1, 1}, true);
+    range.update({-1e-14, 1e-14}, true);
+    CHECK(range.scale.max == 0);
+    range.forget_size();
+    range.update({-1e-14, 1e-14}, true);
+    CHECK(range.scale.max == 1e-14);
+}
+
+TEST_CASE("what no stage has computed yet is marked in the picture, which says which stage will", "[session]") {
+    Session session("fluids/projection");
+    const auto says = [&] {
+        return std::ranges::any_of(session.scene().notes, [](const std::string& n) {
+            return n.find("pressure is not computed yet") != n.npos && n.find("the stage “pressure” does it") != n.npos;
+        });
+    };
+    session.colours = {"pressure", -1};
+    session.view_changed();
+    CHECK(session.scene().awaits("pressure"));
+    CHECK_FALSE(session.scene().awaits("u_on_faces"));
+    CHECK(says());
+    // The cell that is drawn large has no pressures of 0 either.
+    CHECK(std::ranges::any_of(session.scene().labels, [](const LabelMark& l) { return l.text == "—"; }));
+    session.step();
+    CHECK_FALSE(session.scene().awaits("pressure"));
+    CHECK_FALSE(says());
+    CHECK(std::ranges::none_of(session.scene().labels, [](const LabelMark& l) { return l.text == "—"; }));
 }

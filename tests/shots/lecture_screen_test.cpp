@@ -1,5 +1,8 @@
 // What lies over the whole screen in a lecture: the black-out, the lens around the pointer, the table of keys.
+#include "app/settings.h"
+#include "command_line/pictures.h"
 #include "hand.h"
+#include "panels/deck_panel.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -139,4 +142,45 @@ TEST_CASE("a search finds keys by their name, by what they do and by their headi
     CHECK(key_rows("no such word").empty());
     CHECK(key_rows("").size() == key_rows().size());
     for (const KeyRow& row : key_rows()) CHECK_FALSE(heading_of(row.group).empty());
+}
+
+TEST_CASE("the type of a deck follows the height of the picture; the lab's stays as it was chosen", "[deck]") {
+    Hand hand("elasticity/moduli", {1920, 1080});
+    LabState& s = hand.lab.state();
+    CHECK(s.scale == 1);
+    hand.lab.open_deck();
+    hand.frames(4);
+    CHECK(s.scale == 1.5f);
+    CHECK(s.fonts.normal->FontSize == 22.5f);
+    CHECK(settings_of(s).scale == 1.f);
+    hand.lab.set_scale(2);
+    hand.frames(2);
+    CHECK(s.scale == 2);
+    hand.lab.set_scale(1);
+    hand.lab.set_layout(Layout::lab);
+    hand.frames(2);
+    CHECK(s.scale == 1);
+    CHECK(s.fonts.normal->FontSize == 15);
+}
+
+TEST_CASE("a slide that speaks of a light has the lights in its picture", "[deck]") {
+    Hand hand("elasticity/energy_density");
+    const auto lights = [&] {
+        return std::ranges::any_of(hand.lab.state().controls, [](const auto& c) { return c.first.starts_with("light "); });
+    };
+    hand.lab.open_deck();
+    hand.frames(4);
+    CHECK_FALSE(lights());
+    std::size_t with = 0;
+    Session& s = hand.lab.session();
+    for (std::size_t n = 0; n < s.slide_count(); ++n)
+        for (const bool revealed : {false, true}) {
+            show_slide(s, n, revealed);
+            hand.lab.state().controls.clear();
+            hand.frames(2);
+            CHECK(lights() == slide_speaks_of_lights(hand.lab.state()));
+            with += lights();
+        }
+    CHECK(with > 0);
+    CHECK(hand.lab.state().cut.empty());
 }

@@ -71,6 +71,53 @@ TEST_CASE("the clocks of two runs are linked whatever moves the first", "[sessio
     }
 }
 
+TEST_CASE("what if leaves A where it stands, and compares nothing before B has come there", "[session]") {
+    Session s = walking({{"time_step", "0.25"}});
+    for (int i = 0; i < 40; ++i) s.step();
+    const std::uint64_t hash = state_hash(s.lesson());
+    s.colours = {"x", -1};
+    s.sliced = true;
+    s.beside_to_now({{"time_step", "0.05"}});
+    REQUIRE(s.companion());
+    REQUIRE(s.catching_up());
+    CHECK(*s.catching_up() == 0);
+    CHECK(s.under_way());
+    CHECK_FALSE(s.has_difference());
+    Real before = 0;
+    for (int i = 0; i < 1000 && s.catching_up(); ++i) {
+        CHECK(s.runner().place().step == 40);
+        CHECK(*s.catching_up() >= before);
+        before = *s.catching_up();
+        s.update(0, Budget::of_passes(7));
+    }
+    CHECK(before > 0.5);
+    while (s.under_way()) s.update(0, Budget::of_passes(7));
+    check_linked(s);
+    CHECK(s.has_difference());
+    CHECK(state_hash(s.lesson()) == hash);
+    CHECK(s.recorder().series(0).at().size() == 41);
+    CHECK(s.companion()->runner().place().step == 200);
+}
+
+TEST_CASE("what if of a run that was changed on its way runs both again side by side, and says so", "[session]") {
+    Session s = walking({{"time_step", "0.25"}});
+    for (int i = 0; i < 20; ++i) s.step();
+    s.assign(s.lesson().parameter("speed"), 3);
+    for (int i = 0; i < 20; ++i) s.step();
+    s.sliced = true;
+    s.beside_to_now({{"time_step", "0.125"}});
+    REQUIRE(s.message());
+    CHECK_THAT(s.message()->text, ContainsSubstring("run again from the start"));
+    CHECK(s.runner().place() == Place{});
+    for (int i = 0; i < 1000 && s.under_way(); ++i) {
+        s.update(0, Budget::of_passes(3));
+        CHECK_FALSE(s.catching_up());
+        CHECK(std::abs(s.runner().time() - s.companion()->runner().time()) < 0.25 + 0.125 + 1e-12);
+    }
+    CHECK(s.runner().place().step == 40);
+    check_linked(s);
+}
+
 TEST_CASE("a move back by the first restores the second to the bit", "[session]") {
     Session s = walking({{"time_step", "0.25"}});
     s.toggle_companion();

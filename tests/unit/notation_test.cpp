@@ -120,6 +120,8 @@ TEST_CASE("notation: a text with quantities may begin with an article") {
     CHECK(is_prose(notation("a step multiplies by 2", Numbers::with_units)));
     CHECK_FALSE(is_prose(notation("a in m/s²", Numbers::with_units)));
     CHECK_FALSE(is_prose(notation("a step")));
+    CHECK(is_prose(notation("St. Venant–Kirchhoff", Numbers::with_units)));
+    CHECK_FALSE(is_prose(notation("Re", Numbers::with_units)));
 }
 
 TEST_CASE("notation: units behind numbers stand upright where a text has quantities") {

@@ -384,3 +384,15 @@ TEST_CASE("The last number along an axis ends with the plot, and keeps clear of 
         }
     }
 }
+
+TEST_CASE("a name that is cut keeps whole words or three letters of one, and a run its letter") {
+    const Notes canvas(10);  // 5.5 px a letter
+    CHECK(shortened(canvas, "implicit midpoint", 100) == "implicit midpoint");
+    CHECK(shortened(canvas, "implicit midpoint", 75) == "implicit mid…");
+    CHECK(shortened(canvas, "implicit midpoint", 69) == "implicit…");
+    CHECK(shortened(canvas, "implicit midpoint", 15).empty());
+    CHECK(shortened(canvas, "Φ of the cell", 40) == "Φ of…");
+    CHECK(shortened_name(canvas, "A  implicit Euler", 15) == "A");
+    CHECK(shortened_name(canvas, "A  implicit Euler", 45) == "A  impl…");
+    CHECK(shortened_name(canvas, "implicit Euler", 15).empty());
+}

@@ -12,6 +12,7 @@
 #include "platform/gl.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -28,9 +29,26 @@ void Lab::set_theme(Theme theme) {
 }
 
 void Lab::set_scale(float scale) {
-    state_.scale = std::clamp(scale, 1.f, 3.f);
+    state_.ui_scale = std::clamp(scale, 1.f, 3.f);
+    fit_scale();
+}
+
+// What is shown to a hall is read from the last row: its type follows the height of the picture, in steps of an eighth, lest the
+// typefaces be made again for every pixel of a window that is dragged.
+void Lab::fit_scale() {
+    constexpr float height_at_1 = 720;  // px
+    float wanted = state_.ui_scale;
+    if (state_.layout == Layout::deck) wanted = std::max(wanted, std::floor(8 * gui_height() / height_at_1) / 8);
+    wanted = std::clamp(wanted, 1.f, 3.f);
+    if (std::exchange(state_.scale, wanted) == wanted && fonts_loaded_) return;
     fonts_loaded_ = false;
     restyle_ = true;
+}
+
+// Of the window, in the px that panels are laid out in.
+float Lab::gui_height() const {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    return display.y > 0 ? display.y : static_cast<float>(context_.framebuffer_size().height);
 }
 
 void Lab::restyle() {
@@ -102,6 +120,7 @@ bool Lab::frame(Real dt) {
 }
 
 void Lab::build_frame(Real dt) {
+    fit_scale();
     if (restyle_) restyle();
     state_.seconds = dt;
     for (const std::string& path : context_.take_dropped_files()) drop_file(path);

@@ -89,6 +89,8 @@ private:
         bool to_notebook = false;  // in place of a file
     };
 
+    void fit_scale();
+    float gui_height() const;
     void restyle();
     void clear_window();
     void work(std::function<void()> job);

@@ -117,8 +117,8 @@ std::string settings_text(const Settings& s) {
 }
 
 Settings settings_of(const LabState& lab) {
-    return {lab.theme, lab.scale,  lab.session.speed,       lab.layout,      lab.scene.hints_shown, lab.session.patterns,
-            lab.sizes, lab.recent, lab.parameters.headings, lab.hand_in.file};
+    return {lab.theme, lab.ui_scale, lab.session.speed,       lab.layout,      lab.scene.hints_shown, lab.session.patterns,
+            lab.sizes, lab.recent,   lab.parameters.headings, lab.hand_in.file};
 }
 
 fs::path settings_path() {

@@ -133,7 +133,8 @@ std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, In
     return text + "\nin the whole run: " + c.verdict.reason;
 }
 
-// Beside the map, at the height of the pointer: on the left where there is room, else on the right, else above or below.
+// Beside the map with its axes, at the height of the pointer: on the left where there is room, else on the right, else above or
+// below.
 void tip_beside(const PanelContext& lab, const Box& map, const std::string& text) {
     const float gap = lab.px(10), wrap = lab.px(300);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap), screen = ImGui::GetIO().DisplaySize,
@@ -162,12 +163,13 @@ void draw_picture(PanelContext& lab, AtlasPanelState& panel, bool legend_beside)
     if (!theory) picture.bound.clear(), picture.wrong.assign(picture.wrong.size(), 0);
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float height =
-        legend_beside ? room.y : std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(240), 1.5f * room.x);
+        legend_beside ? room.y : std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(310), 1.5f * room.x);
     const bool pressed = ImGui::InvisibleButton("map", {room.x, height});
     lab.note_control("atlas map");
     const PlotStyle style = style_of_plots(lab);
     ImguiCanvas canvas(*ImGui::GetWindowDrawList(), style.mathematics);
-    const MapPlaces places = draw_map(canvas, {{at.x, at.y}, {at.x + room.x, at.y + height}}, picture, style, legend_beside);
+    const Box whole{{at.x, at.y}, {at.x + room.x, at.y + height}};
+    const MapPlaces places = draw_map(canvas, whole, picture, style, legend_beside);
     lab.controls["atlas area"] = {places.area.min.x, places.area.min.y, places.area.width(), places.area.height()};
     panel.cell.reset();
     const ImVec2 mouse = ImGui::GetMousePos();
@@ -175,7 +177,7 @@ void draw_picture(PanelContext& lab, AtlasPanelState& panel, bool legend_beside)
     if (!cell) return;
     const auto [i, j] = *cell;
     panel.cell = cell;
-    tip_beside(lab, places.area, cell_text(lab.session.lesson(), map, i, j, theory) + "\nClick to open this scene.");
+    tip_beside(lab, whole, cell_text(lab.session.lesson(), map, i, j, theory) + "\nClick to open this scene.");
     if (pressed) open_cell(lab.session, map, cell->first, cell->second);
 }
 

@@ -33,17 +33,22 @@ std::string title_of(const Session& s, const Field& field) {
     else
         title += " " + as_formula("|" + symbol + "|");
     if (s.hides(field.name)) return title;
-    if (s.shows_difference()) return fmt::format("A − B of {}", title);
     const bool one_number = s.colour_scale().min == s.colour_scale().max;
+    if (s.shows_difference()) return fmt::format("A − B of {}{}", title, one_number ? ": none beyond rounding" : "");
     if (s.shows_change()) {
         const Stage* stage = s.inspector.shown_stage(s.runner());
         if (one_number) return fmt::format("{}: unchanged{}", title, stage ? " by " + words(stage->name) : "");
         return stage ? fmt::format("Change of {} by {}", title, words(stage->name)) : fmt::format("Change of {}", title);
     }
-    if (const std::string waits = not_yet(awaited_stage(s.runner(), field)); !waits.empty())
-        return fmt::format("{}: {}", title, waits);
+    if (awaited_stage(s.runner(), field)) return title;
     if (!s.range.automatic) return title + " (fixed)";
-    return one_number ? title + ", the same everywhere" : title;
+    return !one_number ? title : s.colour_scale().max == 0 ? title + ", 0 everywhere" : title + ", the same everywhere";
+}
+
+// The colour of a part of the bar, 0 to 1: while the numbers are none yet, that of the picture.
+Rgba8 colour_of_part(const Session& s, const Field& field, Real part) {
+    const bool awaited = !s.shows_change() && awaited_stage(s.runner(), field);
+    return awaited ? undefined_colour : colour_at(s.colour_scale().map, part);
 }
 
 // With as many digits as it takes for all to differ; one alone where the whole scale is one number.
@@ -107,13 +112,13 @@ void hatch(PanelContext& lab, ImVec2 from, ImVec2 to, bool upright) {
 
 void upright_bar(PanelContext& lab, const Rectangle& picture, const Field& field) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const ColourScale& scale = lab.session.colour_scale();
     const float height = std::min(picture.height * 0.45f, lab.px(240)), width = lab.px(14);
     const ImVec2 low{picture.x + picture.width - width - lab.px(12), picture.y + picture.height - lab.px(16)};
     const float top = low.y - height;
     for (int i = 0; i < bands; ++i) {
         const float y0 = low.y - height * static_cast<float>(i + 1) / bands, y1 = low.y - height * static_cast<float>(i) / bands;
-        draw->AddRectFilled({low.x, y0}, {low.x + width, y1 + 0.5f}, packed(colour_at(scale.map, (i + 0.5) / bands)));
+        draw->AddRectFilled({low.x, y0}, {low.x + width, y1 + 0.5f},
+                            packed(colour_of_part(lab.session, field, (i + 0.5) / bands)));
     }
     hatch(lab, low, {low.x + width, top}, true);
     draw->AddRect({low.x, top}, {low.x + width, low.y}, lab.ink(Ink::text, 0.6f));
@@ -126,7 +131,7 @@ void upright_bar(PanelContext& lab, const Rectangle& picture, const Field& field
         draw->AddLine({low.x - lab.px(4), y}, {low.x, y}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
         haloed_text(lab, {low.x - lab.px(7) - ImGui::CalcTextSize(text.c_str()).x, y - line / 2}, lab.ink(Ink::text), text);
     }
-    const std::string title = title_of(lab.session, field);
+    const std::string title = cut_sentence(lab, title_of(lab.session, field), picture.width - lab.px(20));
     const float left = std::max(low.x + width - sentence_width(lab, title), picture.x + lab.px(8));
     haloed_sentence(lab, {left, top - 1.6f * line}, lab.ink(Ink::text), title);
     ImGui::PopFont();
@@ -134,13 +139,12 @@ void upright_bar(PanelContext& lab, const Rectangle& picture, const Field& field
 
 void lying_bar(PanelContext& lab, const Rectangle& picture, const Field& field) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const ColourScale& scale = lab.session.colour_scale();
     ImGui::PushFont(lab.fonts.normal);
     const float line = ImGui::GetTextLineHeight(), height = lab.px(14), left = picture.x + lab.px(20),
                 width = picture.width - lab.px(40), bottom = picture.y + picture.height - line - lab.px(9), top = bottom - height;
     for (int i = 0; i < bands; ++i) {
         const float x0 = left + width * static_cast<float>(i) / bands, x1 = left + width * static_cast<float>(i + 1) / bands;
-        draw->AddRectFilled({x0, top}, {x1 + 0.5f, bottom}, packed(colour_at(scale.map, (i + 0.5) / bands)));
+        draw->AddRectFilled({x0, top}, {x1 + 0.5f, bottom}, packed(colour_of_part(lab.session, field, (i + 0.5) / bands)));
     }
     hatch(lab, {left, bottom}, {left + width, top}, false);
     draw->AddRect({left, top}, {left + width, bottom}, lab.ink(Ink::text, 0.6f));
@@ -151,7 +155,8 @@ void lying_bar(PanelContext& lab, const Rectangle& picture, const Field& field) 
         draw->AddLine({x, bottom}, {x, bottom + lab.px(4)}, lab.ink(Ink::text), std::max(1.f, lab.px(1)));
         haloed_text(lab, {left + tick_begin(ticks, i, width), bottom + lab.px(5)}, lab.ink(Ink::text), text);
     }
-    haloed_sentence(lab, {left, top - line - lab.px(3)}, lab.ink(Ink::text), title_of(lab.session, field));
+    haloed_sentence(lab, {left, top - line - lab.px(3)}, lab.ink(Ink::text),
+                    cut_sentence(lab, title_of(lab.session, field), width));
     ImGui::PopFont();
 }
 

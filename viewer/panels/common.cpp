@@ -92,6 +92,18 @@ void place_tip() {
                             {on_the_left ? 0.f : 1.f, 0});
 }
 
+void place_tip_beside(const Rectangle& size) {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    const ImRect panel = g.CurrentWindow->RootWindow->Rect(), item = g.LastItemData.Rect;
+    const ImVec2 display = g.IO.DisplaySize;
+    const bool on_the_left = panel.GetCenter().x < display.x / 2, narrow = panel.GetWidth() < 0.45f * display.x;
+    ImVec2 at{on_the_left ? panel.Max.x : panel.Min.x - size.width, item.Min.y};
+    if (!narrow) at = {item.Min.x, item.Min.y - size.height - ImGui::GetStyle().ItemSpacing.y};
+    at.x = std::clamp(at.x, 0.f, std::max(0.f, display.x - size.width));
+    at.y = std::clamp(at.y, 0.f, std::max(0.f, display.y - size.height));
+    ImGui::SetNextWindowPos(at);
+}
+
 void tooltip(const std::string& text, float scale) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort | ImGuiHoveredFlags_AllowWhenDisabled)) return;
     place_tip();

@@ -3,6 +3,7 @@
 #include "panels/typeset_text.h"
 
 #include <pliant/document/summary.h>
+#include <pliant/run/awaited.h>
 #include <pliant/text/format.h>
 
 #include "session/live_error.h"
@@ -29,7 +30,7 @@ struct Row {
 constexpr Real rounding = 1e-12;
 
 std::string number_text(std::optional<Real> value, std::string_view unit, int digits, Real size) {
-    if (!value) return "–";
+    if (!value) return "—";
     if (*value != 0 && std::abs(*value) < rounding * size) return "≈ 0";
     return format_quantity(*value, unit, digits);
 }
@@ -55,8 +56,10 @@ Real largest(const TimeSeries& series) {
 
 std::optional<Real> seconds(std::optional<Real> ms) { return ms ? std::optional(*ms / 1000) : std::nullopt; }
 
-// Of B too when the numbers of one run are not finite, which the run itself tells in words.
+// None while a stage has yet to compute it. Of B too when the numbers of one run are not finite, which the run itself tells in
+// words.
 std::optional<Real> value_of(const Runner& runner, const Probe& probe) {
+    if (awaited_stage(runner, probe)) return std::nullopt;
     try {
         return runner.value(probe);
     } catch (const Error&) {
@@ -70,7 +73,8 @@ std::vector<Row> rows_of(const Session& s, int digits) {
     std::vector<Row> rows;
     for (const Probe* p : key_probes(s.lesson())) {
         const auto i = static_cast<std::size_t>(p - probes.data());
-        const auto of_a = value_of(s.runner(), *p), of_b = value_of(b.runner(), b.lesson().probe(p->name));
+        const auto of_a = value_of(s.runner(), *p);
+        const auto of_b = s.catching_up() ? std::nullopt : value_of(b.runner(), b.lesson().probe(p->name));
         Real size = std::max(std::abs(of_a.value_or(0)), std::abs(of_b.value_or(0)));
         for (const Recorder* r : {&s.recorder(), &b.recorder()})
             if (!r->empty()) size = std::max(size, largest(r->series(i)));
@@ -85,7 +89,7 @@ std::vector<Row> rows_of(const Session& s, int digits) {
     if (measured == probes.end() || !measured->exact || s.hides(measured->name) || s.hides("theory")) return rows;
     const auto i = static_cast<std::size_t>(measured - probes.begin());
     const auto error = [&](const Recorder& r) { return r.empty() ? std::nullopt : error_against_exact(r.series(i)).latest(); };
-    const auto of_a = error(s.recorder()), of_b = error(b.recorder());
+    const auto of_a = error(s.recorder()), of_b = s.catching_up() ? std::nullopt : error(b.recorder());
     if (!of_a && !of_b) return rows;
     const Real size = std::max(std::abs(of_a.value_or(0)), std::abs(of_b.value_or(0)));
     rows.push_back(
@@ -157,18 +161,38 @@ std::string setting_text(const Parameter& p, Real value) {
     return fmt::format("{} = {}", name, format_quantity(value, p.info.unit));
 }
 
+namespace {
+
+// " from step 13 on", for a parameter that was changed within the run: its numbers before are of another setting.
+std::string since_text(const Runner& runner, std::string_view key) {
+    Index since = 0;
+    for (const Event& e : runner.recording().events())
+        if (std::ranges::any_of(e.assign, [&](const auto& a) { return a.first == key; })) since = e.step;
+    return since > 0 ? fmt::format(" from step {} on", since + 1) : "";
+}
+
+}  // namespace
+
 std::string differing_text(const Session& s, bool of_b, std::size_t most) {
     if (!s.companion() || s.hides("titles")) return "";
+    const Runner& run = of_b ? s.companion()->runner() : s.runner();
     std::vector<std::string> texts;
-    for (const Differing& d : differing(s.runner(), s.companion()->runner()))
-        texts.push_back(s.hides(d.parameter->info.key) ? fmt::format("{} ?", words(d.parameter->info.key))
-                                                       : setting_text(*d.parameter, of_b ? d.b : d.a));
+    for (const Differing& d : differing(s.runner(), s.companion()->runner())) {
+        const std::string_view key = d.parameter->info.key;
+        texts.push_back(s.hides(key) ? fmt::format("{} ?", words(key))
+                                     : setting_text(*d.parameter, of_b ? d.b : d.a) + since_text(run, key));
+    }
     return joined(texts, most);
 }
 
 std::string run_name(const Session& s, bool of_b, std::size_t most) {
     const std::string settings = differing_text(s, of_b, most);
     return fmt::format("{}{}{}", of_b ? "B" : "A", settings.empty() ? "" : "  ", settings);
+}
+
+std::string catching_up_text(const Session& s) {
+    const auto share = s.catching_up();
+    return share ? fmt::format("B is catching up: {:.0f} %", std::floor(100 * *share)) : "";
 }
 
 std::string pinned_text(const Session& s) {

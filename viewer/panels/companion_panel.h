@@ -10,6 +10,8 @@ std::string setting_text(const Parameter& parameter, Real value);
 std::string differing_text(const Session& session, bool of_b, std::size_t most = 3);
 // "A  Δt = 1 ms"; "A" alone when nothing differs.
 std::string run_name(const Session& session, bool of_b, std::size_t most = 3);
+// "B is catching up: 40 %"; "" while it keeps up with A.
+std::string catching_up_text(const Session& session);
 // "pinned at t = 0.3 s: Δt = 1 ms": how the pinned run differs from the present one.
 std::string pinned_text(const Session& session);
 

@@ -171,6 +171,17 @@ float slide_parameters_height(const PanelContext& lab) {
     return rows * (2 * lab.fonts.large->FontSize + 2 * style.ItemSpacing.y + 2 * style.FramePadding.y + lab.px(2)) + lab.px(18);
 }
 
+bool slide_speaks_of_lights(const PanelContext& lab) {
+    const WalkthroughPlayer& player = *lab.session.walkthrough;
+    return std::ranges::any_of(player.slide().blocks, [&](const Block& b) {
+        const bool shown =
+            b.kind == BlockKind::text || b.kind == BlockKind::ask || (b.kind == BlockKind::answer && player.revealed());
+        const std::string words = shown ? b.paragraph() : "";
+        return words.find(" light \"") != words.npos || words.find(" light *") != words.npos ||
+               words.find("The light ") != words.npos || words.find(" lights ") != words.npos;
+    });
+}
+
 void draw_slide_parameters(PanelContext& lab, ParameterPanelState& panel) {
     const auto shown = shown_parameters(lab);
     if (!ImGui::BeginTable("parameters", columns(shown.size()))) return;

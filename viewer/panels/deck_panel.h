@@ -12,6 +12,8 @@ void draw_slide_title(PanelContext& lab);
 void draw_slide_words(PanelContext& lab);
 void draw_slide_parameters(PanelContext& lab, ParameterPanelState& panel);
 void draw_slide_notes(PanelContext& lab);
+// Do its words that are shown speak of the lights of the lab? Then the picture has them.
+bool slide_speaks_of_lights(const PanelContext& lab);
 float slide_parameters_height(const PanelContext& lab);  // 0 when the slide allows none
 // In which size of type the words fit into a room, 0 for the largest; empty when they fit in none.
 std::optional<std::size_t> slide_words_type(const PanelContext& lab, ImVec2 room);

@@ -60,14 +60,17 @@ void plot_along(PanelContext& lab, PlotPanelState& panel, Plot& plot, Point size
         return field_profile(s.lesson(), scene, field->on, values, state.axis, state.across);
     };
     const FieldProfile profile = along_line(rows);
+    const bool awaited = scene.awaits(field->name) && !s.shows_change();
     const std::string axis = axes[static_cast<std::size_t>(state.axis)], title = field_title(lab, *field);
     size.y -= ImGui::GetFrameHeightWithSpacing();
     if (!plot.begin(fmt::format("{} along {}##along", title, axis), size,
                     {.x = {axis, "m"},
                      .y = {title, std::string(field->unit)},
-                     .empty_hint = s.hides(field->name) ? "predict first" : "this field has no places"}))
+                     .empty_hint = s.hides(field->name) ? "predict first"
+                                   : awaited            ? "not computed yet"
+                                                        : "this field has no places"}))
         return;
-    if (s.hides(field->name)) return plot.end();
+    if (s.hides(field->name) || awaited) return plot.end();
     plot.line(s.shows_change() ? "change" : "now", profile.position, profile.value);
     if (looked.compare != Compare::now && !s.shows_change()) {
         // What the stage found, beneath what it left.
@@ -90,7 +93,11 @@ void plot_map(PanelContext& lab, Plot& plot, Point size) {
     const GridMarks& g = scene.grids[0];
     const std::vector<Real> values(g.values.begin(), g.values.end());
     const ColourScale& scale = s.colour_scale();
-    if (!plot.begin(field_title(lab, *field) + "##map", size, {.x = {"x", "m"}, .y = {"y", "m"}})) return;
+    const bool awaited = scene.awaits(field->name) && !scene.override_values;
+    if (!plot.begin(field_title(lab, *field) + "##map", size,
+                    {.x = {"x", "m"}, .y = {"y", "m"}, .empty_hint = awaited ? "not computed yet" : Axes{}.empty_hint}))
+        return;
+    if (awaited) return plot.end();
     plot.heat_map({.name = field_title(lab, *field),
                    .unit = std::string(field->unit),
                    .values = values,

@@ -44,8 +44,8 @@ void add_assumptions(const Lesson& lesson, std::vector<Light>& lights) {
         if (value <= limit)
             holding += text;
         else
-            others = true,
-            lights.push_back({Holds::no, words(a.name), fmt::format("Assumption {}Beyond it: {}", text, a.broken)});
+            others = true, lights.push_back({Holds::no, words(a.otherwise_named.empty() ? a.name : a.otherwise_named),
+                                             fmt::format("Assumption {}Beyond it: {}", text, a.broken)});
     }
     if (!holding.empty()) lights.push_back({Holds::yes, others ? "others" : "assumptions", "Assumptions that hold:\n" + holding});
 }

@@ -67,7 +67,8 @@ std::string_view name_of(SideTab tab);
 struct PanelContext {
     Session session{};
     Theme theme = Theme::dark;
-    float scale = 1;  // UI scale, 1 to 3
+    float ui_scale = 1;  // of type and controls, 1 to 3, as it was chosen
+    float scale = 1;     // as it is drawn: in a deck larger where the window is high
     Fonts fonts{};
     Layout layout = Layout::lab;
     Fill fill{};                                         // one panel in its place
@@ -134,6 +135,8 @@ void fitted_text(const std::string& text, float width);
 void haloed_text(PanelContext& lab, ImVec2 at, unsigned colour, const std::string& text);
 // Before a tooltip of the last item: where the keys act on it, beside its panel, so that the next controls stay in sight.
 void place_tip();
+// The same for the mouse as well: a tooltip of this size, px, beside a panel at the side, or else above the item.
+void place_tip_beside(const Rectangle& size);
 // A tooltip for the last item, wrapped.
 void tooltip(const std::string& text, float scale);
 // A button on the line of the one before, or on the next where it does not fit.

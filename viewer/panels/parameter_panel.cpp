@@ -75,6 +75,12 @@ void choice_box(PanelContext& lab, const Parameter& p) {
     ImFont* font = ImGui::GetFont();
     for (ImFont* smaller : {lab.fonts.medium, lab.fonts.normal, lab.fonts.small})
         if (smaller->FontSize < font->FontSize && !fits_with(font, label, room)) font = smaller;
+    std::string shown = label;
+    if (!fits_with(font, label, room)) {
+        ImGui::PushFont(font);
+        shown = with_ellipsis(label, room);
+        ImGui::PopFont();
+    }
     if (ImGui::BeginCombo("##value", "")) {
         for (std::size_t i = 0; i < p.info.options.size(); ++i)
             if (ImGui::Selectable(std::string(p.info.options[i].label).c_str(), i == current))
@@ -85,20 +91,29 @@ void choice_box(PanelContext& lab, const Parameter& p) {
     const ImVec2 at = ImGui::GetItemRectMin();
     const float down = (ImGui::GetItemRectSize().y - font->FontSize) / 2;
     ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {at.x + ImGui::GetStyle().FramePadding.x, at.y + down},
-                                        ImGui::GetColorU32(ImGuiCol_Text), label.c_str());
+                                        ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
 }
 
 // The words belong to the box: a click on them turns it as well.
 void switch_box(PanelContext& lab, const Parameter& p, const std::string& label) {
     bool on = lab.session.addressed().wanted(p) != 0;
-    const MathBox& words = sentence_box(lab, label);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, blank = ImGui::CalcTextSize(" ").x;
+    const float most = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - gap - blank;
+    // Smaller, and cut at last, where the panel is narrow.
+    ImFont* font = ImGui::GetFont();
+    for (ImFont* smaller : {lab.fonts.medium, lab.fonts.normal, lab.fonts.small})
+        if (smaller->FontSize < font->FontSize && lab.fonts.mathematics.sentence(label, font->FontSize).width > most)
+            font = smaller;
+    ImGui::PushFont(font);
+    const MathBox words = sentence_box(lab, cut_sentence(lab, label, most));
+    ImGui::PopFont();
     const std::string room(static_cast<std::size_t>(std::ceil(words.width / blank)), ' ');
     if (ImGui::Checkbox((room + "##value").c_str(), &on)) lab.session.assign(p, on ? 1 : 0);
     const ImVec2 at = ImGui::GetItemRectMin();
-    lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), words,
-                               {at.x + ImGui::GetFrameHeight() + gap, at.y + ImGui::GetStyle().FramePadding.y + words.above},
-                               ImGui::GetColorU32(ImGuiCol_Text));
+    lab.fonts.mathematics.draw(
+        *ImGui::GetWindowDrawList(), words,
+        {at.x + ImGui::GetFrameHeight() + gap, at.y + (ImGui::GetItemRectSize().y - words.height()) / 2 + words.above},
+        ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 // Where the two runs differ in it: the value in the one that the sliders do not set.

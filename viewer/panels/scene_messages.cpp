@@ -1,5 +1,7 @@
 #include "panels/scene_messages.h"
 
+#include <pliant/run/awaited.h>
+
 #include "panels/companion_panel.h"
 #include "panels/flowing_text.h"
 
@@ -75,16 +77,42 @@ void name_pinned(PanelContext& lab, ScenePanelState& panel, const Rectangle& pla
     haloed_text(lab, at, lab.ink(Ink::text), pinned_text(lab.session));
 }
 
-void tell_stopped(PanelContext& lab, const Rectangle& place) {
-    const std::string& why = lab.session.companion()->stopped();
-    if (why.empty()) return;
-    const std::string text = fmt::format("B stopped, A goes on: {}", why);
-    const float pad = lab.px(10), wrap = place.width - 4 * pad;
+namespace {
+
+// A plate of words at the lower end of a picture.
+void plate(PanelContext& lab, const Rectangle& place, const std::string& text, Rgba8 colour) {
+    const float pad = lab.px(10), widest = place.width - 4 * pad;
+    const float wrap = std::min(widest, ImGui::CalcTextSize(text.c_str()).x + 1);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
     const ImVec2 at{place.x + pad, place.y + place.height - size.y - 3 * pad};
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(at, {at.x + wrap + 2 * pad, at.y + size.y + 2 * pad}, packed(bad_colour, 0.94f), lab.px(4));
+    draw->AddRectFilled(at, {at.x + wrap + 2 * pad, at.y + size.y + 2 * pad}, packed(colour, 0.94f), lab.px(4));
     draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + pad}, IM_COL32_WHITE, text.c_str(), nullptr, wrap);
+}
+
+}  // namespace
+
+void tell_of_beside(PanelContext& lab, const Rectangle& place) {
+    const std::string& why = lab.session.companion()->stopped();
+    if (!why.empty()) return plate(lab, place, fmt::format("B stopped, A goes on: {}", why), bad_colour);
+    if (const std::string text = catching_up_text(lab.session); !text.empty()) plate(lab, place, text, quiet_colour);
+}
+
+void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place) {
+    // In the lab a note says it.
+    if (lab.layout == Layout::lab || !scene.awaits(scene.colour_by.field) || scene.override_values) return;
+    const Field* field = runner ? runner->lesson().find_field(scene.colour_by.field) : nullptr;
+    const std::string text = field ? capitalised(not_yet(awaited_stage(*runner, *field))) : "not computed yet";
+    if (text.empty()) return;
+    ImGui::PushFont(lab.fonts.medium);
+    const float wrap = place.width - lab.px(20);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap), pad{lab.px(6), lab.px(2)};
+    const ImVec2 at{place.x + (place.width - size.x) / 2, place.y + place.height - size.y - lab.px(6)};
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
+                        packed(palette(lab.theme).background, 0.8f), pad.x);
+    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, lab.ink(Ink::text), text.c_str(), nullptr, wrap);
+    ImGui::PopFont();
 }
 
 }  // namespace pliant::viewer

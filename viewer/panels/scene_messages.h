@@ -12,7 +12,10 @@ void draw_unsolved(PanelContext& lab, const ScenePanelState& panel, const Rectan
 void draw_hints(PanelContext& lab, ScenePanelState& panel, const Rectangle& place);
 // How the pinned run differs, at the lower left above the hints.
 void name_pinned(PanelContext& lab, ScenePanelState& panel, const Rectangle& place);
-// Why B does not go on, over its picture.
-void tell_stopped(PanelContext& lab, const Rectangle& place);
+// Why B does not go on, or how far it has come to where A is, over its picture.
+void tell_of_beside(PanelContext& lab, const Rectangle& place);
+// At the lower end of a picture on a slide whose field no stage has computed yet: which one will. runner: null for a picture of
+// the past.
+void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place);
 
 }  // namespace pliant::viewer

@@ -1,9 +1,11 @@
 // The picture: drawn into a texture, alone or two beside each other, with labels, notes and read-out over it.
 #include "panels/colour_bar.h"
 #include "panels/companion_panel.h"
+#include "panels/deck_panel.h"
 #include "panels/scene_matrices.h"
 #include "panels/scene_messages.h"
 #include "panels/scene_view.h"
+#include "panels/status_line.h"
 #include "render/ghost.h"
 #include "render/moving_parts.h"
 
@@ -15,6 +17,12 @@
 
 namespace pliant::viewer {
 namespace {
+
+// The run that shows this lesson; null for a picture of the past.
+const Runner* runner_of(const Session& s, const Lesson* lesson) {
+    if (!lesson) return nullptr;
+    return lesson == &s.lesson() ? &s.runner() : &s.companion()->runner();
+}
 
 // A picture at a place of the window, under the mouse.
 void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer, const View& view, float right_margin,
@@ -39,6 +47,8 @@ void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& rend
     });
     if (view.first) mark_thing(lab, view), note_handles(lab, view);
     draw_labels(lab, panel, view);
+    tell_awaited(lab, view.picture->scene, runner_of(lab.session, view.lesson),
+                 {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y});
     if (view.lesson && !lab.session.hides("matrices")) {
         // Above the hints, where they are shown.
         const bool hinted = panel.hints_shown && lab.layout == Layout::lab;
@@ -117,7 +127,7 @@ void draw_two(PanelContext& lab, ScenePanelState& panel, SceneRenderer& renderer
     Session& s = lab.session;
     Side a{std::move(of_a), &s.lesson(), run_name(s, false), true},
         b{s.picture_beside(), &s.companion()->lesson(), run_name(s, true), false};
-    tell_stopped(lab, draw_pair(lab, panel, renderer, std::move(a), std::move(b), place, right));
+    tell_of_beside(lab, draw_pair(lab, panel, renderer, std::move(a), std::move(b), place, right));
 }
 
 std::string heading_of(const Session& s, std::string_view moment) {
@@ -210,6 +220,7 @@ void draw_scene(PanelContext& lab, ScenePanelState& panel, SceneRenderer& render
         draw_swipe(lab, panel, renderer, *before, std::move(picture), place, bar.right);
     else
         draw_alone(lab, panel, renderer, std::move(picture), place, bar.right);
+    if (lab.layout == Layout::deck && slide_speaks_of_lights(lab)) draw_lights_at(lab, place);
     draw_colour_bar(lab, {place.x, place.y, place.width, place.height + bar.below});
     name_pinned(lab, panel, place);
     draw_unsolved(lab, panel, {place.x, place.y, place.width - bar.right, place.height});

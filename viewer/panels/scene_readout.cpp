@@ -14,16 +14,16 @@
 namespace pliant::viewer {
 namespace {
 
-std::string known_of(const Session& s, const Lesson& lesson, const Picked& picked) {
+std::string known_of(const Session& s, const Lesson& lesson, const Scene& scene, const Picked& picked) {
     std::string text = fmt::format("{} {}\n", name_of(picked.on), picked.index);
     for (const Field& f : lesson.fields) {
         if (!f.in_use() || s.hides(f.name) || f.on != picked.on || picked.index >= f.size()) continue;
-        const bool scalar = f.rank == Rank::scalar || f.symbol.empty();
+        const bool scalar = f.rank == Rank::scalar || f.symbol.empty(), awaited = scene.awaits(f.name);
         text += fmt::format("{} {}\n",
                             scalar ? named_with_symbol(f.name, f.symbol)
                                    : fmt::format("{} {}", words(f.name), as_formula(fmt::format("|{}|", f.symbol))),
-                            as_formula("= " + format_quantity(row_value(f, picked.index, -1), f.unit)));
-        if (f.rank == Rank::scalar) continue;
+                            awaited ? "—" : as_formula("= " + format_quantity(row_value(f, picked.index, -1), f.unit)));
+        if (f.rank == Rank::scalar || awaited) continue;
         const auto names = component_names(f);
         text += "   ";
         for (int c = 0; c < f.components; ++c) {
@@ -61,14 +61,16 @@ void mark(PanelContext& lab, const View& view, const Position& place, float radi
 void mark_thing(PanelContext& lab, const View& view) {
     const auto& autopsy = lab.session.autopsy();
     const auto& thing = autopsy && autopsy->thing ? autopsy->thing : lab.session.inspector.thing;
-    if (!thing || (thing == lab.session.inspector.thing && lab.side != SideTab::inspect)) return;
+    const bool inspected = thing == lab.session.inspector.thing;
+    if (!thing || (inspected && (lab.side != SideTab::inspect || lab.layout == Layout::deck))) return;
     if (const auto at = place_of(view.picture->scene, thing->on, thing->index)) mark(lab, view, *at, 11, 3);
 }
 
 void read_out(PanelContext& lab, const View& view, const Picked& picked) {
     const Position place = position<3>(picked.at);
     mark(lab, view, place, 9, 2);
-    const std::string text = picked.on == On::handle ? "Drag me" : known_of(lab.session, *view.lesson, picked);
+    const std::string text =
+        picked.on == On::handle ? "Drag me" : known_of(lab.session, *view.lesson, view.picture->scene, picked);
     ImGui::PushFont(lab.fonts.small);
     const MathBox& words = sentence_box(lab, text);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace pliant::viewer {
 namespace {
 
@@ -54,6 +56,33 @@ std::string inside_text(const Session& s) {
 }
 
 }  // namespace
+
+void draw_lights_at(PanelContext& lab, const Rectangle& room) {
+    if (lab.held.lights.empty()) return;
+    const float pad = lab.px(6), line = ImGui::GetTextLineHeight(), low = room.y + room.height - line - pad;
+    ImVec2 at{room.x + lab.px(10), low};
+    std::vector<float> widths;
+    for (const Light& l : lab.held.lights)
+        widths.push_back(light_width(lab) + gap_before_name(lab) + ImGui::CalcTextSize(l.name.c_str()).x + gap_of_lights(lab));
+    // In as many rows as they need, the last at the lower end.
+    float x = at.x;
+    for (const float width : widths) {
+        if (x > at.x && x + width > room.x + room.width) x = at.x, at.y -= line + pad;
+        x += width;
+    }
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x - pad, at.y - pad / 2},
+                                              {at.y < low ? room.x + room.width : x, low + line + pad / 2},
+                                              packed(palette(lab.theme).background, 0.8f), pad);
+    x = at.x;
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+        if (x > at.x && x + widths[k] > room.x + room.width) x = at.x, at.y += line + pad;
+        ImGui::SetCursorScreenPos({x, at.y});
+        draw_light(lab, lab.held.lights[k], true);
+        lab.note_control("light " + lab.held.lights[k].name);
+        x += widths[k];
+    }
+    ImGui::NewLine();
+}
 
 void draw_status_line(PanelContext& lab) {
     const Session& s = lab.session;

@@ -1,6 +1,5 @@
 #include "panels/typeset_text.h"
 
-#include "platform/index_letters.h"
 #include "typeset/phrases.h"
 
 #include <algorithm>
@@ -9,11 +8,10 @@
 namespace pliant::viewer {
 namespace {
 
-// For a line that is cut: the letters alone.
-std::string untypeset(std::string_view text) {
-    std::string plain;
-    for (const Phrase& phrase : phrases_of(text)) plain += phrase.text;
-    return with_index_letters(plain);
+// Whole letters of UTF-8 alone.
+std::string_view first_letters(std::string_view text, std::size_t bytes) {
+    while (bytes > 0 && bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80) --bytes;
+    return text.substr(0, bytes);
 }
 
 }  // namespace
@@ -29,10 +27,33 @@ void sentence_item(const PanelContext& lab, std::string_view text) {
     draw_item(lab.fonts.mathematics, sentence_box(lab, text, width), ImGui::GetColorU32(ImGuiCol_Text));
 }
 
+std::string cut_sentence(const PanelContext& lab, const std::string& text, float width) {
+    if (sentence_width(lab, text) <= width) return text;
+    const auto fits = [&](const std::string& words) { return sentence_width(lab, words + "…") <= width; };
+    std::string kept;
+    for (const Phrase& phrase : phrases_of(text)) {
+        const std::string whole = kept + (phrase.formula ? as_formula(phrase.text) : phrase.text);
+        if (fits(whole)) {
+            kept = whole;
+            continue;
+        }
+        // A formula is there as a whole or not at all; of words as many letters as fit.
+        std::size_t least = 0, most = phrase.formula ? 0 : phrase.text.size();
+        while (least < most) {
+            const std::size_t middle = (least + most + 1) / 2;
+            fits(kept + std::string(first_letters(phrase.text, middle))) ? least = middle : most = middle - 1;
+        }
+        kept += first_letters(phrase.text, least);
+        break;
+    }
+    while (!kept.empty() && (kept.back() == ' ' || kept.back() == ',')) kept.pop_back();
+    return kept + "…";
+}
+
 void fitted_sentence(const PanelContext& lab, const std::string& text, float width) {
     const MathBox& box = sentence_box(lab, text);
     if (box.width <= width) return draw_item(lab.fonts.mathematics, box, ImGui::GetColorU32(ImGuiCol_Text));
-    ImGui::TextUnformatted(with_ellipsis(untypeset(text), width).c_str());
+    draw_item(lab.fonts.mathematics, sentence_box(lab, cut_sentence(lab, text, width)), ImGui::GetColorU32(ImGuiCol_Text));
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort)) return;
     place_tip();
     ImGui::BeginTooltip();
@@ -57,9 +78,11 @@ void haloed_sentence(const PanelContext& lab, ImVec2 at, unsigned colour, std::s
 
 void sentence_tooltip(const PanelContext& lab, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_DelayShort | ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    place_tip();
+    const MathBox& words = sentence_box(lab, text, lab.px(320));
+    const ImVec2 pad = ImGui::GetStyle().WindowPadding;
+    place_tip_beside({0, 0, words.width + 2 * pad.x, words.height() + 2 * pad.y});
     ImGui::BeginTooltip();
-    draw_item(lab.fonts.mathematics, sentence_box(lab, text, lab.px(320)), ImGui::GetColorU32(ImGuiCol_Text));
+    draw_item(lab.fonts.mathematics, words, ImGui::GetColorU32(ImGuiCol_Text));
     ImGui::EndTooltip();
 }
 

@@ -12,6 +12,8 @@ const MathBox& sentence_box(const PanelContext& lab, std::string_view text, floa
 float sentence_width(const PanelContext& lab, std::string_view text);
 // At the cursor, as wide as there is room.
 void sentence_item(const PanelContext& lab, std::string_view text);
+// As much of it as is no wider than this, with an ellipsis behind it: words by letters, a formula as a whole or not at all.
+std::string cut_sentence(const PanelContext& lab, const std::string& text, float width);
 // In one line. What is wider ends with an ellipsis, and the whole is its tooltip.
 void fitted_sentence(const PanelContext& lab, const std::string& text, float width);
 // With the top left corner at this place of the window.

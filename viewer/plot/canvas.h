@@ -30,7 +30,10 @@ public:
     }
 };
 
-// The words, or as many of their first letters as fit into `width`, with an ellipsis.
+// The words, or as many of their first letters as fit into `width`, with an ellipsis; no word is cut to fewer than three letters.
+// "" where nothing fits.
 std::string shortened(const Canvas& canvas, std::string_view words, float width);
+// The same of the name of a curve; of "A  Δt = 1 ms", which names a run, at least the letter.
+std::string shortened_name(const Canvas& canvas, std::string_view name, float width);
 
 }  // namespace pliant::viewer

@@ -14,8 +14,8 @@ constexpr float legend_height = 11, least_legend_height = 6, legend_width = 8;  
 constexpr float least_area = 1.5f;                                              // of either side
 constexpr float sample_length = 1.7f;                                           // of the line beside a name in the legend
 constexpr float between_entries = 0.9f;
-// Names are shortened as far as it takes for all curves to be named.
-constexpr std::array widest_names{16.f, 11.f, 8.f, 6.f, 4.5f, 3.f, 2.f};
+// Names are shortened as far as it takes for all curves to be named, but no further than to something that can be read.
+constexpr std::array widest_names{16.f, 11.f, 8.f, 6.f, 4.5f, 3.f};
 
 class Layouter {
 public:
@@ -91,9 +91,14 @@ private:
         const float room = out_.menu.min.x - out_.title.at.x - width(out_.title.text) - 1.5f * em_;
         const int most_rows = rows_of_legend();
         for (const float widest : widest_names) {
-            out_.legend.clear();
+            const auto wider = std::exchange(out_.legend, {});
             float total = 0;
             for (std::size_t i = 0; i < count; ++i) total += add_entry(i, widest) + between_entries * em_;
+            const bool readable = std::ranges::none_of(out_.legend, [](const LegendEntry& e) { return e.name.text.empty(); });
+            if (!readable && !wider.empty()) {
+                out_.legend = wider;
+                break;
+            }
             if (total <= room) return move_legend(out_.menu.min.x - total, out_.title.at.y);
             if (rows_taken() <= most_rows) return wrap_legend(most_rows);
         }
@@ -107,8 +112,8 @@ private:
         return std::clamp(static_cast<int>((whole_height() - small_height) / height_for_row) + 1, 1, 4);
     }
     float add_entry(std::size_t series, float widest) {
-        const std::string name =
-            fit(model_.series[series].name, std::min(widest * em_, inner_.max.x - inner_.min.x - (sample_length + 1) * em_));
+        const float room = std::min(widest * em_, inner_.max.x - inner_.min.x - (sample_length + 1) * em_);
+        const std::string name = shortened_name(canvas_, model_.series[series].name, std::max(room, 0.f));
         const float length = (sample_length + 0.4f) * em_ + width(name);
         out_.legend.push_back({series, {{0, 0}, {length, em_}}, {name, {(sample_length + 0.4f) * em_, 0}}});
         return length;

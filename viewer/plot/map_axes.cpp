@@ -44,10 +44,13 @@ void MapAxes::draw(const MapPlaces& places, Box whole) const {
     const Knob &x = p_.map->order.across, &y = p_.map->order.up;
     has_names(x) ? name_columns(places) : number_across(places);
     has_names(y) ? name_rows(places, area.min.x - whole.min.x - 0.5f * em_) : number_up(places);
-    const std::string across = has_names(x) ? p_.across.label : axis_text(p_.across.label, across_),
+    const std::string across =
+                          shortened(canvas_, has_names(x) ? p_.across.label : axis_text(p_.across.label, across_), whole.width()),
                       up = has_names(y) ? p_.up.label : axis_text(p_.up.label, up_);
     const float left = (area.min.x + area.max.x - canvas_.text_size(across).x) / 2;
-    canvas_.text({std::max(whole.min.x, left), area.max.y + 1.5f * em_}, style_.text, across);
+    canvas_.text({std::clamp(left, whole.min.x, std::max(whole.min.x, whole.max.x - canvas_.text_size(across).x)),
+                  area.max.y + 1.5f * em_},
+                 style_.text, across);
     canvas_.text({whole.min.x, area.min.y - 1.45f * em_}, style_.text, shortened(canvas_, up, whole.width()));
 }
 

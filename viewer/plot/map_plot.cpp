@@ -1,6 +1,7 @@
 #include "plot/map_plot.h"
 
 #include <pliant/study/stability_report.h>
+#include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
 
@@ -24,8 +25,7 @@ std::string name_of_value(const Parameter& p, Real value) {
 
 MapPicture::Axis axis_of(const Lesson& lesson, const Knob& knob) {
     const Parameter& p = lesson.parameter(knob.key);
-    std::string name(p.info.key);
-    std::ranges::replace(name, '_', ' ');
+    const std::string name = spoken(p.info.key);
     MapPicture::Axis axis{p.info.symbol.empty() ? name : fmt::format("{} {}", name, p.info.symbol), std::string(p.info.unit), {}};
     if (knob.spacing != Spacing::list) return axis;
     if (!p.info.unit.empty()) axis.label += fmt::format(" [{}]", p.info.unit);

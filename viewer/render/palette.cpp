@@ -32,19 +32,28 @@ constexpr Palette projector{{255, 255, 255},
 
 const Palette& palette(Theme theme) { return theme == Theme::dark ? dark : projector; }
 
-Rgba8 ColourScale::of(float value) const {
-    if (!std::isfinite(value)) return undefined_colour;
-    return colour_at(map, max > min ? (static_cast<Real>(value) - min) / (max - min) : 0.5);
+std::pair<Real, Real> ColourScale::wide() const {
+    if (max > min) return {min, max};
+    const Real beyond = std::max(std::abs(min), Real{1});
+    return {min - beyond, min + beyond};
 }
 
-ColourScale scale_for(const std::vector<Real>& values, bool both_signs) {
-    if (values.empty()) return {0, 1, both_signs ? ColourMap::diverging : ColourMap::viridis};
+Rgba8 ColourScale::of(float value) const {
+    if (!std::isfinite(value)) return undefined_colour;
+    const auto [least, greatest] = wide();
+    return colour_at(map, max > min ? (static_cast<Real>(value) - least) / (greatest - least) : 0.5);
+}
+
+ColourScale scale_for(const std::vector<Real>& values, bool both_signs, Real natural) {
+    constexpr Real rounding = 1e-13;  // as a part of the largest number
+    constexpr Real nothing = 1e-100;  // no quantity is as small
+    const ColourMap map = both_signs ? ColourMap::diverging : ColourMap::viridis;
+    if (values.empty()) return {0, 1, map};
     const auto [least, greatest] = std::ranges::minmax(values);
-    if (both_signs) {
-        const Real size = std::max(std::abs(least), std::abs(greatest));
-        return {size > 0 ? -size : 0, size, ColourMap::diverging};
-    }
-    return {least, greatest, ColourMap::viridis};
+    const Real size = std::max(std::abs(least), std::abs(greatest));
+    if (size <= std::max(nothing, rounding * natural)) return {0, 0, map};
+    if (both_signs) return {-size, size, map};
+    return {least, greatest - least > rounding * size ? greatest : least, map};
 }
 
 }  // namespace pliant::viewer

@@ -28,6 +28,12 @@ void upload(GLuint buffer, const std::vector<Item>& items) {
 // Of a mark; 0, which has no sign, where it shows no number.
 float value_at(const std::vector<float>& values, std::size_t i) { return values.empty() ? 0 : values[i]; }
 
+ColourTable one_colour(Rgba8 colour) {
+    ColourTable table;
+    table.fill(colour);
+    return table;
+}
+
 // Of hatching and dashes, px at scale 1.
 constexpr float pattern_size = 7;
 
@@ -109,7 +115,8 @@ GLuint SceneRenderer::render(const Picture& picture, int dimension, const Camera
     const Scene& scene = picture.scene;
     const Projection projection(camera, dimension, static_cast<float>(size.width), static_cast<float>(size.height), right_margin);
     matrix_ = projection.matrix(), view_ = projection.view();
-    lit_ = dimension == 3, pixel_scale_ = pixel_scale, palette_ = &colours, scale_ = scale, patterns_ = patterns;
+    lit_ = dimension == 3, pixel_scale_ = pixel_scale, palette_ = &colours, scale_ = scale;
+    awaited_ = scene.awaits(scene.colour_by.field) && !scene.override_values, patterns_ = patterns && !awaited_;
 
     ensure_target(size);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
@@ -146,7 +153,7 @@ GLuint SceneRenderer::render(const Picture& picture, int dimension, const Camera
 }
 
 Rgba8 SceneRenderer::colour_of(const std::vector<float>& values, std::size_t i, Ink ink, float opacity) const {
-    Rgba8 c = values.empty() ? palette_->of(ink) : scale_.of(values[i]);
+    Rgba8 c = values.empty() ? palette_->of(ink) : awaited_ ? undefined_colour : scale_.of(values[i]);
     c.a = static_cast<std::uint8_t>(255 * std::clamp(opacity, 0.f, 1.f));
     return c;
 }
@@ -230,7 +237,8 @@ void SceneRenderer::draw_grid(const GridMarks& g) {
     texture_filter(GL_NEAREST);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, table_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, colour_table(scale_.map).data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 awaited_ ? one_colour(undefined_colour).data() : colour_table(scale_.map).data());
     texture_filter(GL_LINEAR);
 
     const float nx = static_cast<float>(g.nx), ny = static_cast<float>(g.ny), z = g.lower[2];
@@ -240,7 +248,8 @@ void SceneRenderer::draw_grid(const GridMarks& g) {
     common_uniforms(grid_program_);
     glUniform1i(glGetUniformLocation(grid_program_, "numbers"), 0);
     glUniform1i(glGetUniformLocation(grid_program_, "table"), 1);
-    glUniform2f(glGetUniformLocation(grid_program_, "range"), static_cast<float>(scale_.min), static_cast<float>(scale_.max));
+    const auto [least, greatest] = scale_.wide();
+    glUniform2f(glGetUniformLocation(grid_program_, "range"), static_cast<float>(least), static_cast<float>(greatest));
     set(grid_program_, "smooth_cells", g.smooth ? 1.f : 0.f);
     glBindVertexArray(grid_array_);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

@@ -78,7 +78,7 @@ private:
 
     // of the picture being drawn
     Eigen::Matrix4f matrix_, view_;
-    bool lit_ = false, patterns_ = false;
+    bool lit_ = false, patterns_ = false, awaited_ = false;  // awaited: the numbers of the field are none yet
     float pixel_scale_ = 1;
     const Palette* palette_ = nullptr;
     ColourScale scale_;

@@ -10,12 +10,16 @@ namespace pliant::viewer {
 struct ColourRange {
     bool automatic = true;
     ColourScale scale;
-    void update(const std::vector<Real>& values, bool both_signs);
-    void forget() { fresh_ = true; }
+    // natural: as for scale_for; so are the numbers that were shown before.
+    void update(const std::vector<Real>& values, bool both_signs, Real natural = 0);
+    void forget() { fresh_ = true, largest_ = 0; }
+    // The numbers are those of another quantity from now on.
+    void forget_size() { largest_ = 0; }
     void begin_with(const ColourScale& wanted) { scale = wanted, fresh_ = false; }
 
 private:
     bool fresh_ = true;  // the next numbers set the range, whatever it was
+    Real largest_ = 0;   // size of what was shown
 };
 
 }  // namespace pliant::viewer

@@ -86,6 +86,11 @@ bool Companion::behind(const Runner& a) const {
     return runner_.time() + (1 - rounding) * runner_.time_step() <= a.time();
 }
 
+bool Companion::far_behind(const Runner& a) const {
+    if (runner_.is_static()) return behind(a);
+    return runner_.time() + 2 * (runner_.time_step() + a.time_step()) <= a.time();
+}
+
 void Companion::go_back(const Runner& a) {
     const Index here = runner_.place().step;
     const Real steps = runner_.is_static() ? static_cast<Real>(here - a.place().step)

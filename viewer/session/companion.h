@@ -44,6 +44,8 @@ public:
     // The same, one pass at a time: to be asked again until B has caught up, or it fails and gives false.
     bool follow_a_pass(const Runner& a);
     bool caught_up(const Runner& a) const;
+    // By more than two runs that go side by side ever are: its numbers are those of an earlier time than A's.
+    bool far_behind(const Runner& a) const;
     // Why B does not go on, in words; empty while it does.
     const std::string& stopped() const { return stopped_; }
 

@@ -1,5 +1,7 @@
 #include "session/inspector.h"
 
+#include "session/drawn_run.h"
+
 #include <pliant/run/revisit.h>
 #include <pliant/text/format.h>
 
@@ -95,7 +97,7 @@ bool Inspector::draw_before(Runner& runner, Scene& picture) const {
     Revisit revisit(runner);
     if (!revisit.start_of(now.step)) return false;
     for (Index p = 0; p < begin; ++p) revisit.pass();
-    runner.lesson().draw(picture);
+    draw_run(runner, picture);
     return true;
 }
 

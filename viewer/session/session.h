@@ -26,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace pliant::viewer {
@@ -176,8 +177,11 @@ public:
     // A second run, B, beside this one, A. Both start again when it is made, and when a change rebuilds one of them.
     void toggle_companion();
     void open_companion(const Runner::Assignments& changes = {});  // throws Refused
-    // B with these changes, and both run to where A stands now.
+    // B with these changes, run to where A stands. A keeps its place, unless something was done to it on the way: then both run
+    // there again, side by side, under what the sliders say now.
     void beside_to_now(const Runner::Assignments& changes);
+    // How far B has come to where A is, 0 to 1; empty when their numbers are of one time.
+    std::optional<Real> catching_up() const;
     void close_companion();
     const Companion* companion() const { return companion_.get(); }
     // The run whose parameters the sliders set.
@@ -267,6 +271,8 @@ private:
     bool set(const Values& values);
     void look(const std::vector<std::pair<std::string, Real>>& values);
     bool set_beside(const Parameter& parameter, Real value);
+    void make_companion(const Runner::Assignments& changes);
+    void run_beside_to_a(const Runner::Assignments& changes);
     void start_both();
     void settle(bool all_was_done);
     // True, and a message, when the slide locks it.
@@ -336,6 +342,7 @@ private:
     bool armed_ = false;  // have the breakpoints seen where the run stood when it was let go?
     bool shows_change_ = false;
     ColourRange change_range_;
+    std::tuple<std::string, int, bool> ranged_{};  // the field, the component, and is it a difference: that the ranges are of
     float aspect_ = 0, own_aspect_ = 0;  // of the picture, and of that in which the camera was chosen; 0 until it is drawn
     Keeping now_, before_, beside_;
     long pictures_drawn_ = 0;

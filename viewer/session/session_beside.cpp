@@ -3,6 +3,7 @@
 
 #include "render/ghost.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace pliant::viewer {
@@ -47,19 +48,47 @@ void Session::toggle_pin() {
 // ------------------------------------------------------------------------------------------------------ two at once
 
 void Session::open_companion(const Runner::Assignments& changes) {
+    make_companion(changes);
+    start_both();
+}
+
+void Session::make_companion(const Runner::Assignments& changes) {
     if (walkthrough && !lecture_)
         throw Refused("A second run is not made while a walkthrough plays: end the walkthrough, then press 2.");
     companion_ = std::make_unique<Companion>(*entry_, *runner_, changes);
     ++companion_count_;
-    start_both();
 }
 
 void Session::beside_to_now(const Runner::Assignments& changes) {
     const Index steps = runner_->place().step;
+    const auto& done = runner_->recording().events();
+    const bool repeats = std::ranges::all_of(done, [](const Event& e) { return e.step == 0; });
+    if (repeats && steps > 0) return run_beside_to_a(changes);
     open_companion(changes);
-    if (steps == 0 && !runner_->is_static()) return;
+    if (steps > 0)
+        say(Message::Kind::info, "A was changed on its way: both run again from the start, under what the sliders say now.");
     if (runner_->is_static()) return begin_to([this] { return lesson().at_rest() && !runner_->inside_step(); });
+    if (steps == 0) return;
     begin_to([this, steps] { return runner_->place().step >= steps; });
+}
+
+// A does what it does from its start on, so that B alone has to run.
+void Session::run_beside_to_a(const Runner::Assignments& changes) {
+    playing = false;
+    goal_ = nullptr;
+    dismiss();
+    make_companion(changes);
+    range.forget();
+    if (!sliced) companion_->follow(*runner_);
+    view_changed();
+}
+
+std::optional<Real> Session::catching_up() const {
+    if (!companion_ || !companion_->stopped().empty() || !companion_->far_behind(*runner_)) return std::nullopt;
+    const Runner& b = companion_->runner();
+    const Real share = runner_->is_static() ? static_cast<Real>(b.place().step) / static_cast<Real>(runner_->place().step)
+                                            : b.time() / runner_->time();
+    return std::clamp(share, Real{0}, Real{1});
 }
 
 void Session::close_companion() {
@@ -102,15 +131,17 @@ bool Session::set_beside(const Parameter& parameter, Real value) {
 bool Session::has_difference() const {
     const Field* a = lesson().find_field(colours.field);
     const Field* b = companion_ ? companion_->lesson().find_field(colours.field) : nullptr;
-    return a && b && a->in_use() && b->in_use() && a->view().size() == b->view().size();
+    return a && b && a->in_use() && b->in_use() && a->view().size() == b->view().size() && !catching_up();
 }
 
 void Session::show_difference(bool on) {
     if (put_off([this, on] { show_difference(on); })) return;
     if (on && !has_difference())
         return say(Message::Kind::info,
-                   companion_ ? "The two runs hold the field that is shown in different sizes: there is no difference to show."
-                              : "There is one run only: press 2 for a second one.");
+                   !companion_ ? "There is one run only: press 2 for a second one."
+                   : catching_up()
+                       ? "B is still catching up with A: their difference can be shown once both are of one time."
+                       : "The two runs hold the field that is shown in different sizes: there is no difference to show.");
     difference_ = on;
     range.forget();
     view_changed();

@@ -94,6 +94,8 @@ void Session::present(Walkthrough words) {
 
 void Session::enter(const Lecture& lecture, const LectureSlide& slide) {
     Walkthrough words = walkthrough_of(lecture, slide);
+    // What a stage changed was looked at on another slide.
+    inspector.stage.clear(), inspector.compare = Compare::now;
     if (!slide.trouble.empty()) {
         words.slides = {told(slide)};
     } else if (slide.deck) {

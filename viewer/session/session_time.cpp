@@ -94,6 +94,8 @@ void Session::play(Real seconds, Spending& spending) {
 void Session::work_towards_goal(Spending& spending) {
     while (goal_ && !spending.spent()) {
         spending.pass();
+        // B goes along, so that what is seen meanwhile is of one time.
+        if (sliced && beside_is_behind() && companion_->follow_a_pass(*runner_)) continue;
         if (!advance_pass(false) || goal_()) goal_ = nullptr;
     }
 }

@@ -2,13 +2,24 @@
 #include "session/session.h"
 
 #include "render/ghost.h"
+#include "session/drawn_run.h"
 
+#include <algorithm>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace pliant::viewer {
 
 namespace {
 bool has_both_signs(const Field& field, int component) { return field.rank == Rank::scalar ? field.both_signs : component >= 0; }
+
+// Of the largest of its components: beside it another one may be rounding alone.
+Real size_of(const Field& field) {
+    Real size = 0;
+    for (const Real number : field.view()) size = std::max(size, std::abs(number));
+    return size;
+}
 }  // namespace
 
 std::vector<Real> Session::shown_values() const {
@@ -32,11 +43,15 @@ void Session::view_changed() {
     const Field* field = lesson().find_field(colours.field);
     shows_change_ = false;
     if (!field || !field->in_use()) return;
-    range.update(shown_values(), shows_difference() || has_both_signs(*field, colours.component));
+    const Real size = size_of(*field);
+    if (const auto shown = std::tuple(colours.field, colours.component, shows_difference());
+        std::exchange(ranged_, shown) != shown)
+        range.forget_size(), change_range_.forget_size();
+    range.update(shown_values(), shows_difference() || has_both_signs(*field, colours.component), size);
     if (inspector.compare != Compare::difference) return;
     guarded([&] { inspector.renew_trace(*runner_); });
     if (const auto change = inspector.change(*runner_, *field, colours.component)) {
-        change_range_.update(*change, true);
+        change_range_.update(*change, true, size);
         shows_change_ = true;
     }
 }
@@ -114,7 +129,7 @@ KeptPicture Session::picture() {
     return kept(now_, [this](Scene& scene) {
         const Field* field = lesson().find_field(colours.field);
         if (shows_change_ && field) scene.override_values = inspector.change(*runner_, *field, colours.component);
-        lesson().draw(scene);
+        draw_run(*runner_, scene);
         if (pinned_) lay_under(scene, pinned_->ghost);
         return true;
     });
@@ -132,7 +147,7 @@ KeptPicture Session::other_picture() {
 KeptPicture Session::picture_beside() {
     if (!companion_) return nullptr;
     return kept(beside_, [this](Scene& scene) {
-        companion_->lesson().draw(scene);
+        draw_run(companion_->runner(), scene);
         return true;
     });
 }

@@ -355,6 +355,11 @@ private:
         const char32_t after = end < text_.size() ? code_point(text_, end).letter : U' ';
         if (after == '_' || lowered_digit(after) >= 0 || raised_digit(after) >= 0 || after == '(') return false;
         if (std::ranges::find(known_words, run) != known_words.end()) return true;
+        // "St. Venant"
+        const bool shortened = run.size() == 2 && after == '.' && end + 2 < text_.size() && text_[end + 1] == ' ';
+        if (shortened && !is_small_latin(static_cast<unsigned char>(run[0])) &&
+            is_small_latin(static_cast<unsigned char>(run[1])))
+            return is_latin(static_cast<unsigned char>(text_[end + 2]));
         return run.size() > 2 && std::ranges::all_of(run.substr(1), [](char c) { return c >= 'a' && c <= 'z'; });
     }
     Notation letters(const Notation& before) {

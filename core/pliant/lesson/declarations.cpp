@@ -115,6 +115,9 @@ Assumption assumption_of(std::string_view name, std::string_view unit, std::func
     return {
         .name = name, .unit = unit, .value = std::move(value), .limit = std::move(limit), .formula = formula, .broken = broken};
 }
+Assumption Assumption::otherwise(std::string_view name_when_broken) const {
+    return with(*this, &Assumption::otherwise_named, name_when_broken);
+}
 Assumption Assumption::when(std::function<bool()> uses) const { return with(*this, &Assumption::used, std::move(uses)); }
 Assumption Assumption::mended_by(std::function<std::optional<Fix>()> asked) const {
     return with(*this, &Assumption::fix, std::move(asked));

@@ -147,10 +147,12 @@ struct Assumption {
     std::string_view formula = "", broken = "";
     std::function<bool()> used{};
     std::function<std::optional<Fix>()> fix{};  // asked for when it is broken
+    std::string_view otherwise_named = "";      // what there is when it is broken: "locking" for "no locking"
 
     bool in_use() const { return !used || used(); }
 
-    // For declarations of a few lines: assumption_of(…).when(…).mended_by(…)
+    // For declarations of a few lines: assumption_of(…).otherwise(…).when(…).mended_by(…)
+    Assumption otherwise(std::string_view name_when_broken) const;
     Assumption when(std::function<bool()> uses) const;
     Assumption mended_by(std::function<std::optional<Fix>()> asked) const;
     Assumption mended_by(Fix always) const;

@@ -28,6 +28,8 @@ std::vector<float> Scene::values(const Lesson& lesson, On on) const {
     return numbers;
 }
 
+bool Scene::awaits(std::string_view field) const { return std::ranges::find(awaited, field) != awaited.end(); }
+
 void Scene::frame(const Position& lower_corner, const Position& upper_corner) { lower = lower_corner, upper = upper_corner; }
 
 void Scene::arrow(const Position& from, const Position& to, Ink ink, std::string text) {

@@ -128,6 +128,10 @@ public:
     // Shown in place of the numbers of the field that is chosen, one per row: a difference of two runs, or of after and before.
     // Ignored where the field has another number of rows.
     std::optional<std::vector<Real>> override_values;
+    // Fields that no stage has computed yet: their numbers stand at 0, which is no result, and are drawn without colours and
+    // written as "—".
+    std::vector<std::string> awaited{};
+    bool awaits(std::string_view field) const;
 
     // The part of space that the picture frames at first. Kept the same from step to step, so that nothing jumps.
     Position lower{0, 0, 0}, upper{1, 1, 1};

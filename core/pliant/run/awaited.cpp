@@ -45,6 +45,14 @@ const Stage* awaited_stage(const Runner& runner, const Field& field) {
     return stage_to_come(runner, field.name);
 }
 
+std::vector<std::string> awaited_fields(const Runner& runner) {
+    std::vector<std::string> names;
+    if (runner.place().step > 0) return names;
+    for (const Field& field : runner.lesson().fields)
+        if (awaited_stage(runner, field)) names.emplace_back(field.name);
+    return names;
+}
+
 const Stage* awaited_stage(const Runner& runner, const Probe& probe) {
     if (runner.place().step > 0) return nullptr;
     if (const Stage* stage = stage_to_come(runner, probe.name))

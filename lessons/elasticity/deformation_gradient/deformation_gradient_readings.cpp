@@ -152,10 +152,12 @@ void DeformationGradientLesson::declare_checks() {
             "Q near P", "", [this] { return rest_vector_.norm() > 0 ? gap_.norm() / rest_vector_.norm() : Real{0}; },
             [] { return near_enough; }, "|dx − F dX| ≤ 0.05 |dX|",
             "F describes the neighbourhood of P: Q is so far away that the bending of the map between them counts")
+            .otherwise("Q far from P")
             .mended_by([this] { return nearer(); }),
         assumption_of(
             "not inside out", "", [this] { return -volume_ratio_.minCoeff(); }, [] { return Real{0}; }, "det F ≥ 0 everywhere",
             "somewhere det F < 0: the map turns the body inside out there, which no real body does")
+            .otherwise("inside out")
             .mended_by([this] { return not_inverted(); })};
     conserved = {{.probe = "polar_residual",
                   .law = Law::zero,

@@ -134,21 +134,25 @@ void EnergyDensityLesson::declare_checks() {
             "does not soften", "Pa", [this] { return -stiffness(); }, [] { return Real{0}; }, "−dP/ds ≤ 0",
             "the more it is deformed the less it resists, so it collapses: St. Venant–Kirchhoff does so below the stretch "
             "1/√3 = 0.577, where P = −Y/(3√3) = −0.192 Y at most")
+            .otherwise("softens")
             .when([this] { return !is(Path::free); })
             .mended_by([this]() -> std::optional<Fix> { return another_energy(Energy::neo_hookean); }),
         assumption_of(
             "not inside out", "", [this] { return -J_[0]; }, [] { return -1e-12; }, "det F > 0",
             "the cube is flat or turned inside out, which no body can be; this energy stays finite and does not prevent it")
+            .otherwise("inside out")
             .mended_by([this]() -> std::optional<Fix> { return towards_rest(); }),
         assumption_of(
             "small displacement gradient", "", [this] { return (F_ - Rows::Identity()).cwiseAbs().maxCoeff(); },
             [] { return small_gradient; }, "|F − I| ≤ 0.05",
             "the linear energy takes a rotation for a strain, and leaves out ½ ∇uᵀ∇u")
+            .otherwise("large displacement gradient")
             .when([this] { return is(Energy::linear); })
             .mended_by([this]() -> std::optional<Fix> { return another_energy(Energy::corotated); }),
         assumption_of(
             "block in equilibrium", "", [this] { return done_[3]; }, [] { return balanced; }, "|r| ≤ 10⁻⁶ |f|",
             "Newton's method gave up: a softening or inverted material has several equilibria, or none that can be reached")
+            .otherwise("block out of equilibrium")
             .when([this] { return has_block(); })
             .mended_by([this]() -> std::optional<Fix> { return another_energy(Energy::neo_hookean); })};
     conserved = {{.probe = "derivative_check", .law = Law::zero, .tolerance = [] { return derivative_tolerance; }}};

@@ -107,17 +107,20 @@ void ModuliLesson::declare_checks() {
             "small strain", "", [this] { return strain_.cwiseAbs().maxCoeff(); }, [] { return small_strain; }, "|ε| ≤ 0.05",
             "linear strain leaves out ½ ∇uᵀ∇u: lengths and volumes are wrong by more than about 2.5 %, and no real "
             "material stays linear")
+            .otherwise("large strain")
             .mended_by([this] { return smaller_load(); }),
         assumption_of(
             "compressible enough", "", [this] { return Real(poisson_ratio); }, [] { return locking_ratio; }, "ν ≤ 0.49",
             "linear tetrahedra lock near ν = ½: these uniform tests stay exact, but bending would be far too stiff, and B "
             "grows without bound")
+            .otherwise("locks near ν = ½")
             .mended_by([this] { return compressible(); }),
         assumption_of(
             "solver converged", "", [this] { return residual_[0]; }, [this] { return std::max<Real>(tolerance, enough_digits); },
             "|f − K u| ≤ max(τ, 10⁻⁹) |f|",
             "stopped by the most iterations allowed or by rounding: the measured modulus has about as many digits as the "
             "residual")
+            .otherwise("solver not converged")
             .mended_by([this] { return more_iterations(); })};
     conserved = {{.probe = "force_imbalance", .law = Law::zero, .tolerance = [this] {
                       return 1e-6 * std::abs(applied()) * specimen_->unit_load().norm();

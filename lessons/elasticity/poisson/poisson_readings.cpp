@@ -132,6 +132,7 @@ void PoissonLesson::declare_checks() {
             [] { return accurate; }, "|ν s / (1 − (1 + s)^(−ν)) − 1| ≤ 5 %",
             "ν ΔL/L is meant for small strain: it overestimates the narrowing of a pulled cube, and underestimates the "
             "widening of a pushed one")
+            .otherwise("estimate too rough")
             .when(after_a_step)
             .mended_by([this] {
                 const auto limit = strain_of_overestimate(std::max<Real>(poisson_ratio, -0.5), accurate);
@@ -145,6 +146,7 @@ void PoissonLesson::declare_checks() {
             },
             [] { return accurate; }, "|ΔL′/L − exact| ≤ 5 % of it",
             "each step takes the strain over the length at its start: the error is of first order in the step")
+            .otherwise("too few steps")
             .when(after_a_step)
             .mended_by([this] {
                 const Index more = std::min<Index>(std::max<Index>(20, 4 * increments), 1000);
@@ -155,6 +157,7 @@ void PoissonLesson::declare_checks() {
             "no locking", "", [this] { return Real(poisson_ratio); }, [] { return locking_ratio; }, "ν ≤ 0.49",
             "linear triangles and tetrahedra cannot bend without changing their volume, so near ν = ½ they hardly bend at all; "
             "the stretched cube, whose strain is uniform, stays right")
+            .otherwise("locking")
             .mended_by(fix_by(poisson_ratio, 0.45))};
 }
 

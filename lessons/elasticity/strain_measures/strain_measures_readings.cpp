@@ -97,10 +97,12 @@ void StrainMeasuresLesson::declare_checks() {
             "small strain and small rotation", "", [this] { return (of(cauchy_) - of(green_)).norm(); },
             [this] { return tolerated * of(green_).norm() + 1e-12; }, "|ε − E| ≤ 0.01 |E|",
             "Cauchy's strain is off by more than 1 %: it takes a rotation for a strain and leaves out ½ ∇uᵀ∇u")
+            .otherwise("large strain or rotation")
             .mended_by([this] { return smaller(); }),
         assumption_of(
             "not inside out", "", [this] { return -pliant::volume_ratio<3>(of(deformation_)); }, [] { return Real{0}; },
             "det F ≥ 0", "det F < 0 is a reflection: C and Green's strain cannot tell it from a deformation that is possible")
+            .otherwise("inside out")
             .mended_by([this] { return not_inverted(); })};
     conserved = {{.probe = "stretch_mismatch", .law = Law::zero, .tolerance = [this] { return 1e-12 * (1 + of(C_).norm()); }}};
 }

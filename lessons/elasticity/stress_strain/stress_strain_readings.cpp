@@ -174,6 +174,7 @@ void StressStrainLesson::declare_checks() {
             "small strain", "", [this] { return strain_.cwiseAbs().maxCoeff(); }, [] { return small_strain; }, "|ε| ≤ 0.05",
             "linear strain leaves out ½ ∇uᵀ∇u: lengths are wrong by more than about 2.5 %, and F/A with the area at rest "
             "is no longer the force per area that the material feels")
+            .otherwise("large strain")
             .mended_by([this]() -> std::optional<Fix> {
                 const Real stiffer = youngs_modulus * strain_.cwiseAbs().maxCoeff() / small_strain * 1.25;
                 const Real rounded = std::pow(10, std::ceil(std::log10(stiffer)));

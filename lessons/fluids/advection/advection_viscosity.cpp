@@ -109,6 +109,7 @@ void AdvectionLesson::declare_checks() {
     assumptions = {assumption_of(
                        "path resolved", "rad", [this] { return turn_of_step(); }, limit, "ω Δt ≤ 0.5 (midpoint), 0.05 (Euler)",
                        "still stable, but the path back is a chord or a tangent of the true one: the blob comes to a wrong place")
+                       .otherwise("path not resolved")
                        .when([this] { return field != FlowKind::translation; })
                        .mended_by([this, limit] {
                            Fix slower = fix_by(cfl, rounded_down(cfl * limit() / turn_of_step()));
@@ -118,6 +119,7 @@ void AdvectionLesson::declare_checks() {
                    assumption_of(
                        "blob resolved", "cells", [] { return fewest_cells; }, [this] { return radius * resolution.value(); },
                        "6 ≤ R/Δx", "the blob is a few cells wide: interpolation flattens it within a turn, whatever the scheme")
+                       .otherwise("blob too small for the grid")
                        .mended_by([this]() -> std::optional<Fix> {
                            const Real cells = std::ceil(fewest_cells / radius - 1e-9);
                            return cells > 320 ? std::nullopt : std::optional(fix_by(resolution, cells));
@@ -126,6 +128,7 @@ void AdvectionLesson::declare_checks() {
                        "spread by interpolation", "m²", [this] { return second_moment(quantity_) - first_moment_; },
                        [this] { return radius * radius / 4; }, "growth of the mean square distance ≤ R²/4",
                        "the scheme has spread the blob as a viscosity would: what is seen is the grid's, not the flow's")
+                       .otherwise("spread by interpolation")
                        .when([this] { return field != FlowKind::vortex; })
                        .mended_by([this]() -> std::optional<Fix> {
                            if (scheme != Scheme::mac_cormack)

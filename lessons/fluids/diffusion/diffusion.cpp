@@ -147,23 +147,27 @@ void DiffusionLesson::declare_checks() {
         assumption_of(
             "explicit limit", "", [this] { return rate(); }, [this] { return limit(); }, "νΔt/Δx² ≤ 1/2 in 1D, 1/4 in 2D",
             "the shortest wave overshoots: each step turns its sign and makes it larger, until nothing else is seen")
+            .otherwise("beyond the explicit limit")
             .when(careful)
             .mended_by([this] { return stable_again(); }),
         assumption_of(
             "the slide's formula is complete", "", [] { return Real{2}; }, [] { return Real{0}; },
             "terms left out: the old u, and 1/Δx²",
             "u ← νΔt Σ keeps only the increment, and of that not the 1/Δx²: the first step leaves almost nothing of u")
+            .otherwise("terms missing from the slide's formula")
             .when([this] { return literal(); })
             .mended_by(Fix{"the careful form", {{"form", "careful"}}}),
         assumption_of(
             "mode resolved in time", "", [this] { return rate() * modes_.laplace_factor(mode); }, [] { return most_decay; },
             "ν|k|²Δt ≤ 0.5, of the watched mode",
             "it decays by much within one step: the factor of the scheme is not exp(−ν|k|²Δt), stable or not")
+            .otherwise("mode too fast for Δt")
             .mended_by([this] { return fix_by(diffusion_number, rounded_down(0.8 * most_decay / modes_.laplace_factor(mode))); }),
         assumption_of(
             "mode resolved in space", "", [this] { return modes_.phase(mode) / (2 * std::numbers::pi); },
             [] { return most_waves; }, "at least 8 cells per wave",
             "the stencil lets a short wave live too long; with fewer than 2 cells per wave the cells show another wave")
+            .otherwise("mode too short for the grid")
             .mended_by([this] { return finer_in_space(); })};
     const auto sound = [this] { return !literal() && (!is_explicit() || rate() <= limit()); };
     conserved = {{"sum", Law::constant, [this] { return 1e-9 * scale() * static_cast<Real>(u_.size()); },

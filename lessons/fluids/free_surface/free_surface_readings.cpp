@@ -210,6 +210,7 @@ void FreeSurface::declare_checks() {
             "courant number", "", [this] { return liquid_speed() * dt / dx(); }, [] { return largest_courant; },
             "|u| Δt/Δx ≤ 3 in the liquid",
             "still stable, but thin sheets and drops are jumped over: the splash is smeared and late")
+            .otherwise("large Courant number")
             .mended_by([this] { return fix_by(dt, rounded_down(0.8 * largest_courant * dx() / liquid_speed())); }),
         assumption_of(
             "p = 0 at the surface", "cells",
@@ -219,6 +220,7 @@ void FreeSurface::declare_checks() {
             [] { return Real{0}; }, "p = 0 where φ = 0",
             "in the middle of an air cell p = 0 is off by half a cell on average, and the pressure by g Δx/2; in a mould the "
             "liquid cannot splash at all")
+            .otherwise("p = 0 off the surface")
             .mended_by(Fix{"p = 0 on the surface", {{"surface_condition", "at_surface"}}}),
         assumption_of(
             "cells across", "m", [this] { return cells_of_a_column * dx(); },
@@ -234,11 +236,13 @@ void FreeSurface::declare_checks() {
             },
             "6 Δx ≤ the smallest length of the scene",
             "what is thinner than a few cells is not resolved, and drops below a cell are lost")
+            .otherwise("few cells across")
             .mended_by([this] { return fix_by(resolution, std::min(2 * resolution.value(), Real(256))); }),
         assumption_of(
             "small waves", "", [this] { return pi / tank_width * std::abs(wave_height); }, [] { return steepest_wave; },
             "k A ≤ 0.15, k = π/W",
             "linear theory, drawn beside the wave, holds for small waves: higher ones are slower and steeper")
+            .otherwise("steep waves")
             .when([this] { return scene == Pouring::wave; })
             .mended_by([this] { return fix_by(wave_height, rounded_down(0.9 * steepest_wave * tank_width / pi)); })};
     conserved = {

@@ -196,6 +196,7 @@ void NavierStokes::declare_checks() {
             "divergence-free", "1/s", [this] { return divergence_left(); }, kept_by_solver, "max|∇·u| ≤ τ max|∇·ũ|",
             "a stage behind the projection, or no projection, leaves divergence: fluid is made and lost in every step, and "
             "the velocity that is drawn is not that of an incompressible fluid")
+            .otherwise("divergence left")
             .when([this] { return time() > 0; })
             .mended_by([this] {
                 return with_projection
@@ -206,23 +207,27 @@ void NavierStokes::declare_checks() {
             "courant number", "", [this] { return courant_number(*grid_, velocity_, dt); }, [] { return largest_courant; },
             "max|u| Δt/Δx ≤ 5",
             "still stable, but the particle paths cut through vortices and walls: the flow is smeared and late")
+            .otherwise("large Courant number")
             .when([this] { return bool(with_advection); })
             .mended_by([this] { return fix_by(dt, rounded_down(4 * dx() / max_speed(velocity_))); }),
         assumption_of(
             "interpolation viscosity", "m²/s", [this] { return interpolation_viscosity(); }, [this] { return nu(); },
             "s(1 − s)Δx²/(2Δt) ≤ ν, s: fraction of a cell crossed per step",
             "linear interpolation smooths the flow more than its own viscosity does: vortices die too soon")
+            .otherwise("smoothed by interpolation")
             .when([this, viscous] { return viscous() && advection == grid2d::Carrying::linear; })
             .mended_by(Fix{"MacCormack", {{"advection_scheme", "mac_cormack"}}}),
         assumption_of(
             "cell reynolds number", "", [this] { return max_speed(velocity_) * dx() / nu(); },
             [] { return largest_cell_reynolds; }, "max|u| Δx/ν ≤ 2",
             "boundary layers and the smallest vortices are thinner than a cell: what is seen is the grid's")
+            .otherwise("details finer than a cell")
             .when(viscous)
             .mended_by([this] { return thicker_fluid(max_speed(velocity_) * dx() / largest_cell_reynolds * 1.2); }),
         assumption_of(
             "disc of cells", "", [] { return fewest_cells; }, [this] { return scene().obstacle * resolution.value(); },
             "8 ≤ D/Δx", "a disc of so few squares is no disc: its wake is that of a block")
+            .otherwise("disc of few cells")
             .when([this] { return scene().obstacle > 0; })
             .mended_by([this]() -> std::optional<Fix> {
                 const auto n = static_cast<Index>(std::ceil(fewest_cells / scene().obstacle));

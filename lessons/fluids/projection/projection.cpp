@@ -143,7 +143,7 @@ void Projection::declare_stages() {
         stage_of("pressure", "Δt ∇²p = d̃,  one pass of the solver after the other",
                  "Utrecht slides, Δt ∇²p = ∇·u (p is p/ρ); Chorin1968; Bridson2007 §4.3", [this] { pressure_pass(); })
             .done_in("core/pliant/fluids/pressure_solve.cpp: iterate")
-            .maps({"divergence_before"}, {"pressure", "divergence_after"})
+            .maps({"divergence_before"}, {"pressure", "divergence_after", "solver_iterations"})
             .repeats([this] { return staggered() ? !projection_->converged() : !central_projection_->converged(); },
                      [this] { begin_pressure(); })
             .because([this](const Question& q) { return why_pressure_pass(q); }),

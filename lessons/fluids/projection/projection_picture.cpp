@@ -107,7 +107,9 @@ void Projection::write_notes(Scene& scene) const {
     const std::string cells =
         fmt::format("{0} × {0} cells, Δx = {1}, Δt = {2}", Index(resolution), number(dx(), "m"), number(dt, "s"));
     if (tally_[done] == 0) {
-        scene.notes.push_back(fmt::format("given: max|∇·ũ| = {};  {}", number(before_.lpNorm<Eigen::Infinity>(), "1/s"), cells));
+        const Real largest = before_.lpNorm<Eigen::Infinity>();
+        scene.notes.push_back(
+            fmt::format("given: max|∇·ũ| = {};  {}", scene.awaits("divergence_before") ? "—" : number(largest, "1/s"), cells));
         return;
     }
     scene.notes.push_back(fmt::format("max|∇·u|: {} → {} in {:g} passes;  {}", number(tally_[initial], "1/s"),

@@ -155,6 +155,7 @@ void Projection::declare_checks() {
                        "balanced flux", "m²/s", [this] { return std::abs(net_inflow()); },
                        [this] { return 1e-10 * std::abs(speed); }, "|inflow − outflow| ≤ 10⁻¹⁰ |inflow|",
                        "more flows in than out: no velocity without divergence fits the walls, and no pressure exists")
+                       .otherwise("unbalanced flux")
                        .when([this] { return walls_move() && grid_->fluid_cells() > 0; })
                        .mended_by(fix_by(outflow, 1)),
                    assumption_of(
@@ -162,11 +163,13 @@ void Projection::declare_checks() {
                        [] { return Real{1}; }, "dim ker ∇ ≤ 1",
                        "a checkerboard of the pressure has no gradient on this grid, and one of the velocity no divergence: "
                        "it is never found and never removed")
+                       .otherwise("pressures that the grid does not see")
                        .when([this] { return !staggered(); })
                        .mended_by(Fix{"staggered grid", {{"grid", "staggered"}}}),
                    assumption_of(
                        "solver tolerance", "", [this] { return Real(tolerance); }, [] { return loose; }, "τ ≤ 0.01",
                        "so much divergence is left that the fluid loses or gains volume where one looks")
+                       .otherwise("loose solver tolerance")
                        .mended_by(Fix{"τ = 10⁻⁶", {{"tolerance", "1e-6"}}})};
     conserved = {
         {"max_divergence", Law::zero,

@@ -136,6 +136,7 @@ Explanation Projection::why_divergence(Index cell, From from) const {
 // Of the solver's passes, and of the projection that follows them.
 std::optional<Explanation> Projection::why_pressure_pass(const Question& q) const {
     const bool of_pressure = q.field == "pressure", of_divergence = q.field == "divergence_after";
+    if (q.field == "solver_iterations") return std::nullopt;  // they are counted
     if (of_divergence && tally_[projected] != 0) return why_divergence(q.index, From::now);
     const CollocatedWhy central{grid_->cells(), grid_why().dx(), dt};
     if (!of_pressure && !of_divergence)

@@ -98,8 +98,9 @@ void Projection::zoom_cells(Scene& scene) const {
             if (!scene.show_labels || (i != 0 && j != 0)) continue;
             // Where no arrow is.
             const float down = i == 0 && j == 0 ? 10.f : i != 0 ? 14.f : !staggered() ? 20.f : j == 1 ? -13.f : 14.f;
-            scene.label(position<2>(middle), short_number(pressure_[cell], pressure_.lpNorm<Eigen::Infinity>()), Ink::text, 0,
-                        down);
+            const Real largest = pressure_.lpNorm<Eigen::Infinity>();
+            scene.label(position<2>(middle), scene.awaits("pressure") ? "—" : short_number(pressure_[cell], largest), Ink::text,
+                        0, down);
         }
     }
     scene.triangles.push_back(std::move(solid));

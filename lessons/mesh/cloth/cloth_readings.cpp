@@ -125,24 +125,29 @@ void ClothLesson::declare_checks() {
             "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω up to ζ = 1, so none without damping, beyond it "
             "(2/ω)(ζ − √(ζ² − 1));  ω of the fastest mode",
             "the fastest mode grows in every step until the sheet tears itself apart")
+            .otherwise("unstable")
             .when([this] { return !implicit(); })
             .mended_by(Fix{"implicit Euler", {{"integrator", "implicit_euler"}}}),
         assumption_of(
             "inextensible", "", [this] { return largest_stretch(sheet_->springs(), sheet_->last(structural), position_); },
             [] { return 0.1; }, "ε ≤ 10 % along every thread",
             "woven cloth hardly stretches: a sheet that does looks like rubber")
+            .otherwise("stretches")
             .mended_by(Fix{"limit the strain", {{"strain_limiting", "on"}}}),
         assumption_of(
             "solved", "N", [this] { return solver() && imbalance_.size() ? imbalance_.cwiseAbs().maxCoeff() : Real{0}; },
             [this] { return 0.2 * total_mass * std::max(Real{gravity}, Real{1}); }, "|r| ≤ a fifth of the weight at every node",
             "one Newton iteration is not enough for this motion: forces are left unbalanced, and it is slowed down")
+            .otherwise("not solved")
             .when([this] { return implicit(); })
             .mended_by(Fix{"solve each step fully", {{"newton", "full"}}}),
         assumption_of("shear_springs", "", missing(k_shear), half, "k_d > 0",
                       "threads alone do not resist shear: the squares fold up into needles")
+            .otherwise("no shear springs")
             .mended_by(Fix{"k_d = 100 N/m", {{"k_shear", "100"}}}),
         assumption_of("bending_springs", "", missing(k_bending), half, "k_b > 0",
                       "nothing resists bending: folds are as sharp as the cells are small")
+            .otherwise("no bending springs")
             .mended_by(Fix{"k_b = 1 N/m", {{"k_bending", "1"}}}),
     };
 }

@@ -61,21 +61,25 @@ void MassSpringLesson::declare_assumptions() {
             "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω up to ζ = 1, so none without damping, beyond "
             "it (2/ω)(ζ − √(ζ² − 1));  undamped Verlet: 2/ω, Runge–Kutta 4: 2√2/ω;  ω of the fastest mode",
             "the fastest mode grows in every step until the block tears itself apart")
+            .otherwise("unstable")
             .when([this] { return !implicit() && !tested(); })
             .mended_by([this] { return stable_fix(*this); }),
         assumption_of(
             "cell_inversion", "", [this] { return 1 - block_->smallest_cell(position_); }, [] { return 0.9; },
             "1 − V/V₀ ≤ 0.9 in every cell",
             "a cell is nearly flat, or turned inside out; springs know lengths, not volumes, and may rest there")
+            .otherwise("cell nearly flat")
             .when([this] { return !tested(); }),
         assumption_of(
             "travel", "m", [this] { return dt * std::sqrt(velocity_.colwise().squaredNorm().maxCoeff()); },
             [this] { return edge(); }, "|v| Δt ≤ l", "a node passes a whole cell in one step: impacts are met too late")
+            .otherwise("travels far in a step")
             .when([this] { return !tested(); })
             .mended_by([this] { return slower_travel(*this); }),
         assumption_of(
             "shear_mechanism", "", [this] { return k_shear > 0 ? 0.0 : 1.0; }, [] { return 0.5; }, "k_d > 0",
             "edges alone do not resist shear: the block folds like a cardboard box without a lid")
+            .otherwise("nothing resists shear")
             .when([this] { return has_diagonals(); })
             .mended_by([this] { return shear_springs(*this); }),
         assumption_of(
@@ -84,6 +88,7 @@ void MassSpringLesson::declare_assumptions() {
             "where every node is a centre of symmetry and no spring is under tension, springs between nodes obey Cauchy's "
             "relation: an isotropic lattice has ν = 1/3 in a sheet and 1/4 in space, whatever their stiffness; the wished "
             "one it cannot have")
+            .otherwise("Poisson's ratio out of reach")
             .when([this] { return tested() && lattice() != LatticeKind::chain && (k_structural > 0 || k_bending > 0); })
             .mended_by([this] { return own_poisson(*this); }),
     };

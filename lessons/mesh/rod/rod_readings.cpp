@@ -182,12 +182,14 @@ void RodLesson::declare_checks() {
             "stability", "s", [this] { return Real(dt); }, [this] { return stable_time_step(); },
             "Δt ≤ limit of the scheme for ω = 2√(k/m) sin((2N − 1)π/(2(2N + 1))): Verlet and semi-implicit Euler 2/ω",
             "neighbouring points swing against each other, more in every step, until the run blows up")
+            .otherwise("unstable")
             .when([this] { return !hangs_still() && std::isfinite(stable_time_step()); })
             .mended_by([this] { return stable_fix(*this); }),
         assumption_of(
             "not_turned_over", "", [this] { return 1 - (along().transpose() * slope_).minCoeff(); }, [] { return 0.9; },
             "1 − ∂x/∂s ≤ 0.9 along the rod, in every segment",
             "a segment is squeezed to nothing or turned over: |∂x/∂s| does not tell, and the waves are no longer linear")
+            .otherwise("turned over")
             .mended_by([this]() -> std::optional<Fix> {
                 if (hangs()) return fix_by(dt, rounded_down(dt / 4, 2));
                 const Real A = rounded_down(0.2 * std::min(segment(), runs_a_pulse() ? Real{pulse_width} : segment()), 1);
@@ -196,6 +198,7 @@ void RodLesson::declare_checks() {
         assumption_of(
             "pulse_resolved", "", [this] { return segment() / pulse_width; }, [] { return 0.5; }, "Δs ≤ w/2",
             "a pulse as short as the segments falls apart: short waves run slower along a chain than along a rod")
+            .otherwise("pulse not resolved")
             .when([this] { return runs_a_pulse(); })
             .mended_by([this]() -> std::optional<Fix> {
                 const Real n = std::ceil(2.5 * length / pulse_width);
@@ -213,6 +216,7 @@ void RodLesson::declare_checks() {
             },
             [] { return 1.01; }, "k Δs = EA",
             "springs picked by hand are another rod at every N: EA = k₀ Δs falls as segments are added")
+            .otherwise("another rod at each N")
             .mended_by(Fix{"derived springs", {{"spring_rule", "derived"}}}),
     };
 }

@@ -55,12 +55,14 @@ void IntegrationLesson::declare_checks() {
             "explicit Euler: Δt ≤ 2ζ/ω up to ζ = 1, none without damping, beyond it (2/ω)(ζ − √(ζ² − 1));  semi-implicit: Δt ≤ "
             "(2/ω)(√(1 + ζ²) − ζ);  Verlet: 2/ω and Runge–Kutta 4: 2.83/ω without damping;  ω of the fastest mode",
             "every step makes the motion larger, until nothing else is left of it")
+            .otherwise("unstable")
             .when([this] { return !implicit() && omega > 0; })
             .mended_by([this] { return stable_fix(*this); }),
         assumption_of(
             "accuracy", "rad", [this] { return motion_->slow_rate() * dt; }, [] { return most_phase; },
             "ωΔt ≤ ¼: 25 steps in a swing, of the slow mode",
             "a step is a large part of a swing: what is stable then still swings at a wrong rate, and schemes that damp stop it")
+            .otherwise("coarse steps")
             .when([this] { return omega > 0; })
             .mended_by([this] { return accurate_fix(*this); })};
     conserved = {

@@ -1,0 +1,11 @@
+// A run in a picture.
+#pragma once
+#include <pliant/lesson/scene.h>
+#include <pliant/run/runner.h>
+
+namespace pliant::viewer {
+
+// As its lesson draws it, with what no stage has computed yet marked, and said where it is the field that gives the colours.
+void draw_run(const Runner& runner, Scene& picture);
+
+}  // namespace pliant::viewer
