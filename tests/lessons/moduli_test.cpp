@@ -206,3 +206,24 @@ TEST_CASE("finite strain: at 30 % both laws pull as the walkthrough says", "[mod
         CHECK(std::abs(stress - (other.name == "neo-Hookean" ? 248.5e3 : 448.5e3)) < 500);
     }
 }
+
+TEST_CASE("moduli: while a load is solved, what is measured is that of the loads before", "[moduli]") {
+    Runner runner(find_lesson("elasticity/moduli"));
+    for (int k = 0; k < 2; ++k) runner.step();
+    const Real before = runner.value("measured_modulus");
+    const auto points = [&] {
+        for (const Line& line : runner.lesson().lines)
+            if (line.name == "measured_stress") return curve_of(line.sample).value.size();
+        return std::size_t{0};
+    };
+    CHECK(points() == 3);
+    runner.run_to_stage("apply_load");
+    runner.step_pass();
+    CHECK(runner.value("measured_modulus") == before);
+    CHECK(points() == 3);
+    Scene picture;
+    runner.lesson().draw(picture);
+    for (const std::string& note : picture.notes) CHECK_THAT(note, !ContainsSubstring("= 0 Pa"));
+    runner.step();
+    CHECK(points() == 4);
+}

@@ -151,7 +151,7 @@ TEST_CASE("the type of a deck follows the height of the picture; the lab's stays
     hand.lab.open_deck();
     hand.frames(4);
     CHECK(s.scale == 1.5f);
-    CHECK(s.fonts.normal->FontSize == 22.5f);
+    CHECK(s.fonts.normal->FontSize == 22);  // px, whole
     CHECK(settings_of(s).scale == 1.f);
     hand.lab.set_scale(2);
     hand.frames(2);

@@ -99,19 +99,23 @@ void tell_of_beside(PanelContext& lab, const Rectangle& place) {
 }
 
 void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place) {
-    // In the lab a note says it.
-    if (lab.layout == Layout::lab || !scene.awaits(scene.colour_by.field) || scene.override_values) return;
+    if (!scene.awaits(scene.colour_by.field) || scene.override_values) return;
     const Field* field = runner ? runner->lesson().find_field(scene.colour_by.field) : nullptr;
-    const std::string text = field ? capitalised(not_yet(awaited_stage(*runner, *field))) : "not computed yet";
-    if (text.empty()) return;
-    ImGui::PushFont(lab.fonts.medium);
-    const float wrap = place.width - lab.px(20);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap), pad{lab.px(6), lab.px(2)};
-    const ImVec2 at{place.x + (place.width - size.x) / 2, place.y + place.height - size.y - lab.px(6)};
+    const std::string stage = field ? not_yet(awaited_stage(*runner, *field)) : "",
+                      text = "Grey: " + (stage.empty() ? "not computed yet" : stage);
+    // In a slide below the picture, where headings and notes are not; in the lab the hints are there.
+    const bool low = lab.layout == Layout::deck;
+    ImGui::PushFont(low ? lab.fonts.medium : lab.fonts.small);
+    const ImVec2 pad{lab.px(6), lab.px(2)};
+    const float wrap =
+        low ? place.width - lab.px(20) : std::max(0.6f * place.width, std::min(place.width - lab.px(20), lab.px(240)));
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 at{place.x + lab.px(10), low ? place.y + place.height - size.y - lab.px(6) : place.y + lab.px(4)};
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
                         packed(palette(lab.theme).background, 0.8f), pad.x);
     draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, lab.ink(Ink::text), text.c_str(), nullptr, wrap);
+    lab.controls["not computed yet"] = {at.x, at.y, size.x, size.y};
     ImGui::PopFont();
 }
 

@@ -14,7 +14,7 @@ void draw_hints(PanelContext& lab, ScenePanelState& panel, const Rectangle& plac
 void name_pinned(PanelContext& lab, ScenePanelState& panel, const Rectangle& place);
 // Why B does not go on, or how far it has come to where A is, over its picture.
 void tell_of_beside(PanelContext& lab, const Rectangle& place);
-// At the lower end of a picture on a slide whose field no stage has computed yet: which one will. runner: null for a picture of
+// In a picture whose field no stage has computed yet: which one will. runner: null for a picture of
 // the past.
 void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place);
 

@@ -33,7 +33,8 @@ std::string shortened(const Canvas& canvas, std::string_view words, float width)
 std::string shortened_name(const Canvas& canvas, std::string_view name, float width) {
     std::string cut = shortened(canvas, name, width);
     const bool of_run = name.size() > 3 && (name[0] == 'A' || name[0] == 'B') && name.substr(1, 2) == "  ";
-    return cut.empty() && of_run ? std::string(name.substr(0, 1)) : cut;
+    const bool letter_alone = cut.empty() || cut == std::string(name.substr(0, 1)) + "…";
+    return of_run && letter_alone ? std::string(name.substr(0, 1)) : cut;
 }
 
 }  // namespace pliant::viewer

@@ -5,7 +5,7 @@
 
 namespace pliant::viewer {
 
-// As its lesson draws it, with what no stage has computed yet marked, and said where it is the field that gives the colours.
+// As its lesson draws it, with what no stage has computed yet marked.
 void draw_run(const Runner& runner, Scene& picture);
 
 }  // namespace pliant::viewer

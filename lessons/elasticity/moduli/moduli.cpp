@@ -111,8 +111,13 @@ void ModuliLesson::fit_modulus() {
     stresses_[level()] = specimen_->support_force(reaction_) / specimen_->area();
 }
 
+Index ModuliLesson::measured_level() const {
+    const bool measured = level() == 0 || strains_[level()] != 0 || stresses_[level()] != 0;
+    return measured ? level() : level() - 1;
+}
+
 std::optional<Real> ModuliLesson::measured_modulus() const {
-    const auto points = static_cast<std::size_t>(level() + 1);
+    const auto points = static_cast<std::size_t>(measured_level() + 1);
     const auto fit = fit_line({strains_.data(), points}, {stresses_.data(), points});
     if (!fit) return std::nullopt;
     return test == Test::pressure ? -fit->slope : fit->slope;

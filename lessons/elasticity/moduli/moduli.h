@@ -82,6 +82,8 @@ struct ModuliLesson final : Lesson {
 
     IsotropicModuli material() const { return IsotropicModuli::from_young_poisson(youngs_modulus, poisson_ratio); }
     Index level() const { return static_cast<Index>(level_[0]); }
+    // The last load whose strain and stress are measured: while the present one is being solved, the one before.
+    Index measured_level() const;
     // Stress that is applied now [Pa].
     Real applied() const { return load * level_[0] / static_cast<Real>(load_levels); }
     std::optional<Real> measured_modulus() const;

@@ -176,9 +176,9 @@ void ModuliLesson::draw_pressure(Scene& scene) const {
         }
         scene.arrows.push_back(std::move(push));
         scene.label(at({high[0] + gap + reach, 0.75 * w, 0.25 * w}),
-                    fmt::format("ΔP = {}", format_quantity(stresses_[level()], "Pa")), Ink::force, 40, -20);
-        scene.label(at({0.5 * L, high[1] + reach, 0.5 * w}), fmt::format("ΔV/V = {}", format_quantity(strains_[level()], "")),
-                    Ink::accent, 0, -34);
+                    fmt::format("ΔP = {}", format_quantity(stresses_[measured_level()], "Pa")), Ink::force, 40, -20);
+        scene.label(at({0.5 * L, high[1] + reach, 0.5 * w}),
+                    fmt::format("ΔV/V = {}", format_quantity(strains_[measured_level()], "")), Ink::accent, 0, -34);
     }
     scene.dimension_line(at({0, -0.14 * w, w}), at({L, -0.14 * w, w}), fmt::format("L = {}", format_quantity(length, "m")), 0,
                          16);
@@ -191,8 +191,8 @@ void ModuliLesson::write_notes(Scene& scene) const {
     if (stretch[0] > 1) scene.notes.push_back(fmt::format("length drawn ×{}", format_quantity(stretch[0], "", 2)));
     const std::optional<Real> modulus = measured_modulus();
     if (!modulus) return;
-    const std::string stress = format_quantity(stresses_[level()], "Pa"), strain = format_quantity(strains_[level()], ""),
-                      result = format_quantity(*modulus, "Pa");
+    const std::string stress = format_quantity(stresses_[measured_level()], "Pa"),
+                      strain = format_quantity(strains_[measured_level()], ""), result = format_quantity(*modulus, "Pa");
     scene.notes.push_back(test == Test::pressure ? fmt::format("B = −ΔP / (ΔV/V) = −{} / ({}) = {}", stress, strain, result)
                                                  : fmt::format("{} = (F/A) / (ΔL/L) = {} / {} = {}",
                                                                test == Test::tension ? "Y" : "G", stress, strain, result));

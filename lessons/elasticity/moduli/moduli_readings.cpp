@@ -71,8 +71,8 @@ void ModuliLesson::declare_probes() {
 void ModuliLesson::declare_lines() {
     lines = {line_of("measured_stress", "Pa", "strain", "", "one point per load; the slope is the modulus",
                      [this](Curve& curve) {
-                         curve.position.assign(strains_.data(), strains_.data() + level() + 1);
-                         curve.value.assign(stresses_.data(), stresses_.data() + level() + 1);
+                         curve.position.assign(strains_.data(), strains_.data() + measured_level() + 1);
+                         curve.value.assign(stresses_.data(), stresses_.data() + measured_level() + 1);
                      })
                  .against("Hooke's law",
                           [this](Curve& curve) {

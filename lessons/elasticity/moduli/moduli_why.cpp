@@ -121,9 +121,9 @@ Explanation ModuliLesson::why_volume_change(std::string_view symbol) const {
 Explanation ModuliLesson::why_modulus() const {
     constexpr std::array<const char*, 3> symbols{"Y", "G", "B"};
     const char* symbol = symbols[static_cast<std::size_t>(test.value())];
-    if (level() == 0) return fixed_value(fmt::format("{} = 0: a line needs two loads", symbol));
+    if (measured_level() == 0) return fixed_value(fmt::format("{} = 0: a line needs two loads", symbol));
     std::vector<Input> strains, points_of_line;
-    for (Index k = 0; k <= level(); ++k) {
+    for (Index k = 0; k <= measured_level(); ++k) {
         strains.push_back(Input::constant(fmt::format("ε_{}", k), strains_[k], "", "strain measured at this load").in("ε_k"));
         points_of_line.push_back(strains.back());
         points_of_line.push_back(
