@@ -189,7 +189,7 @@ TEST_CASE("a claim opens as a scene of its lesson, and a scene that is refused l
     wrong.scene = {{"poisson_ratio", "7"}};
     open_as_scene(session, wrong);
     REQUIRE(session.message());
-    CHECK_THAT(session.message()->text, ContainsSubstring("poisson_ratio"));
+    CHECK_THAT(session.message()->text, ContainsSubstring("Poisson's ratio"));
     CHECK(session.runner().wanted(session.lesson().parameter("poisson_ratio")) != 7);
 }
 

@@ -176,3 +176,15 @@ TEST_CASE("the picture is noted while its window stays, and the file to hand in 
     desk.session().notebook.set_name("Eve");
     CHECK(proposed() == "eve_mass_spring.handin.json");
 }
+
+TEST_CASE("what a person sets is refused by its name, not by its key", "[desk]") {
+    AtDesk desk("fluids/navier_stokes");
+    Session& s = desk.session();
+    const Parameter& dt = s.lesson().parameter("time_step");
+    s.enter(dt, "1e9");
+    CHECK_THAT(desk.told(), ContainsSubstring("time step = ") && ContainsSubstring("accepted range"));
+    s.enter(dt, "3 kg");
+    CHECK_THAT(desk.told(), ContainsSubstring("time step = ") && !ContainsSubstring("time_step"));
+    s.assign(dt, 1e9);
+    CHECK_THAT(desk.told(), ContainsSubstring("time step = ") && !ContainsSubstring("time_step"));
+}

@@ -29,7 +29,7 @@ TEST_CASE("a locked parameter is refused with the way out, and the one beside it
     CHECK(wanted(s, "poisson_ratio") == 0.3);
     REQUIRE(s.message());
     CHECK(s.message()->kind == Session::Message::Kind::refused);
-    CHECK_THAT(s.message()->text, ContainsSubstring("poisson_ratio is locked") && ContainsSubstring("press L"));
+    CHECK_THAT(s.message()->text, ContainsSubstring("Poisson's ratio is locked") && ContainsSubstring("press L"));
     s.dismiss();
     s.restore_default(parameter(s, "poisson_ratio"));
     CHECK_FALSE(s.message());

@@ -1,5 +1,7 @@
 // Numbers typed in the lab, through ImGui's own queue of events: read as the command line reads them, taken or refused in words,
 // never cut off or clamped.
+#include <pliant/lesson/setting_words.h>
+
 #include "app/lab.h"
 #include "platform/headless_context.h"
 
@@ -102,7 +104,7 @@ TEST_CASE("what is no number, or not in its unit, is refused in the words of the
         try {
             dt.parse(text, "ms");
         } catch (const Refused& e) {
-            words = e.what();
+            words = refusal_words(dt, e.what());  // by its name
         }
         CHECK(typist.told() == words);
         CHECK_THAT(words, ContainsSubstring("give ") || ContainsSubstring("accepted range"));

@@ -108,3 +108,10 @@ TEST_CASE("a fix is labelled with the symbol of its parameter and keeps every di
 
 }  // namespace
 }  // namespace pliant
+
+TEST_CASE("an interval is written in few letters, and its ends read back to the bit") {
+    CHECK(Interval{0, 1e15}.text() == "[0, 1e15]");
+    CHECK(Interval{1e-6, 3600, true, false}.text() == "(1e-6, 3600]");
+    CHECK(Interval{-0.5, 1.5, false, true}.text() == "[-0.5, 1.5)");
+    CHECK(Interval{-2.1000000000000003e11, 1e100}.text() == "[-2.1000000000000003e11, 1e100]");
+}

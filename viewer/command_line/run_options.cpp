@@ -31,8 +31,8 @@ void add_run_commands(CLI::App& app, CommandLine& o) {
     run_command->add_flag("--summary", o.run.summary, "print how the run stands in plain sentences")->excludes(run_json_flag);
     run_command->callback([&o] { o.action = [&o] { return run(o.run); }; });
 
-    CLI::App* hand_in_command =
-        app.add_subcommand("handin", "what a student handed in: does each number come out, was the file changed by hand?");
+    CLI::App* hand_in_command = app.add_subcommand(
+        "handin", "what a student handed in: does each number and prediction come out again, was the file changed by hand?");
     hand_in_command->add_option("file", o.handed_in, "NAME.handin.json")->required();
     hand_in_command->add_flag("--json", o.json, "print one JSON object");
     hand_in_command->callback([&o] { o.action = [&o] { return hand_in(o.handed_in, o.json); }; });

@@ -127,7 +127,7 @@ void draw_table(PanelContext& lab, const MethodComparison& c) {
     const std::array<float, columns - 1> widths{ImGui::CalcTextSize("✓").x, column_width(c, "error", error_text),
                                                 column_width(c, "passes", passes_text), column_width(c, "took", time_text)};
     const float padding = 2 * ImGui::GetStyle().CellPadding.x, numbers = std::accumulate(widths.begin(), widths.end(), 0.f),
-                left = ImGui::GetContentRegionAvail().x - numbers - columns * padding, least = lab.px(96);
+                left = ImGui::GetContentRegionAvail().x - numbers - columns * padding, least = lab.px(84);
     const bool scrolls = left < least;
     const float rows = static_cast<float>(c.runs.size() + 1) * (ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y),
                 height = scrolls ? rows + ImGui::GetStyle().ScrollbarSize + lab.px(2) : 0;

@@ -1,5 +1,6 @@
 #include "session/session.h"
 
+#include <pliant/lesson/setting_words.h>
 #include <pliant/math/watch.h>
 
 #include <fmt/format.h>
@@ -63,6 +64,17 @@ void Session::open_next(int direction) {
     guarded([&] { open(all[static_cast<std::size_t>((here + direction + count) % count)]); });
 }
 
+namespace {
+// A refusal that begins with the key of a parameter begins with its name.
+std::string refusal_said(const Runner* run, const Error& e) {
+    const std::string_view what = e.what();
+    if (run)
+        for (const Parameter* p : run->lesson().parameters)
+            if (what.starts_with(std::string(p->info.key) + " = ")) return refusal_words(*p, what);
+    return std::string(what);
+}
+}  // namespace
+
 bool Session::guarded(const std::function<void()>& action) {
     try {
         action();
@@ -72,7 +84,7 @@ bool Session::guarded(const std::function<void()>& action) {
     } catch (const Diverged& e) {
         tell(e);
     } catch (const Error& e) {
-        say(Message::Kind::refused, e.what());
+        say(Message::Kind::refused, refusal_said(runner_.get(), e));
     }
     playing = false;
     return false;

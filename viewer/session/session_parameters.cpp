@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -35,11 +36,12 @@ bool Session::set(const Values& values) {
 
 bool Session::refuse_locked(const Parameter& parameter) {
     if (!locked(parameter)) return false;
+    std::string name = spoken(parameter.info.key);
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     say(Message::Kind::refused,
         hides(parameter.info.key)
             ? fmt::format("The value of {} is shown after Next: it would give the answer away.", spoken(parameter.info.key))
-            : fmt::format("The {} is locked on this slide: press L to unlock it, or end the walkthrough.",
-                          spoken(parameter.info.key)));
+            : fmt::format("{} is locked on this slide: press L to unlock it, or end the walkthrough.", name));
     return true;
 }
 

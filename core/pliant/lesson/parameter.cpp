@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace pliant {
@@ -77,8 +79,25 @@ std::string_view name_of(Group group) { return group_names[static_cast<std::size
 
 bool Interval::contains(Real v) const { return (open_min ? v > min : v >= min) && (open_max ? v < max : v <= max); }
 
+namespace {
+// All digits in as few letters as that takes: "1e15", where fifteen noughts would be counted by nobody.
+std::string short_number(Real value) {
+    std::array<char, 40> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    std::string text(digits.data(), end);
+    const auto e = text.find('e');
+    if (e == text.npos) return text;
+    // "1e+15" as "1e15", "1e-06" as "1e-6".
+    std::size_t power = e + 1;
+    if (text[power] == '+') text.erase(power, 1);
+    if (text[power] == '-') ++power;
+    while (power + 1 < text.size() && text[power] == '0') text.erase(power, 1);
+    return text;
+}
+}  // namespace
+
 std::string Interval::text() const {
-    return fmt::format("{}{}, {}{}", open_min ? '(' : '[', format_exact(min), format_exact(max), open_max ? ')' : ']');
+    return fmt::format("{}{}, {}{}", open_min ? '(' : '[', short_number(min), short_number(max), open_max ? ')' : ']');
 }
 
 ParameterInfo quantity(std::string_view key, std::string_view symbol, std::string_view unit, Real initial, Interval useful,
