@@ -96,9 +96,9 @@ void LiveError::make_reference(const Runner& runner) {
     Runner::Assignments all;
     for (const Parameter* p : runner.lesson().parameters) all.emplace_back(std::string(p->info.key), p->text(runner.wanted(*p)));
     all.insert(all.end(), finer.begin(), finer.end());
-    reference_text_ = settings_words(runner.lesson(), finer);
     try {
         reference_ = std::make_unique<Runner>(*entry_, all, std::size_t{0});
+        reference_text_ = settings_words(runner.lesson(), finer);
     } catch (const Error& e) {
         drop_reference(fmt::format("The finer run is refused: {}", e.what()));
     }
