@@ -52,7 +52,8 @@ public:
                   {.name = "middle", .symbol = "u₁₀", .unit = "m", .value = [this] { return u[beads / 2]; },
                    .exact = [this](Real t) { return amplitude * std::sin((beads / 2 + 1) * angle()) * std::cos(omega() * t); }}};
         assumptions = {{.name = "stability", .unit = "s", .value = [this] { return Real(dt); }, .limit = [this] { return std::sqrt(mass / stiffness); },
-                        .formula = "Δt ≤ 2/ω, ω = 2√(k/m)", .broken = "the highest mode grows without bound"}};
+                        .formula = "Δt ≤ 2/ω, ω = 2√(k/m)", .broken = "the highest mode grows without bound",
+                        .otherwise_named = "unstable step"}};
         conserved = {{.probe = "energy", .tolerance = [this] { return 0.05 * stiffness * amplitude * amplitude; }}};
     }
     int dimension() const override { return 2; }

@@ -52,8 +52,8 @@ TEST_CASE("diffusion with a huge viscosity: explicit is stopped, with the limit 
             REQUIRE(outcome.exit_code == diverged);
             CHECK(contains(outcome.err, limit));
             const Json failure = Json::parse(outcome.out)["failure"];
-            CHECK(contains(failure["limit"], "diffusion_number"));
-            CHECK(contains(failure["limit"], "scheme to implicit"));
+            CHECK(contains(failure["limit"], "Lower r to 0."));
+            CHECK(contains(failure["limit"], "choose the implicit scheme"));
         }
 }
 

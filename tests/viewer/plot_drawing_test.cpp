@@ -223,7 +223,8 @@ TEST_CASE("Units are always on the picture") {
 
 TEST_CASE("A label that begins with the title takes its place and leaves more room for the picture") {
     const auto layout = [](const std::string& label) {
-        const Axes axes{{"time t", "s"}, {label, "J"}};
+        Axes axes{{"time t", "s"}, {label, "J"}};
+        axes.y.range = Range{2e6, 2e6 + 20};
         PlotMemory memory;
         return draw(plot_of(axes, list(series("measured", sampled(0, 9), sampled(2e6, 2e6 + 20)), series("b", {}, {}))), memory,
                     {680, 170})
