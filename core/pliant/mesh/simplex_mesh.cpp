@@ -18,9 +18,15 @@ constexpr Real smallest_relative_volume = 1e-14;
 
 constexpr int factorial(int n) { return n <= 1 ? 1 : n * factorial(n - 1); }
 
-template <int Dim>
-std::string corner_text(const Eigen::Matrix<int, Dim + 1, 1>& corners) {
-    return fmt::format("{}", fmt::join(corners.data(), corners.data() + corners.size(), ", "));
+std::size_t number_of(const std::vector<std::size_t>& numbers, Index i) {
+    return numbers.empty() ? static_cast<std::size_t>(i) : numbers[static_cast<std::size_t>(i)];
+}
+
+template <class Nodes>
+std::string node_list(const MeshNumbers& numbers, const Nodes& nodes) {
+    std::vector<std::size_t> named;
+    for (const int n : nodes) named.push_back(number_of(numbers.nodes, n));
+    return fmt::format("{}", fmt::join(named, ", "));
 }
 
 template <int Dim>
@@ -85,37 +91,40 @@ std::vector<Index> checked_set(std::string_view kind, const std::string& name, s
 }  // namespace
 
 template <int Dim>
-SimplexMesh<Dim>::SimplexMesh(Points<Dim> points, Simplices simplices)
+SimplexMesh<Dim>::SimplexMesh(Points<Dim> points, Simplices simplices, const MeshNumbers& numbers)
     : points_(std::move(points)), simplices_(std::move(simplices)) {
-    check_nodes();
-    measure();
-    collect_boundary();
+    check_nodes(numbers);
+    measure(numbers);
+    collect_boundary(numbers);
 }
 
 template <int Dim>
-void SimplexMesh<Dim>::check_nodes() const {
+void SimplexMesh<Dim>::check_nodes(const MeshNumbers& numbers) const {
     for (Index n = 0; n < node_count(); ++n)
         if (!points_.col(n).allFinite())
-            throw Refused(fmt::format("node {} of the mesh has a coordinate that is not a finite number", n));
+            throw Refused(
+                fmt::format("node {} of the mesh has a coordinate that is not a finite number", number_of(numbers.nodes, n)));
 
     std::vector<char> used(static_cast<std::size_t>(node_count()), 0);
     for (Index e = 0; e < simplex_count(); ++e) {
         const Eigen::Matrix<int, Dim + 1, 1> corners = simplices_.col(e);
         for (int a = 0; a <= Dim; ++a) {
             if (corners[a] < 0 || corners[a] >= node_count())
-                throw Refused(fmt::format("element {} names node {}, but the mesh has {} nodes, counted from 0", e, corners[a],
-                                          node_count()));
+                throw Refused(fmt::format("element {} names node {}, but the mesh has {} nodes, counted from 0",
+                                          number_of(numbers.elements, e), corners[a], node_count()));
             if ((corners.array() == corners[a]).count() > 1)
-                throw Refused(fmt::format("element {} names node {} twice", e, corners[a]));
+                throw Refused(fmt::format("element {} names node {} twice", number_of(numbers.elements, e),
+                                          number_of(numbers.nodes, corners[a])));
             used[static_cast<std::size_t>(corners[a])] = 1;
         }
     }
     for (Index n = 0; n < node_count(); ++n)
-        if (!used[static_cast<std::size_t>(n)]) throw Refused(fmt::format("node {} of the mesh belongs to no element", n));
+        if (!used[static_cast<std::size_t>(n)])
+            throw Refused(fmt::format("node {} of the mesh belongs to no element", number_of(numbers.nodes, n)));
 }
 
 template <int Dim>
-void SimplexMesh<Dim>::measure() {
+void SimplexMesh<Dim>::measure(const MeshNumbers& numbers) {
     volumes_.resize(simplex_count());
     gradients_.resize(Dim, simplex_count() * (Dim + 1));
     for (Index e = 0; e < simplex_count(); ++e) {
@@ -124,11 +133,12 @@ void SimplexMesh<Dim>::measure() {
         const Real volume = edges.determinant() / factorial(Dim);
         const Real scale = std::pow(longest_edge<Dim>(points_, corners), Dim);
         if (!std::isfinite(scale) || !(std::abs(volume) > smallest_relative_volume * scale))
-            throw Refused(fmt::format("element {} (nodes {}) is degenerate: its {} is {} m^{}", e, corner_text<Dim>(corners),
-                                      Dim == 2 ? "area" : "volume", volume, Dim));
+            throw Refused(fmt::format("element {} (nodes {}) is degenerate: its {} is {} m^{}", number_of(numbers.elements, e),
+                                      node_list(numbers, corners), Dim == 2 ? "area" : "volume", volume, Dim));
         if (volume < 0)
-            throw Refused(fmt::format("element {} (nodes {}) is inverted: its signed {} is {} m^{}; exchange two of its nodes", e,
-                                      corner_text<Dim>(corners), Dim == 2 ? "area" : "volume", volume, Dim));
+            throw Refused(fmt::format("element {} (nodes {}) is inverted: its signed {} is {} m^{}; exchange two of its nodes",
+                                      number_of(numbers.elements, e), node_list(numbers, corners), Dim == 2 ? "area" : "volume",
+                                      volume, Dim));
 
         // Rows of the inverse are the gradients of corners 1 to Dim; that of corner 0 makes the sum vanish.
         volumes_[e] = volume;
@@ -139,12 +149,13 @@ void SimplexMesh<Dim>::measure() {
 }
 
 template <int Dim>
-void SimplexMesh<Dim>::collect_boundary() {
+void SimplexMesh<Dim>::collect_boundary(const MeshNumbers& numbers) {
     std::vector<FacetOfSimplex<Dim>> all;
     all.reserve(static_cast<std::size_t>(simplex_count() * (Dim + 1)));
     for (Index e = 0; e < simplex_count(); ++e)
         for (int a = 0; a <= Dim; ++a) all.push_back(facet_opposite<Dim>(simplices_.col(e), a, static_cast<int>(e)));
     std::sort(all.begin(), all.end());
+    const auto other_corner = [&](const FacetOfSimplex<Dim>& f) { return simplices_(f.opposite, f.simplex); };
 
     // Keep the facets that occur once.
     std::vector<FacetOfSimplex<Dim>> boundary;
@@ -152,8 +163,14 @@ void SimplexMesh<Dim>::collect_boundary() {
         std::size_t next = i + 1;
         while (next < all.size() && all[next].sorted == all[i].sorted) ++next;
         if (next - i > 2)
-            throw Refused(fmt::format("elements {}, {} and {} share one facet (nodes {}); at most two may", all[i].simplex,
-                                      all[i + 1].simplex, all[i + 2].simplex, fmt::join(all[i].sorted, ", ")));
+            throw Refused(fmt::format("elements {}, {} and {} share one facet (nodes {}); at most two may",
+                                      number_of(numbers.elements, all[i].simplex),
+                                      number_of(numbers.elements, all[i + 1].simplex),
+                                      number_of(numbers.elements, all[i + 2].simplex), node_list(numbers, all[i].sorted)));
+        if (next - i == 2 && other_corner(all[i]) == other_corner(all[i + 1]))
+            throw Refused(fmt::format("elements {} and {} are the same (nodes {})", number_of(numbers.elements, all[i].simplex),
+                                      number_of(numbers.elements, all[i + 1].simplex),
+                                      node_list(numbers, simplices_.col(all[i].simplex))));
         if (next - i == 1) boundary.push_back(all[i]);
         i = next;
     }

@@ -9,6 +9,11 @@
 
 namespace pliant {
 
+// What nodes and elements are called in messages: the numbers of a file, say. Counted from 0 where empty.
+struct MeshNumbers {
+    std::vector<std::size_t> nodes{}, elements{};
+};
+
 template <int Dim>
 class SimplexMesh {
 public:
@@ -19,9 +24,9 @@ public:
 
     // Corners are numbered so that the signed volume is positive: anticlockwise in 2D; in 3D corners 1, 2, 3 anticlockwise when
     // seen from outside the face opposite corner 0. Throws Refused, naming the node or the simplex, when a coordinate is not
-    // finite, a node number is out of range or occurs twice in a simplex, a node belongs to no simplex, a simplex has no
-    // volume or a negative one, or a facet belongs to more than two simplices.
-    SimplexMesh(Points<Dim> points, Simplices simplices);
+    // finite, a node number is out of range or occurs twice in a simplex, a node belongs to no simplex, a simplex is
+    // given twice, has no volume or a negative one, or a facet belongs to more than two simplices.
+    SimplexMesh(Points<Dim> points, Simplices simplices, const MeshNumbers& numbers = {});
 
     Index node_count() const { return points_.cols(); }
     Index simplex_count() const { return simplices_.cols(); }
@@ -57,9 +62,9 @@ public:
     std::vector<int> connected_parts() const;
 
 private:
-    void check_nodes() const;
-    void measure();
-    void collect_boundary();
+    void check_nodes(const MeshNumbers& numbers) const;
+    void measure(const MeshNumbers& numbers);
+    void collect_boundary(const MeshNumbers& numbers);
 
     Points<Dim> points_;
     Simplices simplices_;
