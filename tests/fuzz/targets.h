@@ -5,6 +5,7 @@
 #include <pliant/document/walkthrough.h>
 #include <pliant/formula/formula.h>
 #include <pliant/lecture/lecture.h>
+#include <pliant/mesh/file/mesh_file.h>
 
 #include <stdexcept>
 #include <string>
@@ -67,6 +68,21 @@ inline bool fuzz_lecture(std::string_view bytes) {
     } catch (const Error&) {
         return false;
     }
+}
+
+// True when it makes a body.
+inline bool fuzz_mesh_file(std::string_view bytes) {
+    const auto promise_body = [](const auto& mesh) {
+        promise(mesh.volume() > 0, "a body has a volume");
+        promise(mesh.facet_count() > 0, "a body has a boundary");
+    };
+    try {
+        const MeshFile file = parse_mesh_file(bytes, "body.msh");
+        if (file.dimension() == 3) return promise_body(simplex_mesh_of<3>(file, "body.msh")), true;
+        if (file.dimension() == 2) return promise_body(simplex_mesh_of<2>(file, "body.msh")), true;
+    } catch (const Error&) {
+    }
+    return false;
 }
 
 // A formula of some symbols, a family and a function.

@@ -29,5 +29,6 @@ void replay(const std::string& reader, bool (*accepts)(std::string_view)) {
 TEST_CASE("corpus: scene files") { replay("scene_file", test::fuzz_scene_file); }
 TEST_CASE("corpus: share strings") { replay("share_string", test::fuzz_share_string); }
 TEST_CASE("corpus: formulas") { replay("formula", test::fuzz_formula); }
+TEST_CASE("corpus: mesh files") { replay("mesh_file", test::fuzz_mesh_file); }
 TEST_CASE("corpus: lectures") { replay("lecture", test::fuzz_lecture); }
 TEST_CASE("corpus: walkthroughs") { replay("walkthrough", test::fuzz_walkthrough); }
