@@ -3,6 +3,7 @@
 
 #include <pliant/math/error.h>
 #include <pliant/solids/fem_loads.h>
+#include <pliant/solids/hyperelastic_fem.h>
 #include <pliant/solids/newton_equilibrium.h>
 
 #include <Eigen/Geometry>

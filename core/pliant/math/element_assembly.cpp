@@ -97,6 +97,8 @@ void ElementAssembly<Dim, Nodes>::add(Index element, const Local& local, SparseM
 template class ElementAssembly<1, 3>;
 template class ElementAssembly<1, 4>;
 template class ElementAssembly<2, 3>;
+template class ElementAssembly<2, 6>;
 template class ElementAssembly<3, 4>;
+template class ElementAssembly<3, 10>;
 
 }  // namespace pliant

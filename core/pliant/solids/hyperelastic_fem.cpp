@@ -26,99 +26,113 @@ std::vector<EnergyDensity<Dim>> densities_of(Energy energy, const std::vector<La
     return densities;
 }
 
+// Calls visit(element) for each; a failure then names its element.
+template <class Visit>
+void for_each_element(Index count, Visit visit) {
+    Index e = 0;
+    try {
+        for (; e < count; ++e) visit(e);
+    } catch (Diverged& diverged) {
+        diverged.failure.index = e;
+        throw Diverged(diverged.failure);
+    }
+}
+
 }  // namespace
 
-template <int Dim>
-HyperelasticFem<Dim>::HyperelasticFem(const SimplexMesh<Dim>& mesh, Energy energy, const Lame& material)
+template <int Dim, int Order>
+HyperelasticFem<Dim, Order>::HyperelasticFem(const SimplexMesh<Dim>& mesh, Energy energy, const Lame& material)
     : HyperelasticFem(mesh, energy, std::vector<Lame>(static_cast<std::size_t>(mesh.simplex_count()), material)) {}
 
-template <int Dim>
-HyperelasticFem<Dim>::HyperelasticFem(const SimplexMesh<Dim>& mesh, Energy energy, const std::vector<Lame>& materials)
-    : mesh_(&mesh), densities_(densities_of<Dim>(energy, materials)), assembly_(mesh.simplices(), mesh.node_count()) {
+template <int Dim, int Order>
+HyperelasticFem<Dim, Order>::HyperelasticFem(const SimplexMesh<Dim>& mesh, Energy energy, const std::vector<Lame>& materials)
+    : elements_(mesh), densities_(densities_of<Dim>(energy, materials)), assembly_(elements_.elements(), elements_.node_count()) {
     check_materials<Dim>(materials, mesh.simplex_count());
 }
 
-template <int Dim>
-Mat<Dim> HyperelasticFem<Dim>::deformation_gradient(Index element, const Points<Dim>& displacement) const {
-    return Mat<Dim>::Identity() + mesh_->field_gradient(element, displacement);
+template <int Dim, int Order>
+Mat<Dim> HyperelasticFem<Dim, Order>::deformation_gradient(Index element, const Points<Dim>& displacement, int point) const {
+    return Mat<Dim>::Identity() + elements_.field_gradient(element, point, displacement);
 }
 
-template <int Dim>
-void HyperelasticFem<Dim>::stress(const Points<Dim>& displacement, Tensors<Dim>& P) const {
-    P.resize(Dim * Dim, mesh_->simplex_count());
-    Index e = 0;
-    try {
-        for (; e < mesh_->simplex_count(); ++e) tensor<Dim>(P, e) = density(e).P(deformation_gradient(e, displacement));
-    } catch (Diverged& diverged) {
-        diverged.failure.index = e;
-        throw Diverged(diverged.failure);
-    }
+template <int Dim, int Order>
+void HyperelasticFem<Dim, Order>::stress(const Points<Dim>& displacement, Tensors<Dim>& P) const {
+    P.resize(Dim * Dim, elements_.element_count());
+    for_each_element(elements_.element_count(), [&](Index e) {
+        Mat<Dim> sum = density(e).P(deformation_gradient(e, displacement));
+        for (int q = 1; q < Elements::points; ++q) sum += density(e).P(deformation_gradient(e, displacement, q));
+        tensor<Dim>(P, e) = sum / Elements::points;
+    });
 }
 
-template <int Dim>
-Real HyperelasticFem<Dim>::energy(const Points<Dim>& displacement) const {
+template <int Dim, int Order>
+Real HyperelasticFem<Dim, Order>::energy(const Points<Dim>& displacement) const {
     Real sum = 0;
-    for (Index e = 0; e < mesh_->simplex_count(); ++e)
-        sum += mesh_->volumes()[e] * density(e).psi(deformation_gradient(e, displacement));
+    for (Index e = 0; e < elements_.element_count(); ++e)
+        for (int q = 0; q < Elements::points; ++q)
+            sum += elements_.weight(e) * density(e).psi(deformation_gradient(e, displacement, q));
     return sum;
 }
 
-template <int Dim>
-void HyperelasticFem<Dim>::internal_force(const Points<Dim>& displacement, Points<Dim>& force) const {
-    force.setZero(Dim, mesh_->node_count());
-    Index e = 0;
-    try {
-        for (; e < mesh_->simplex_count(); ++e) {
-            const Mat<Dim> P = mesh_->volumes()[e] * density(e).P(deformation_gradient(e, displacement));
-            const auto g = mesh_->gradients(e);
-            for (int a = 0; a < corners; ++a) force.col(mesh_->simplices()(a, e)).noalias() += P * g.col(a);
+// Node a takes w P g_a from each point, g the gradients of the shape functions.
+template <int Dim, int Order>
+void HyperelasticFem<Dim, Order>::internal_force(const Points<Dim>& displacement, Points<Dim>& force) const {
+    force.setZero(Dim, elements_.node_count());
+    for_each_element(elements_.element_count(), [&](Index e) {
+        for (int q = 0; q < Elements::points; ++q) {
+            const Mat<Dim> P = elements_.weight(e) * density(e).P(deformation_gradient(e, displacement, q));
+            const auto g = elements_.gradients(e, q);
+            for (int a = 0; a < nodes; ++a) force.col(elements_.elements()(a, e)).noalias() += P * g.col(a);
         }
-    } catch (Diverged& diverged) {
-        diverged.failure.index = e;
-        throw Diverged(diverged.failure);
-    }
+    });
 }
 
-template <int Dim>
-void HyperelasticFem<Dim>::stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const {
+template <int Dim, int Order>
+void HyperelasticFem<Dim, Order>::stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const {
     std::fill_n(matrix.valuePtr(), static_cast<std::size_t>(matrix.nonZeros()), Real{0});
-    for (Index e = 0; e < mesh_->simplex_count(); ++e) assembly_.add(e, element_stiffness(e, displacement, definite), matrix);
+    for (Index e = 0; e < elements_.element_count(); ++e) assembly_.add(e, element_stiffness(e, displacement, definite), matrix);
 }
 
 // Both ends of a step may be admitted with a mirror image between them: two axes turned over make a proper body again.
-template <int Dim>
-Real HyperelasticFem<Dim>::admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const {
+template <int Dim, int Order>
+Real HyperelasticFem<Dim, Order>::admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const {
     constexpr Real margin = 0.9;
     Real share = 1;
-    for (Index e = 0; e < mesh_->simplex_count(); ++e) {
+    for (Index e = 0; e < elements_.element_count(); ++e) {
         if (density(e).admits(Mat<Dim>::Zero())) continue;
-        const Mat<Dim> F = deformation_gradient(e, displacement), dF = mesh_->field_gradient(e, change);
-        const Real relative = (cofactor<Dim>(F).transpose() * dF).norm() / volume_ratio<Dim>(F);
-        if (share * relative > margin) share = margin / relative;
+        for (int q = 0; q < Elements::points; ++q) {
+            const Mat<Dim> F = deformation_gradient(e, displacement, q), dF = elements_.field_gradient(e, q, change);
+            const Real relative = (cofactor<Dim>(F).transpose() * dF).norm() / volume_ratio<Dim>(F);
+            if (share * relative > margin) share = margin / relative;
+        }
     }
     return share;
 }
 
-// V B^T (dP/dF) B with B: corner displacements to F in columns; block (a, b) contracts the tangent with both gradients.
-template <int Dim>
-typename HyperelasticFem<Dim>::ElementMatrix HyperelasticFem<Dim>::element_stiffness(Index element,
-                                                                                     const Points<Dim>& displacement,
-                                                                                     bool definite) const {
-    Mat<Dim* Dim> T = density(element).tangent(deformation_gradient(element, displacement));
-    if (definite) remove_negative_part<Dim * Dim>(T);
-    const typename SimplexMesh<Dim>::Gradients g = mesh_->gradients(element);
-    Eigen::Matrix<Real, Dim * Dim, Dim * corners> TB;
-    TB.setZero();
-    for (int b = 0; b < corners; ++b)
-        for (int l = 0; l < Dim; ++l) TB.template middleCols<Dim>(Dim * b) += g(l, b) * T.template middleCols<Dim>(Dim * l);
+// Sum of w B^T (dP/dF) B with B: displacements of the nodes to F in columns; block (a, b) contracts the tangent with both
+// gradients.
+template <int Dim, int Order>
+typename HyperelasticFem<Dim, Order>::ElementMatrix HyperelasticFem<Dim, Order>::element_stiffness(
+    Index element, const Points<Dim>& displacement, bool definite) const {
     ElementMatrix K = ElementMatrix::Zero();
-    for (int a = 0; a < corners; ++a)
-        for (int j = 0; j < Dim; ++j) K.template middleRows<Dim>(Dim * a) += g(j, a) * TB.template middleRows<Dim>(Dim * j);
+    for (int q = 0; q < Elements::points; ++q) {
+        Mat<Dim* Dim> T = density(element).tangent(deformation_gradient(element, displacement, q));
+        if (definite) remove_negative_part<Dim * Dim>(T);
+        const typename Elements::Gradients g = elements_.gradients(element, q);
+        Eigen::Matrix<Real, Dim * Dim, Dim * nodes> TB;
+        TB.setZero();
+        for (int b = 0; b < nodes; ++b)
+            for (int l = 0; l < Dim; ++l) TB.template middleCols<Dim>(Dim * b) += g(l, b) * T.template middleCols<Dim>(Dim * l);
+        for (int a = 0; a < nodes; ++a)
+            for (int j = 0; j < Dim; ++j) K.template middleRows<Dim>(Dim * a) += g(j, a) * TB.template middleRows<Dim>(Dim * j);
+    }
     // Symmetric to the bit, as the solvers expect.
-    return (0.5 * mesh_->volumes()[element]) * (K + K.transpose()).eval();
+    return (0.5 * elements_.weight(element)) * (K + K.transpose()).eval();
 }
 
-template class HyperelasticFem<2>;
-template class HyperelasticFem<3>;
+template class HyperelasticFem<2, 1>;
+template class HyperelasticFem<2, 2>;
+template class HyperelasticFem<3, 1>;
+template class HyperelasticFem<3, 2>;
 
 }  // namespace pliant

@@ -18,7 +18,7 @@ constexpr Real linear_tolerance = 1e-12;  // of conjugate gradients
 }  // namespace
 
 template <int Dim>
-NewtonEquilibrium<Dim>::NewtonEquilibrium(const HyperelasticFem<Dim>& body, const DisplacementConstraints<Dim>& constraints,
+NewtonEquilibrium<Dim>::NewtonEquilibrium(const ElasticBody<Dim>& body, const DisplacementConstraints<Dim>& constraints,
                                           Settings settings)
     : body_(&body),
       settings_(settings),
@@ -28,7 +28,7 @@ NewtonEquilibrium<Dim>::NewtonEquilibrium(const HyperelasticFem<Dim>& body, cons
     require_support(body.mesh(), constraints);
     if (!(settings.tolerance > 0 && settings.tolerance < 1)) throw Refused("tolerance", settings.tolerance, "", "(0, 1)");
     cholesky_.analyze(system_.matrix());
-    u_ = force_ = step_ = internal_ = residual_force_ = trial_ = Points<Dim>::Zero(Dim, body.mesh().node_count());
+    u_ = force_ = step_ = internal_ = residual_force_ = trial_ = Points<Dim>::Zero(Dim, body.node_count());
 }
 
 template <int Dim>

@@ -8,7 +8,7 @@
 #include <pliant/math/constrained_system.h>
 #include <pliant/math/sparse_cholesky.h>
 #include <pliant/solids/displacement_constraints.h>
-#include <pliant/solids/hyperelastic_fem.h>
+#include <pliant/solids/elastic_body.h>
 
 namespace pliant {
 
@@ -30,7 +30,7 @@ public:
     };
 
     // The body outlives this. Throws Refused as require_support does, or for a tolerance outside (0, 1).
-    NewtonEquilibrium(const HyperelasticFem<Dim>& body, const DisplacementConstraints<Dim>& constraints, Settings settings);
+    NewtonEquilibrium(const ElasticBody<Dim>& body, const DisplacementConstraints<Dim>& constraints, Settings settings);
 
     // Starts from displacements u0 [m] under forces on the nodes [N]; both Dim × nodes. `constraints` hold the same components as
     // those of the constructor, at other values perhaps. Throws Diverged when the energy is infinite at u0.
@@ -45,7 +45,7 @@ public:
     // Throws Diverged, with the residual that was reached and its limit, unless converged().
     void require_convergence() const;
 
-    const HyperelasticFem<Dim>& body() const { return *body_; }
+    const ElasticBody<Dim>& body() const { return *body_; }
     const Points<Dim>& displacement() const { return u_; }
     const Points<Dim>& step() const { return step_; }                // Newton's direction of the latest iteration [m]
     const Points<Dim>& internal_force() const { return internal_; }  // [N]
@@ -70,7 +70,7 @@ private:
     bool try_step(Real length, Real slope);
     Real slope() const;
 
-    const HyperelasticFem<Dim>* body_;
+    const ElasticBody<Dim>* body_;
     Settings settings_;
     DisplacementConstraints<Dim> constraints_;
     SparseMatrix stiffness_;

@@ -2,6 +2,7 @@
 // elements and Newton's method.
 #pragma once
 #include <pliant/mesh/block_mesh.h>
+#include <pliant/solids/hyperelastic_fem.h>
 #include <pliant/solids/newton_equilibrium.h>
 
 #include <memory>
