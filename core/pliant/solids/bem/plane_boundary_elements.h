@@ -1,0 +1,46 @@
+// Elastostatics in the plane by boundary elements, direct formulation [Brebbia1984 §5]: at every node of the boundary
+//   c u + ∫ T u = ∫ U t,     in matrices  H u = G t,
+// with Kelvin's displacements U and tractions T. Per metre of thickness.
+#pragma once
+#include <pliant/solids/bem/boundary_curve.h>
+#include <pliant/solids/bem/boundary_system.h>
+
+namespace pliant {
+
+class PlaneBoundaryElements {
+public:
+    // The curve outlives this. material: the constants of the plane (KelvinSolution).
+    PlaneBoundaryElements(const BoundaryCurve& curve, const Lame& material);
+
+    const BoundaryCurve& curve() const { return *curve_; }
+    const KelvinSolution<2>& kelvin() const { return kelvin_; }
+    const BoundarySystem<2>& system() const { return system_; }
+
+    // Fills the two rows of one node in both matrices; all of them must be filled before the system is solved.
+    void assemble(Index node);
+    void assemble();
+
+    using Solution = BoundarySolution<2>;
+    // Stress on the boundary [Pa], in x and y: from the traction, and from how the displacements stretch the boundary.
+    Mat<2> boundary_stress(const Solution& s, Index element, Real xi) const;
+    Vec<2> boundary_displacement(const Solution& s, Index element, Real xi) const;  // m
+    // Inside the body [m, Pa]. Nearer to an element than a tenth of its length the error grows: distance() tells.
+    Vec<2> displacement(const Solution& s, const Vec<2>& X) const;
+    Mat<2> stress(const Solution& s, const Vec<2>& X) const;
+    // From the nearest element, in its lengths.
+    Real distance(const Vec<2>& X) const;
+
+private:
+    template <class Visit>
+    void integrate(const BoundaryElement& e, const Vec<2>& X, Real from, Real to, int depth, Visit visit) const;
+    void integrate_beside(Index element, Index node);
+    void integrate_own(Index element, int own, Index node);
+    Vec<2> traction_at(const Solution& s, Index element, Real xi) const;
+
+    const BoundaryCurve* curve_;
+    Lame material_;
+    KelvinSolution<2> kelvin_;
+    BoundarySystem<2> system_;
+};
+
+}  // namespace pliant
