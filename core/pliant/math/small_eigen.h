@@ -19,6 +19,14 @@ SymmetricEigen<Size> symmetric_eigen(const Mat<Size>& A);
 template <int Size>
 Vec<Size> symmetric_eigenvalues(const Mat<Size>& A);
 
+// The nearest symmetric matrix without negative eigenvalues; A itself, to the bit, where it has none.
+template <int Size>
+Mat<Size> positive_part(const Mat<Size>& A) {
+    const SymmetricEigen<Size> eigen = symmetric_eigen<Size>(A);
+    if (eigen.values[0] >= 0) return A;
+    return eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
+}
+
 // F = U diag(sigma) Vᵀ, sigma descending and at least 0; U and V are orthogonal and may be reflections. Two-sided Jacobi
 // [Golub2013 §8.6].
 struct SingularValues3 {

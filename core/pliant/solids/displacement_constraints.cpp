@@ -99,11 +99,17 @@ MatX rigid_modes(const Points<Dim>& points) {
 
 template <int Dim>
 Index unconstrained_rigid_modes(const SimplexMesh<Dim>& mesh, const DisplacementConstraints<Dim>& constraints) {
+    return unconstrained_rigid_modes(mesh.points(), nodes_of_parts(mesh), constraints);
+}
+
+template <int Dim>
+Index unconstrained_rigid_modes(const Points<Dim>& all_points, const std::vector<std::vector<Index>>& parts,
+                                const DisplacementConstraints<Dim>& constraints) {
     // What is rounding, and what a lever arm, relative to the size of a part.
     constexpr Real tolerance = 1e-9;
     Index count = 0;
-    for (const std::vector<Index>& nodes : nodes_of_parts(mesh)) {
-        Points<Dim> points = mesh.points()(Eigen::all, nodes);
+    for (const std::vector<Index>& nodes : parts) {
+        Points<Dim> points = all_points(Eigen::all, nodes);
         const Vec<Dim> centre = points.rowwise().mean();
         points.colwise() -= centre;
         points /= points.cwiseAbs().maxCoeff();
@@ -116,7 +122,13 @@ Index unconstrained_rigid_modes(const SimplexMesh<Dim>& mesh, const Displacement
 
 template <int Dim>
 void require_support(const SimplexMesh<Dim>& mesh, const DisplacementConstraints<Dim>& constraints) {
-    const Index count = unconstrained_rigid_modes(mesh, constraints);
+    require_support(mesh.points(), nodes_of_parts(mesh), constraints);
+}
+
+template <int Dim>
+void require_support(const Points<Dim>& points, const std::vector<std::vector<Index>>& parts,
+                     const DisplacementConstraints<Dim>& constraints) {
+    const Index count = unconstrained_rigid_modes(points, parts, constraints);
     if (count == 0) return;
     throw Refused(
         fmt::format("singular: {} rigid mode{} unconstrained; prescribe more displacements", count, count == 1 ? "" : "s"));
@@ -126,7 +138,10 @@ void require_support(const SimplexMesh<Dim>& mesh, const DisplacementConstraints
     template class DisplacementConstraints<Dim>;                                                            \
     template MatX rigid_modes<Dim>(const Points<Dim>&);                                                     \
     template Index unconstrained_rigid_modes(const SimplexMesh<Dim>&, const DisplacementConstraints<Dim>&); \
-    template void require_support(const SimplexMesh<Dim>&, const DisplacementConstraints<Dim>&)
+    template Index unconstrained_rigid_modes(const Points<Dim>&, const std::vector<std::vector<Index>>&,    \
+                                             const DisplacementConstraints<Dim>&);                          \
+    template void require_support(const SimplexMesh<Dim>&, const DisplacementConstraints<Dim>&);            \
+    template void require_support(const Points<Dim>&, const std::vector<std::vector<Index>>&, const DisplacementConstraints<Dim>&)
 PLIANT_INSTANTIATE(2);
 PLIANT_INSTANTIATE(3);
 #undef PLIANT_INSTANTIATE

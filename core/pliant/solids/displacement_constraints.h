@@ -35,12 +35,19 @@ private:
 template <int Dim>
 MatX rigid_modes(const Points<Dim>& points);
 
-// How many independent rigid motions the constraints leave free, summed over the disconnected parts of the mesh.
+// How many independent rigid motions the constraints leave free, summed over the disconnected parts of a body: those of a mesh,
+// or lists of nodes.
 template <int Dim>
 Index unconstrained_rigid_modes(const SimplexMesh<Dim>& mesh, const DisplacementConstraints<Dim>& constraints);
+template <int Dim>
+Index unconstrained_rigid_modes(const Points<Dim>& points, const std::vector<std::vector<Index>>& parts,
+                                const DisplacementConstraints<Dim>& constraints);
 
 // Throws Refused "singular: k rigid modes unconstrained" when there are any.
 template <int Dim>
 void require_support(const SimplexMesh<Dim>& mesh, const DisplacementConstraints<Dim>& constraints);
+template <int Dim>
+void require_support(const Points<Dim>& points, const std::vector<std::vector<Index>>& parts,
+                     const DisplacementConstraints<Dim>& constraints);
 
 }  // namespace pliant

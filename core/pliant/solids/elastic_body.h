@@ -1,7 +1,7 @@
 // What static and implicit solvers need to know of an elastic body, whatever it is made of. Displacements and forces are Dim ×
 // nodes; component k of node a is unknown Dim a + k of the stiffness matrix.
 #pragma once
-#include <pliant/mesh/simplex_mesh.h>
+#include <pliant/solids/displacement_constraints.h>
 
 namespace pliant {
 
@@ -10,8 +10,9 @@ class ElasticBody {
 public:
     virtual ~ElasticBody() = default;
 
-    virtual const SimplexMesh<Dim>& mesh() const = 0;
-    virtual Index node_count() const = 0;  // those of the mesh first
+    virtual Index node_count() const = 0;
+    // Throws Refused "singular: k rigid modes unconstrained" where the constraints leave the body free to move.
+    virtual void check_support(const DisplacementConstraints<Dim>& constraints) const = 0;
 
     // Energy of the body [J]; infinite where an element's F is not admitted.
     virtual Real energy(const Points<Dim>& displacement) const = 0;

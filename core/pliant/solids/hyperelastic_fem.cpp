@@ -10,14 +10,6 @@
 namespace pliant {
 namespace {
 
-// The nearest matrix without negative eigenvalues.
-template <int Size>
-void remove_negative_part(Mat<Size>& A) {
-    const SymmetricEigen<Size> eigen = symmetric_eigen<Size>(A);
-    if (eigen.values[0] >= 0) return;
-    A = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
-}
-
 template <int Dim>
 std::vector<EnergyDensity<Dim>> densities_of(Energy energy, const std::vector<Lame>& materials) {
     std::vector<EnergyDensity<Dim>> densities;
@@ -117,7 +109,7 @@ typename HyperelasticFem<Dim, Order>::ElementMatrix HyperelasticFem<Dim, Order>:
     ElementMatrix K = ElementMatrix::Zero();
     for (int q = 0; q < Elements::points; ++q) {
         Mat<Dim* Dim> T = density(element).tangent(deformation_gradient(element, displacement, q));
-        if (definite) remove_negative_part<Dim * Dim>(T);
+        if (definite) T = positive_part<Dim * Dim>(T);
         const typename Elements::Gradients g = elements_.gradients(element, q);
         Eigen::Matrix<Real, Dim * Dim, Dim * nodes> TB;
         TB.setZero();

@@ -24,9 +24,10 @@ public:
     HyperelasticFem(const SimplexMesh<Dim>& mesh, Energy energy, const Lame& material);
     HyperelasticFem(const SimplexMesh<Dim>& mesh, Energy energy, const std::vector<Lame>& materials);
 
-    const SimplexMesh<Dim>& mesh() const override { return elements_.mesh(); }
+    const SimplexMesh<Dim>& mesh() const { return elements_.mesh(); }
     const Elements& elements() const { return elements_; }
     Index node_count() const override { return elements_.node_count(); }
+    void check_support(const DisplacementConstraints<Dim>& constraints) const override { require_support(mesh(), constraints); }
     const EnergyDensity<Dim>& density(Index element) const { return densities_[static_cast<std::size_t>(element)]; }
 
     Mat<Dim> deformation_gradient(Index element, const Points<Dim>& displacement, int point = 0) const;

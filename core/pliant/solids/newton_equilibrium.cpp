@@ -25,7 +25,7 @@ NewtonEquilibrium<Dim>::NewtonEquilibrium(const ElasticBody<Dim>& body, const Di
       constraints_(constraints),
       stiffness_(body.pattern()),
       system_(body.pattern(), constraints.flags()) {
-    require_support(body.mesh(), constraints);
+    body.check_support(constraints);
     if (!(settings.tolerance > 0 && settings.tolerance < 1)) throw Refused("tolerance", settings.tolerance, "", "(0, 1)");
     cholesky_.analyze(system_.matrix());
     u_ = force_ = step_ = internal_ = residual_force_ = trial_ = Points<Dim>::Zero(Dim, body.node_count());
