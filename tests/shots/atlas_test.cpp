@@ -124,6 +124,18 @@ TEST_CASE("another lesson, a cancel and the end of the lab stop a map at once", 
     CHECK(atlas.busy());
 }
 
+TEST_CASE("between a change of the lesson and its next frame a map shows no present scene", "[session][atlas]") {
+    Session session = lattice();
+    Atlas atlas;
+    atlas.follow(session);
+    ask_for_little(atlas);
+    atlas.make_now(session);
+    REQUIRE(atlas.present(session));
+    session.open(find_lesson("elasticity/moduli"));
+    CHECK(atlas.outdated(session));
+    CHECK_FALSE(atlas.present(session));
+}
+
 TEST_CASE("a lesson that is solved at once has no map, and the panel says so", "[session][atlas]") {
     const auto context = open_headless({1280, 720});
     Lab lab(*context, "elasticity/moduli");

@@ -54,6 +54,19 @@ TEST_CASE("a lecture is given from its file: a comparison, a blow-up, a map that
     CHECK(desk.close_window() == 0);
 }
 
+TEST_CASE("a lecture goes on from a map to the slide of a lesson that lacks its knobs", "[window][lecture]") {
+    need_screen_and_mouse();
+    Desk desk({"lecture", "fluids", "--present", "--slide", "9"});
+    REQUIRE(lecture_at(desk, 9, false));
+    desk.key("Next");
+    REQUIRE(desk.becomes([](const Json& s) { return s["atlas"]["cells_done"] > 0; }));
+    go_on_to(desk, 10);
+    desk.key("Prior");
+    CHECK(desk.becomes("slide", 9));
+    CHECK(desk.complaints().empty());
+    CHECK(desk.close_window() == 0);
+}
+
 TEST_CASE("a lecture goes on where it was left, with what was done there", "[window][lecture]") {
     need_screen_and_mouse();
     const Scratch kept;

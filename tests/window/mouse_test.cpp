@@ -71,7 +71,8 @@ TEST_CASE("a slider is dragged, set back, typed into and undone", "[window]") {
     // Outside what the solver accepts: refused in words, and nothing changes.
     type("7");
     CHECK(desk.becomes([](const Json& state) {
-        return state["message"].is_string() && state["message"].get<std::string>().find("poisson_ratio = 7") != std::string::npos;
+        return state["message"].is_string() &&
+               state["message"].get<std::string>().find("Poisson's ratio = 7") != std::string::npos;
     }));
     CHECK(desk.parameter(key) == 0.125);
     // Outside the useful range, which ends at 0.49, and with a decimal comma.

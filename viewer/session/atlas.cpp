@@ -113,10 +113,11 @@ void Atlas::take(StabilityMap map) {
 }
 
 bool Atlas::outdated(const Session& session) const {
-    return map_ && std::ranges::any_of(session.lesson().parameters, [&](const Parameter* p) {
-               return !p->looks() && !is_knob(map_->order, p->info.key) &&
-                      session.runner().wanted(*p) != value_in(map_->order, *p);
-           });
+    if (!map_) return false;
+    if (map_->order.lesson != &session.entry()) return true;
+    return std::ranges::any_of(session.lesson().parameters, [&](const Parameter* p) {
+        return !p->looks() && !is_knob(map_->order, p->info.key) && session.runner().wanted(*p) != value_in(map_->order, *p);
+    });
 }
 
 std::optional<MapPlace> Atlas::present(const Session& session) const {

@@ -56,7 +56,7 @@ public:
     const MapPicture& picture() const { return *picture_; }  // only with a map
     // The present scene on the map; empty when it lies outside, or has other parameters beside the knobs.
     std::optional<MapPlace> present(const Session& session) const;
-    // Has anything beside the knobs changed since the map was made?
+    // Has anything beside the knobs changed since the map was made, or the lesson?
     bool outdated(const Session& session) const;
     const std::string& trouble() const { return trouble_; }  // why there is no map; "" when nothing went wrong
 
