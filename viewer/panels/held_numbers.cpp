@@ -17,6 +17,12 @@ std::string_view law_text(Law law) {
     return law == Law::constant ? "stays constant" : law == Law::never_grows ? "never grows" : "is zero";
 }
 
+// A law that only forbids growth says so: what is lost is no breach of it.
+std::string light_name(const Conserved& c, Holds holds) {
+    if (c.law != Law::never_grows) return words(c.probe);
+    return fmt::format("{} {}", words(c.probe), holds == Holds::no ? "grows" : law_text(c.law));
+}
+
 void add_laws(const Runner& runner, std::vector<Light>& lights) {
     for (const std::size_t i : runner.shown_laws()) {
         const Conserved& c = runner.lesson().conserved[i];
@@ -28,7 +34,7 @@ void add_laws(const Runner& runner, std::vector<Light>& lights) {
         else
             help += fmt::format(": off by {}, tolerance {}", format_quantity(runner.drift(i), unit),
                                 format_quantity(runner.tolerance(i), unit));
-        lights.push_back({holds, words(c.probe), help});
+        lights.push_back({holds, light_name(c, holds), help});
     }
 }
 

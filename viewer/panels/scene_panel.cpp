@@ -94,8 +94,10 @@ Rectangle draw_pair(PanelContext& lab, ScenePanelState& panel, SceneRenderer& re
     const float above = notes_height(lab, panel, {{a.heading, &a.picture->scene.notes}, {b.heading, &b.picture->scene.notes}},
                                      width, room.height);
     const Rectangle place = below(room, above);
-    std::vector<Position> moving = moving_parts(a.picture->scene);
-    std::ranges::copy(moving_parts(b.picture->scene), std::back_inserter(moving));
+    // A run that broke down is not followed to where it flew.
+    std::vector<Position> moving;
+    for (const Side* side : {&a, &b})
+        if (!(side->first && s.autopsy())) std::ranges::copy(moving_parts(side->picture->scene), std::back_inserter(moving));
     const int dimension = s.lesson().dimension();
     look_at(lab, panel, about(frame_of(a.picture->scene, dimension), frame_of(b.picture->scene, dimension)), moving,
             width / place.height);
