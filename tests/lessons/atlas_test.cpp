@@ -46,6 +46,33 @@ TEST_CASE("the atlas agrees with theory to one cell for every scheme", "[atlas]"
         }
 }
 
+TEST_CASE("the map of diffusion agrees with the limit of its stencil in a row and in a square, in both forms", "[atlas]") {
+    struct Case {
+        const char *dimension, *form, *across;
+        Real limit;
+    };
+    // As on the slide the limit is on νΔt: here Δx = 1 m.
+    for (const auto& [dimension, form, across, limit] : {Case{"1", "careful", "diffusion_number=0.1:1:9", 0.5},
+                                                         {"2", "careful", "diffusion_number=0.05:0.5:9", 0.25},
+                                                         {"1", "lecture", "diffusion_number=0.05:0.5:9", 0.25},
+                                                         {"2", "lecture", "diffusion_number=0.02:0.2:9", 0.125}}) {
+        CAPTURE(dimension, form);
+        const StabilityMap map = map_of("fluids/diffusion", across, "resolution=8:10:2",
+                                        {{"start", "random"}, {"dimension", dimension}, {"form", form}, {"length", "8"}});
+        REQUIRE(agreement(map));
+        CHECK(agreement(map)->contradicts == 0);
+        INFO(contradiction(map));
+        CHECK(map.count(Stability::diverged) > 0);
+        for (Index i = 0; i < map.columns(); ++i)
+            CHECK(map.at(i, 0).predicted_stable() == (map.order.across.values[static_cast<std::size_t>(i)] <= limit));
+        CHECK_FALSE(theory_bound(map).empty());
+    }
+    const StabilityMap implicit = map_of("fluids/diffusion", "diffusion_number=1:100:3:log", "resolution=8:10:2",
+                                         {{"start", "random"}, {"scheme", "implicit"}});
+    CHECK(implicit.count(Stability::diverged) == 0);
+    CHECK(implicit.at(2, 0).theory == 0);
+}
+
 TEST_CASE("every lesson that steps in time can be mapped", "[atlas][every_lesson]") {
     for (const LessonEntry& entry : every_lesson()) {
         const auto lesson = entry.make();

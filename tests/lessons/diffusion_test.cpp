@@ -153,7 +153,7 @@ TEST_CASE("diffusion: beyond the limit a run blows up, names the limit and can b
     const bool square = std::string_view(dimension) == "2";
     Runner runner =
         start_diffusion({{"dimension", dimension}, {"start", "random"}, {"diffusion_number", square ? "0.28" : "0.56"}});
-    const Assumption& limit = assumption(runner, "explicit limit");
+    const Assumption& limit = assumption(runner, "stability");
     CHECK(limit.limit() == (square ? 0.25 : 0.5));
     CHECK(limit.value() > limit.limit());
     CHECK_THROWS_AS(
@@ -260,7 +260,7 @@ TEST_CASE("diffusion: what a light offers mends what it shows", "[diffusion]") {
         CHECK((!mended.in_use() || mended.value() <= mended.limit()));
     };
     const char* dimension = GENERATE("1", "2");
-    check({{"dimension", dimension}, {"diffusion_number", "0.6"}}, "explicit limit");
+    check({{"dimension", dimension}, {"diffusion_number", "0.6"}}, "stability");
     check({{"dimension", dimension}, {"scheme", "implicit"}, {"diffusion_number", "10"}}, "mode resolved in time");
     check({{"dimension", dimension}, {"mode", "20"}}, "mode resolved in space");
     check({{"dimension", dimension}, {"boundary", "fixed"}, {"mode", "1000"}}, "mode resolved in space");

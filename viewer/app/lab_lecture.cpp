@@ -35,6 +35,7 @@ void Lab::follow_lecture() {
     const Session& s = state_.session;
     const std::pair here{s.lecture() ? s.open_count() : -1, s.slide_number()};
     if (std::exchange(lecture_slide_, here) != here) begin_lecture_slide(state_);
+    keep_of_lecture_slide(state_);
 }
 
 bool Lab::perform_on_lecture(Action action) {

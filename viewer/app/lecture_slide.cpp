@@ -2,7 +2,12 @@
 
 #include "panels/deck_panel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
 
 namespace pliant::viewer {
 namespace {
@@ -43,13 +48,59 @@ void place_without_run(const LabState& lab, DeckPlaces& p, const Rectangle& room
     p.other = {left, room.y, room.width - left, room.height};
 }
 
+namespace {
+// A list has none: its parameter is mapped over what its slider spans, or over its options.
+std::optional<Atlas::Span> span_of(const Knob& knob) {
+    if (knob.spacing == Spacing::list) return std::nullopt;
+    return Atlas::Span{{knob.values.front(), knob.values.back()}, knob.spacing == Spacing::log};
+}
+
+// Is there a map, and is it of these knobs and parameters?
+bool is_mapped(const LabState& lab) {
+    const Atlas& atlas = lab.atlas.atlas;
+    const StabilityMap* map = atlas.map();
+    return map && !atlas.outdated(lab.session) && map->order.across.key == atlas.across && map->order.up.key == atlas.up;
+}
+
+std::string key_of_slide(const LabState& lab) {
+    return fmt::format("{} {}", lab.session.lecture()->path, lab.session.slide_number());
+}
+
+// The map that there is, when it is whole and that of the slide.
+void keep_map(LabState& lab) {
+    AtlasPanelState& panel = lab.atlas;
+    if (std::exchange(panel.kept_made, panel.atlas.made()) == panel.atlas.made()) return;
+    if (panel.atlas.map() && panel.atlas.map()->complete && is_mapped(lab))
+        panel.kept.insert_or_assign(key_of_slide(lab), *panel.atlas.map());
+}
+
+void begin_atlas(LabState& lab, const std::pair<Knob, Knob>& knobs) {
+    AtlasPanelState& panel = lab.atlas;
+    Atlas& atlas = panel.atlas;
+    atlas.follow(lab.session);
+    atlas.across = knobs.first.key, atlas.up = knobs.second.key;
+    atlas.across_span = span_of(knobs.first), atlas.up_span = span_of(knobs.second);
+    atlas.cells = static_cast<Index>(std::max(knobs.first.values.size(), knobs.second.values.size()));
+    lab.side_wanted = SideTab::atlas;
+    panel.unmade.reset();
+    try {
+        panel.unmade = std::make_unique<StabilityMap>(atlas.unmade(lab.session));
+    } catch (const Refused&) {
+        // What is wrong is told when it is to be made.
+    }
+    if (const auto kept = panel.kept.find(key_of_slide(lab)); kept != panel.kept.end() && !is_mapped(lab))
+        atlas.show(kept->second);
+}
+
+}  // namespace
+
 void draw_shown_by_slide(LabState& lab) {
     const LectureSlide& s = *lab.session.lecture_slide();
     switch (shown_by_slide(lab)) {
         case ShownBySlide::claim:
             return draw_claim_slide(lab, lab.claims, find_claim(s.claim));
         case ShownBySlide::atlas:
-            return draw_atlas(lab, lab.atlas);
+            return draw_atlas_of_slide(lab, lab.atlas, is_mapped(lab));
         case ShownBySlide::picture:
             return draw_slide_picture(lab, lab.slide_pictures, s.picture);
         case ShownBySlide::words:
@@ -67,33 +118,18 @@ Fill fill_of_slide(const LabState& lab, const LectureSlide& s) {
 }
 }  // namespace
 
-namespace {
-// A list has none: its parameter is mapped over what its slider spans, or over its options.
-std::optional<Atlas::Span> span_of(const Knob& knob) {
-    if (knob.spacing == Spacing::list) return std::nullopt;
-    return Atlas::Span{{knob.values.front(), knob.values.back()}, knob.spacing == Spacing::log};
-}
-
-// Is there a map, and is it of these knobs and parameters?
-bool is_mapped(const LabState& lab) {
-    const Atlas& atlas = lab.atlas.atlas;
-    const StabilityMap* map = atlas.map();
-    return map && !atlas.outdated(lab.session) && map->order.across.key == atlas.across && map->order.up.key == atlas.up;
-}
-}  // namespace
-
 void begin_lecture_slide(LabState& lab) {
     const LectureSlide* s = lab.session.lecture_slide();
     if (!s) return;
     lab.fill = fill_of_slide(lab, *s);
     if (!s->trouble.empty()) return;
     if (!s->claim.empty()) lab.claims.book.unfold(find_claim(s->claim));
-    if (s->atlas) {
-        lab.atlas.atlas.follow(lab.session);
-        lab.atlas.atlas.across = s->atlas->first.key, lab.atlas.atlas.up = s->atlas->second.key;
-        lab.atlas.atlas.across_span = span_of(s->atlas->first), lab.atlas.atlas.up_span = span_of(s->atlas->second);
-        lab.atlas.atlas.cells = static_cast<Index>(std::max(s->atlas->first.values.size(), s->atlas->second.values.size()));
-    }
+    if (s->atlas) begin_atlas(lab, *s->atlas);
+}
+
+void keep_of_lecture_slide(LabState& lab) {
+    const LectureSlide* s = lab.session.lecture_slide();
+    if (s && s->atlas && s->trouble.empty()) keep_map(lab);
 }
 
 bool next_shows_more(const LabState& lab) {

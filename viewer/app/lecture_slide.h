@@ -16,6 +16,8 @@ void draw_shown_by_slide(LabState& lab);
 
 // Call when another slide has come up: its claim is unfolded, its knobs are set.
 void begin_lecture_slide(LabState& lab);
+// Call in every frame: a map that has been made is there again when one comes back to its slide.
+void keep_of_lecture_slide(LabState& lab);
 // What Next does before it goes on: the claim is measured, the map is made. False when there is nothing of the kind, or it is
 // done.
 bool show_more_of_slide(LabState& lab);

@@ -134,7 +134,7 @@ std::string cell_text(const Lesson& lesson, const StabilityMap& map, Index i, In
 }
 
 // Beside the map with its axes, at the height of the pointer: on the left where there is room, else on the right, else above or
-// below.
+// below; over a map that fills the screen, beside the pointer, on the side where there is more room.
 void tip_beside(const PanelContext& lab, const Box& map, const std::string& text) {
     const float gap = lab.px(10), wrap = lab.px(300);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap), screen = ImGui::GetIO().DisplaySize,
@@ -146,6 +146,11 @@ void tip_beside(const PanelContext& lab, const Box& map, const std::string& text
         at.x = std::clamp(mouse.x - whole.x / 2, 0.f, std::max(0.f, screen.x - whole.x));
         at.y = map.min.y - gap - whole.y >= 0 ? map.min.y - gap - whole.y : map.max.y + gap;
     }
+    if (at.y + whole.y > screen.y) {
+        at.x = mouse.x > screen.x / 2 ? mouse.x - 2 * gap - whole.x : mouse.x + 2 * gap;
+        at = {std::clamp(at.x, 0.f, std::max(0.f, screen.x - whole.x)),
+              std::clamp(mouse.y - whole.y / 2, 0.f, std::max(0.f, screen.y - whole.y))};
+    }
     ImGui::SetNextWindowPos(at);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(wrap);
@@ -155,15 +160,13 @@ void tip_beside(const PanelContext& lab, const Box& map, const std::string& text
 }
 
 // legend_beside: where the map has the whole screen.
-void draw_picture(PanelContext& lab, AtlasPanelState& panel, bool legend_beside) {
+void draw_picture(PanelContext& lab, AtlasPanelState& panel, float height, bool legend_beside) {
     const StabilityMap& map = *panel.atlas.map();
     MapPicture picture = panel.atlas.picture();
     picture.present = panel.atlas.present(lab.session);
     const bool theory = !lab.session.hides("theory");
     if (!theory) picture.bound.clear(), picture.wrong.assign(picture.wrong.size(), 0);
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-    const float height =
-        legend_beside ? room.y : std::clamp(room.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(310), 1.5f * room.x);
     const bool pressed = ImGui::InvisibleButton("map", {room.x, height});
     lab.note_control("atlas map");
     const PlotStyle style = style_of_plots(lab);
@@ -255,9 +258,49 @@ void draw_atlas(PanelContext& lab, AtlasPanelState& panel) {
     }
     if (!mapped) return;
     ImGui::BeginChild("atlas", {0, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NavFlattened);
-    draw_picture(lab, panel, wide);
+    const ImVec2 left = ImGui::GetContentRegionAvail();
+    draw_picture(lab, panel,
+                 wide ? left.y : std::clamp(left.y - 4 * ImGui::GetTextLineHeightWithSpacing(), lab.px(310), 1.5f * left.x),
+                 wide);
     if (!wide) draw_words(lab, panel);
     ImGui::EndChild();
+}
+
+namespace {
+
+void draw_unmade(PanelContext& lab, const AtlasPanelState& panel, float height) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    const PlotStyle style = style_of_plots(lab);
+    ImguiCanvas canvas(*ImGui::GetWindowDrawList(), style.mathematics);
+    const MapPicture picture(*panel.unmade);
+    const MapPlaces places = draw_map(canvas, {{at.x, at.y}, {at.x + room.x, at.y + height}}, picture, style, true);
+    ImGui::Dummy({room.x, height});
+    lab.note_control("atlas unmade");
+    const char* const words = panel.atlas.busy() ? "The map is being made" : "Next: the map is made";
+    const ImVec2 size = ImGui::CalcTextSize(words);
+    ImGui::GetWindowDrawList()->AddText(
+        {(places.area.min.x + places.area.max.x - size.x) / 2, (places.area.min.y + places.area.max.y - size.y) / 2},
+        ImGui::GetColorU32(ImGuiCol_TextDisabled), words);
+}
+
+}  // namespace
+
+void draw_atlas_of_slide(PanelContext& lab, AtlasPanelState& panel, bool made) {
+    const Atlas& atlas = panel.atlas;
+    ImGui::PushFont(lab.fonts.medium);
+    const float height = ImGui::GetContentRegionAvail().y - 2 * ImGui::GetTextLineHeightWithSpacing();
+    const bool mapped = atlas.map() && (made || atlas.busy());
+    if (mapped)
+        draw_picture(lab, panel, height, true);
+    else if (panel.unmade)
+        draw_unmade(lab, panel, height);
+    if (!atlas.trouble().empty())
+        flowing_words(atlas.trouble());
+    else if (mapped && !atlas.map()->complete)
+        flowing_words(fmt::format("{} of {} cells so far", atlas.cells_done(), atlas.map()->cells.size()), true);
+    else if (mapped && !lab.session.hides("theory"))
+        flowing_words(agreement_text(*atlas.map()), true);
+    ImGui::PopFont();
 }
 
 }  // namespace pliant::viewer

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -82,14 +85,38 @@ int lines_of_buttons(const Session& s, const Autopsy& a, float width) {
 }
 
 struct Line {
-    const std::string& text;
+    std::string text;
     ImFont* font;
 };
 
+// Without what stands in brackets: a blank, a bracket, and a word of small letters.
+std::string without_asides(std::string text) {
+    for (auto from = text.find(" ("); from != std::string::npos; from = text.find(" (", from + 1)) {
+        if (from + 2 >= text.size() || text[from + 2] < 'a' || text[from + 2] > 'z') continue;
+        int depth = 0;
+        for (auto k = from + 1; k < text.size(); ++k) {
+            depth += (text[k] == '(') - (text[k] == ')');
+            if (depth > 0) continue;
+            const std::string_view aside = std::string_view(text).substr(from + 2, k - from - 2);
+            if (aside.find(' ') != aside.npos) text.erase(from, k + 1 - from);
+            break;
+        }
+    }
+    return text;
+}
+
+// How a card is set. Where there is no room it leaves out what the reason says in brackets, and in which step and stage the run
+// stopped, which the status line and the stages tell as well.
+struct CardType {
+    ImFont *reason, *rest, *buttons;
+    bool whole = true;
+};
+
 // The reason first, in the largest type.
-std::vector<Line> lines_of(const Autopsy& a, const std::string& facts, ImFont* reason, ImFont* rest) {
-    if (a.limit.empty()) return {{a.headline, reason}, {facts, rest}};
-    return {{a.limit, reason}, {a.headline, rest}, {facts, rest}};
+std::vector<Line> lines_of(const Autopsy& a, const std::string& facts, const CardType& type) {
+    if (a.limit.empty()) return {{a.headline, type.reason}, {facts, type.rest}};
+    if (!type.whole) return {{without_asides(a.limit), type.reason}, {facts, type.rest}};
+    return {{a.limit, type.reason}, {a.headline, type.rest}, {facts, type.rest}};
 }
 
 float height_of_words(const std::vector<Line>& lines, float width) {
@@ -114,6 +141,35 @@ void draw_words(const std::vector<Line>& lines) {
     }
 }
 
+struct Card {
+    CardType type{};
+    float buttons = 0, height = 0;  // px
+};
+
+Card card_in(const Session& s, const Autopsy& a, const std::string& facts, const CardType& type, float inner, float pad) {
+    ImGui::PushFont(type.buttons);
+    const float buttons = static_cast<float>(lines_of_buttons(s, a, inner)) * ImGui::GetFrameHeightWithSpacing();
+    ImGui::PopFont();
+    return {type, buttons, height_of_words(lines_of(a, facts, type), inner) + buttons + 2 * pad};
+}
+
+// A third of the picture, in the largest type that it has room for; else more of it, with smaller type and fewer words.
+Card fitting_card(const PanelContext& lab, const Autopsy& a, const std::string& facts, float room, float inner, float pad) {
+    const Fonts& f = lab.fonts;
+    const std::array types{CardType{f.large, f.normal, f.normal},     CardType{f.medium, f.normal, f.normal},
+                           CardType{f.medium, f.small, f.normal},     CardType{f.normal, f.small, f.normal},
+                           CardType{f.normal, f.small, f.small},      CardType{f.normal, f.small, f.small, false},
+                           CardType{f.small, f.small, f.small, false}};
+    Card card;
+    for (const auto& [part, kinds] : {std::pair{1 / 3.f, 4}, {0.5f, 6}, {0.65f, 7}, {0.8f, 7}, {1.f, 7}})
+        for (int k = 0; k < kinds; ++k) {
+            card = card_in(lab.session, a, facts, types[static_cast<std::size_t>(k)], inner, pad);
+            if (card.height <= part * room) return card;
+        }
+    card.height = std::max(room, card.buttons + 3 * pad);
+    return card;
+}
+
 }  // namespace
 
 void draw_autopsy(PanelContext& lab, ScenePanelState& panel, const Rectangle& picture) {
@@ -121,28 +177,22 @@ void draw_autopsy(PanelContext& lab, ScenePanelState& panel, const Rectangle& pi
     const Autopsy a = *lab.session.autopsy();
     const std::string facts = a.where.empty() ? a.against : fmt::format("{}: {}", words(a.where), a.against);
     const float gap = lab.px(10), pad = lab.px(9), width = std::max(picture.width - 2 * gap, lab.px(60)), inner = width - 2 * pad;
-    const float buttons = static_cast<float>(lines_of_buttons(lab.session, a, inner)) * ImGui::GetFrameHeightWithSpacing();
-    // A third of the picture, or as much as the reason needs in a small one, in the largest type that it has room for: what is
-    // longer still scrolls.
-    const Fonts& f = lab.fonts;
-    const float reason_needs = height_of_words({lines_of(a, facts, f.medium, f.normal).front()}, inner) + buttons + 2 * pad;
-    const float most = std::max(picture.width * picture.height / 3 / width, std::min(reason_needs, 0.8f * picture.height));
-    auto lines = lines_of(a, facts, f.large, f.normal);
-    for (const auto& [reason, rest] : {std::pair{f.medium, f.normal}, {f.medium, f.small}, {f.normal, f.small}})
-        if (height_of_words(lines, inner) + buttons + 2 * pad > most) lines = lines_of(a, facts, reason, rest);
-    const float height = std::min(height_of_words(lines, inner) + buttons + 2 * pad, std::max(most, buttons + 3 * pad));
+    const Card card = fitting_card(lab, a, facts, picture.height - 2 * gap, inner, pad);
     ImGui::SetCursorScreenPos({picture.x + gap, picture.y + gap});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, packed(card_colour, 0.96f));
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 100));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(0, 0, 0, 160));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
-    ImGui::BeginChild("autopsy", {width, height}, ImGuiChildFlags_AlwaysUseWindowPadding,
+    ImGui::BeginChild("autopsy", {width, card.height}, ImGuiChildFlags_AlwaysUseWindowPadding,
                       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
-    ImGui::BeginChild("autopsy words", {0, height - buttons - 2 * pad}, ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);
-    draw_words(lines);
+    ImGui::BeginChild("autopsy words", {0, card.height - card.buttons - 2 * pad}, ImGuiChildFlags_None,
+                      ImGuiWindowFlags_NoBackground);
+    draw_words(lines_of(a, facts, card.type));
     ImGui::EndChild();
+    ImGui::PushFont(card.type.buttons);
     if (!fix_buttons(lab, panel, a)) other_buttons(lab, panel, a);
+    ImGui::PopFont();
     ImGui::EndChild();
     lab.note_control("autopsy");
     ImGui::PopStyleVar();

@@ -271,18 +271,19 @@ void draw_claims(PanelContext& lab, ClaimsPanelState& panel) {
 namespace {
 
 struct ClaimType {
-    ImFont *statement, *rest;
+    ImFont *statement, *rest, *notes;
 };
 
 float height_in(const ImFont* font, const std::string& text, float width) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
 }
 
-// With what was found, so that the type stays when it comes.
+// With what the lectures say, which comes with what was found.
 float height_of(const ClaimsPanelState& panel, const Claim& c, const ClaimType& type, float width) {
     const ClaimResult* r = panel.book.result(c);
     const float line = type.rest->FontSize + ImGui::GetStyle().ItemSpacing.y + 2 * ImGui::GetStyle().FramePadding.y;
-    float height = height_in(type.statement, c.statement, width) + height_in(type.rest, c.question, width);
+    float height = height_in(type.statement, c.statement, width) + height_in(type.rest, c.question, width) +
+                   height_in(type.notes, c.source + c.figure + c.criterion, width);
     for (const std::string& answer : c.answers)
         height += height_in(type.rest, answer, 0.95f * width) + line - type.rest->FontSize;
     if (r) height += height_in(type.rest, r->finding ? r->finding->text + r->finding->condition : r->failure, width);
@@ -293,9 +294,10 @@ float height_of(const ClaimsPanelState& panel, const Claim& c, const ClaimType& 
 ClaimType claim_type(const PanelContext& lab, const ClaimsPanelState& panel, const Claim& c) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const Fonts& f = lab.fonts;
-    for (const ClaimType& type : {ClaimType{f.larger, f.large}, ClaimType{f.large, f.medium}})
+    for (const ClaimType& type :
+         {ClaimType{f.huge, f.larger, f.large}, {f.larger, f.large, f.medium}, {f.large, f.medium, f.normal}})
         if (height_of(panel, c, type, room.x) <= room.y) return type;
-    return {f.medium, f.normal};
+    return {f.medium, f.normal, f.normal};
 }
 
 }  // namespace
@@ -307,6 +309,7 @@ void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c
     question(lab, panel, c);
     ImGui::PopFont();
     ImGui::Spacing();
+    ImGui::PushFont(type.notes);
     // What the lectures say would answer the question, and so may what is said of its source.
     if (panel.book.result(c)) {
         ImGui::TextDisabled("What the lectures say (%s):", c.source.c_str());
@@ -324,6 +327,7 @@ void draw_claim_slide(PanelContext& lab, ClaimsPanelState& panel, const Claim& c
     } else {
         words_here("Next makes the experiment, and shows what the lectures say.");
     }
+    ImGui::PopFont();
     ImGui::PopID();
 }
 

@@ -104,17 +104,20 @@ float mark_scale(const PanelContext& lab) {
     return lab.layout == Layout::lab ? 1 : lab.fonts.medium->FontSize / lab.fonts.normal->FontSize;
 }
 
-void draw_labels(PanelContext& lab, ScenePanelState& panel, const View& view) {
-    if (!view.picture->scene.show_labels || view.picture->scene.labels.empty()) return;
+std::vector<Rectangle> draw_labels(PanelContext& lab, ScenePanelState& panel, const View& view) {
+    if (!view.picture->scene.show_labels || view.picture->scene.labels.empty()) return {};
     ImFont* const font = chosen_font(lab, panel, view);
     const std::vector<PlacedLabel> placed = placed_labels(lab, view, font);
     draw_plates(lab, view, placed);
+    std::vector<Rectangle> places;
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const LabelMark& label = view.picture->scene.labels[i];
         const PlacedLabel& l = placed[i];
         lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), l.words,
                                    {view.origin.x + l.at.x, view.origin.y + l.at.y + l.words.above}, lab.ink(label.ink));
+        if (!l.empty()) places.push_back({view.origin.x + l.at.x, view.origin.y + l.at.y, l.size.x, l.size.y});
     }
+    return places;
 }
 
 }  // namespace pliant::viewer

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace pliant::viewer {
 
@@ -98,19 +100,38 @@ void tell_of_beside(PanelContext& lab, const Rectangle& place) {
     if (const std::string text = catching_up_text(lab.session); !text.empty()) plate(lab, place, text, quiet_colour);
 }
 
-void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place) {
+namespace {
+
+// Of words of this size: the lower left corner of a picture, or else the first one in which they lie on the fewest labels.
+ImVec2 corner_beside(const std::vector<Rectangle>& labels, const Rectangle& place, ImVec2 size, ImVec2 margin) {
+    const float left = place.x + margin.x, right = place.x + place.width - size.x - margin.x, top = place.y + margin.y,
+                low = place.y + place.height - size.y - margin.y;
+    const auto covered = [&](ImVec2 at) {
+        return std::ranges::count_if(labels, [&](const Rectangle& l) {
+            return l.x < at.x + size.x && at.x < l.x + l.width && l.y < at.y + size.y && at.y < l.y + l.height;
+        });
+    };
+    const std::array corners{ImVec2{left, low}, ImVec2{right, low}, ImVec2{right, top}, ImVec2{left, top}};
+    return *std::ranges::min_element(corners, {}, covered);
+}
+
+}  // namespace
+
+void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place,
+                  const std::vector<Rectangle>& labels) {
     if (!scene.awaits(scene.colour_by.field) || scene.override_values) return;
     const Field* field = runner ? runner->lesson().find_field(scene.colour_by.field) : nullptr;
     const std::string stage = field ? not_yet(awaited_stage(*runner, *field)) : "",
                       text = "Grey: " + (stage.empty() ? "not computed yet" : stage);
-    // In a slide below the picture, where headings and notes are not; in the lab the hints are there.
+    // In a slide below the picture where it can be: headings and notes are above it. In the lab the hints are there.
     const bool low = lab.layout == Layout::deck;
     ImGui::PushFont(low ? lab.fonts.medium : lab.fonts.small);
     const ImVec2 pad{lab.px(6), lab.px(2)};
     const float wrap =
         low ? place.width - lab.px(20) : std::max(0.6f * place.width, std::min(place.width - lab.px(20), lab.px(240)));
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-    const ImVec2 at{place.x + lab.px(10), low ? place.y + place.height - size.y - lab.px(6) : place.y + lab.px(4)};
+    const ImVec2 at =
+        low ? corner_beside(labels, place, size, {lab.px(10), lab.px(6)}) : ImVec2{place.x + lab.px(10), place.y + lab.px(4)};
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
                         packed(palette(lab.theme).background, 0.8f), pad.x);

@@ -15,7 +15,8 @@ void name_pinned(PanelContext& lab, ScenePanelState& panel, const Rectangle& pla
 // Why B does not go on, or how far it has come to where A is, over its picture.
 void tell_of_beside(PanelContext& lab, const Rectangle& place);
 // In a picture whose field no stage has computed yet: which one will. runner: null for a picture of
-// the past.
-void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place);
+// the past. labels: words of the picture, which it keeps off on a slide.
+void tell_awaited(PanelContext& lab, const Scene& scene, const Runner* runner, const Rectangle& place,
+                  const std::vector<Rectangle>& labels);
 
 }  // namespace pliant::viewer

@@ -46,9 +46,9 @@ void draw_picture(PanelContext& lab, ScenePanelState& panel, SceneRenderer& rend
         if (ImGui::MenuItem("Whole scene", "Home")) lab.wanted.push_back(Action::frame);
     });
     if (view.first) mark_thing(lab, view), note_handles(lab, view);
-    draw_labels(lab, panel, view);
+    const std::vector<Rectangle> labels = draw_labels(lab, panel, view);
     tell_awaited(lab, view.picture->scene, runner_of(lab.session, view.lesson),
-                 {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y});
+                 {view.origin.x, view.origin.y, view.size.x - right_margin, view.size.y}, labels);
     if (view.lesson && !lab.session.hides("matrices")) {
         // Above the hints, where they are shown.
         const bool hinted = panel.hints_shown && lab.layout == Layout::lab;

@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <string_view>
+#include <vector>
 
 namespace pliant::viewer {
 
@@ -22,8 +23,8 @@ struct View {
 // The size of marks and words in the picture against those of the lab.
 float mark_scale(const PanelContext& lab);
 
-// Words over the picture, at their marks.
-void draw_labels(PanelContext& lab, ScenePanelState& panel, const View& view);
+// Words over the picture, at their marks. Gives where they are in the window.
+std::vector<Rectangle> draw_labels(PanelContext& lab, ScenePanelState& panel, const View& view);
 
 // What is said above a picture: the name of the run or moment, where there are two, and the notes of the lesson.
 struct Notes {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace pliant::viewer {
@@ -14,15 +15,19 @@ float light_width(const PanelContext& lab) { return lab.px(10); }
 float gap_before_name(const PanelContext& lab) { return lab.px(4); }
 float gap_of_lights(const PanelContext& lab) { return lab.px(14); }
 
+float named_width(const PanelContext& lab, const Light& light) {
+    return light_width(lab) + gap_before_name(lab) + ImGui::CalcTextSize(light.name.c_str()).x;
+}
+
 // Is there room for the names of the lights?
 bool names_fit(const PanelContext& lab) {
     float width = 0;
-    for (const Light& l : lab.held.lights)
-        width += light_width(lab) + gap_before_name(lab) + ImGui::CalcTextSize(l.name.c_str()).x + gap_of_lights(lab);
+    for (const Light& l : lab.held.lights) width += named_width(lab, l) + gap_of_lights(lab);
     return width <= ImGui::GetContentRegionAvail().x + gap_of_lights(lab);
 }
 
-// A light that tells by its shape as well: a filled disc holds, a warning triangle does not, a ring is not expected.
+// A light that tells by its shape as well: a filled disc holds, a warning triangle does not, a ring is not expected. With its
+// name it is one item.
 void draw_light(PanelContext& lab, const Light& light, bool named) {
     const Holds holds = light.holds;
     const float r = light_width(lab) / 2, line = std::max(2.f, lab.px(1.5f));
@@ -37,13 +42,9 @@ void draw_light(PanelContext& lab, const Light& light, bool named) {
         draw->AddLine({c.x, c.y - 0.45f * r}, {c.x, c.y + 0.35f * r}, IM_COL32_WHITE, line);
         draw->AddLine({c.x, c.y + 0.6f * r}, {c.x, c.y + 0.85f * r}, IM_COL32_WHITE, line);
     }
-    ImGui::Dummy({2 * r, ImGui::GetTextLineHeight()});
-    if (named) {
-        ImGui::SameLine(0, gap_before_name(lab));
-        ImGui::TextUnformatted(light.name.c_str());
-    }
+    if (named) draw->AddText({at.x + 2 * r + gap_before_name(lab), at.y}, ImGui::GetColorU32(ImGuiCol_Text), light.name.c_str());
+    ImGui::Dummy({named ? named_width(lab, light) : 2 * r, ImGui::GetTextLineHeight()});
     tooltip(named ? light.help : fmt::format("{}: {}", light.name, light.help), lab.scale);
-    ImGui::SameLine(0, gap_of_lights(lab));
 }
 
 // Where the run stands inside a step; "" between two.
@@ -57,31 +58,30 @@ std::string inside_text(const Session& s) {
 
 }  // namespace
 
-void draw_lights_at(PanelContext& lab, const Rectangle& room) {
-    if (lab.held.lights.empty()) return;
-    const float pad = lab.px(6), line = ImGui::GetTextLineHeight(), low = room.y + room.height - line - pad;
-    ImVec2 at{room.x + lab.px(10), low};
-    std::vector<float> widths;
-    for (const Light& l : lab.held.lights)
-        widths.push_back(light_width(lab) + gap_before_name(lab) + ImGui::CalcTextSize(l.name.c_str()).x + gap_of_lights(lab));
+float draw_lights_at(PanelContext& lab, const Rectangle& room) {
+    if (lab.held.lights.empty()) return 0;
+    const float pad = lab.px(6), line = ImGui::GetTextLineHeight(), left = room.x + lab.px(10), right = room.x + room.width;
     // In as many rows as they need, the last at the lower end.
-    float x = at.x;
-    for (const float width : widths) {
-        if (x > at.x && x + width > room.x + room.width) x = at.x, at.y -= line + pad;
-        x += width;
+    std::vector<ImVec2> places;
+    ImVec2 at{left, 0};
+    float widest = left;
+    for (const Light& l : lab.held.lights) {
+        const float width = named_width(lab, l);
+        if (at.x > left && at.x + width > right - pad) at = {left, at.y + line + pad};
+        places.push_back(at);
+        widest = std::max(widest, at.x + width);
+        at.x += width + gap_of_lights(lab);
     }
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x - pad, at.y - pad / 2},
-                                              {at.y < low ? room.x + room.width : x, low + line + pad / 2},
+    const float height = at.y + line + pad, top = room.y + room.height - height;
+    ImGui::GetWindowDrawList()->AddRectFilled({left - pad, top - pad / 2}, {widest + pad, top + height - pad / 2},
                                               packed(palette(lab.theme).background, 0.8f), pad);
-    x = at.x;
-    for (std::size_t k = 0; k < widths.size(); ++k) {
-        if (x > at.x && x + widths[k] > room.x + room.width) x = at.x, at.y += line + pad;
-        ImGui::SetCursorScreenPos({x, at.y});
-        draw_light(lab, lab.held.lights[k], true);
-        lab.note_control("light " + lab.held.lights[k].name);
-        x += widths[k];
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Light& light = lab.held.lights[k];
+        ImGui::SetCursorScreenPos({places[k].x, top + places[k].y});
+        draw_light(lab, light, true);
+        lab.note_control("light " + light.name);
     }
-    ImGui::NewLine();
+    return height;
 }
 
 void draw_status_line(PanelContext& lab) {
@@ -115,7 +115,10 @@ void draw_status_line(PanelContext& lab) {
     ImGui::SameLine(0, lab.px(18));
     const bool room = names_fit(lab);
     if (!s.hides("lights"))
-        for (const Light& l : lab.held.lights) draw_light(lab, l, room || l.holds == Holds::no);
+        for (const Light& l : lab.held.lights) {
+            draw_light(lab, l, room || l.holds == Holds::no);
+            ImGui::SameLine(0, gap_of_lights(lab));
+        }
     const std::string past =
         fmt::format("past {}, {:.0f} of {:.0f} MB", counted(static_cast<long long>(r.history().size()), "step"),
                     static_cast<double>(r.history().bytes()) / 1e6, static_cast<double>(r.history().cap()) / 1e6);

@@ -5,7 +5,8 @@
 namespace pliant::viewer {
 
 void draw_status_line(PanelContext& lab);
-// The lights in a row from this place of the window on, by name: over the picture of a slide.
-void draw_lights_at(PanelContext& lab, const Rectangle& room);
+// The lights by name in rows, at the lower end of this part of the window: over the picture of a slide. Gives the height of the
+// rows, px.
+float draw_lights_at(PanelContext& lab, const Rectangle& room);
 
 }  // namespace pliant::viewer

@@ -105,6 +105,7 @@ private:
     }
 
     void draw_cells() {
+        if (map_.cells.empty()) return;
         for (Index j = 0; j < map_.rows(); ++j)
             for (Index i = 0, end = 0; i < map_.columns(); i = end) {
                 const Stability kind = map_.at(i, j).verdict.kind;

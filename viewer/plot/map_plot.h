@@ -13,7 +13,7 @@
 
 namespace pliant::viewer {
 
-// What is drawn of a map, made once: the map must outlive it.
+// What is drawn of a map, made once: the map must outlive it. One without cells is an empty field between its axes.
 struct MapPicture {
     explicit MapPicture(const StabilityMap& shown);
 

@@ -110,6 +110,7 @@ void Atlas::take(StabilityMap map) {
     done_ = static_cast<Index>(map.cells.size());
     map_ = std::make_unique<StabilityMap>(std::move(map));
     picture_.emplace(*map_);
+    ++made_;
 }
 
 bool Atlas::outdated(const Session& session) const {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace pliant::viewer {
 
@@ -45,6 +46,10 @@ public:
     // Of the parameters as they are. Throws Refused, and then nothing has changed.
     void start(const Session& session);
     void make_now(const Session& session);  // in this thread
+    // A map of the open lesson that was made before.
+    void show(StabilityMap map) { cancel(), take(std::move(map)); }
+    // What would be made: without cells. Throws as start does.
+    StabilityMap unmade(const Session& session) const { return {.order = order_of(session), .probe = {}, .cells = {}}; }
     void cancel();
     bool busy() const { return under_way_ != nullptr; }
     Watch::Progress progress() const;  // in cells
@@ -53,6 +58,7 @@ public:
     // While it is made what there is of it so far: coarse at first, and then finer; it is not complete.
     const StabilityMap* map() const { return map_.get(); }
     Index cells_done() const { return done_; }               // of the map that is shown
+    long made() const { return made_; }                      // how many maps there were, whole ones and what there was so far
     const MapPicture& picture() const { return *picture_; }  // only with a map
     // The present scene on the map; empty when it lies outside, or has other parameters beside the knobs.
     std::optional<MapPlace> present(const Session& session) const;
@@ -78,6 +84,7 @@ private:
     std::optional<MapPicture> picture_;
     std::string trouble_;
     Index done_ = 0;
+    long made_ = 0;
     std::unique_ptr<Job> under_way_;
     std::list<std::unique_ptr<Job>> cancelled_;  // until their threads are done
 };

@@ -175,7 +175,6 @@ private:
             made_.atlas.emplace(parse_knob(runner.lesson(), words[0]), parse_knob(runner.lesson(), words[1]));
             if (made_.atlas->first.key == made_.atlas->second.key) throw Refused("the two knobs of an atlas are different ones");
         });
-        if (!fact("fill")) made_.fill = FilledPanel{"atlas", ""};
     }
 
     void take_picture() {

@@ -151,6 +151,8 @@ struct DiffusionLesson final : Lesson {
     Real dx() const { return length / resolution.value(); }
     Real rate() const { return viscosity > 0 ? Real(diffusion_number) : 0; }  // r = ν Δt/Δx² of a step
     Real limit() const { return 1 / static_cast<Real>(2 * dims()); }          // of r, for the explicit stencil
+    // Of r, for an explicit step in the form that is chosen: there the shortest wave keeps its size.
+    Real stable_rate() const { return literal() ? limit() / (2 * dx() * dx()) : limit(); }
     bool is_explicit() const { return scheme == Scheme::explicit_euler; }
     bool literal() const { return is_explicit() && form == Form::lecture; }
     bool couette() const { return dims() == 1 && boundary == Boundary::fixed; }
@@ -220,7 +222,7 @@ struct DiffusionLesson final : Lesson {
     }
     void exact_profile(Curve& curve) const;
 
-    Fix stable_again() const { return fix_by(diffusion_number, rounded_down(0.9 * limit())); }
+    Fix stable_again() const { return fix_by(diffusion_number, rounded_down(0.9 * stable_rate())); }
     std::optional<Fix> finer_in_space() const;
 
     // --- how the numbers came about (diffusion_why.cpp) ---

@@ -133,8 +133,10 @@ void DiffusionLesson::draw_row(Scene& scene) const {
                        position(static_cast<Real>(i) * dx(), strip_high * L), Ink::edge, 1);
     draw_exchanges(scene);
     draw_curve(scene);
-    draw_stencil(scene, {{0.5 * L, -0.52 * L}, {0.43 * L, 0}, {0.125 * L, 0.09 * L}});
-    scene.frame(position(-0.1 * L, -0.65 * L), position(1.06 * L, 0.3 * L));
+    // As on the slide nothing passes between the boxes, and their numbers are long.
+    const Real apart = literal() ? 0.42 : 0.43, half = literal() ? 0.2 : 0.125;
+    draw_stencil(scene, {{0.5 * L, -0.52 * L}, {apart * L, 0}, {half * L, 0.09 * L}});
+    scene.frame(position(-0.1 * L, -0.65 * L), position((literal() ? 1.13 : 1.06) * L, 0.3 * L));
 }
 
 // What passes between the cells of the row, as arrows over the faces between them: a whole cell long from a difference
