@@ -65,6 +65,26 @@ TEST_CASE("methods: the same scene gives the same table, but for the time that i
     }
 }
 
+TEST_CASE("methods: where the exact course ends before the run, a finer run is measured against", "[methods]") {
+    const SceneFile scene{.lesson = "mesh/mass_spring", .parameters = {}};
+    // Free fall to the ground, and on.
+    const MethodComparison fall = compare_methods(scene, "", Until::after_time(0.02)),
+                           bounce = compare_methods(scene, "", Until::after_time(0.8));
+    CHECK(fall.reference == "the exact solution");
+    CHECK(bounce.probe == "height");
+    CHECK_THAT(bounce.reference, ContainsSubstring("finer"));
+    CHECK(bounce.no_error.empty());
+    CHECK(run_of(bounce, "implicit_euler").error);
+}
+
+TEST_CASE("methods: of the solvers of a projection the divergence that they leave is compared", "[methods]") {
+    const MethodComparison c = compare_methods({.lesson = "fluids/projection", .parameters = {}}, "solver", Until::at_rest());
+    CHECK(c.probe == "max_divergence");
+    CHECK_THAT(c.no_error, ContainsSubstring("neither"));
+    REQUIRE(c.runs.front().value);
+    CHECK(std::ranges::any_of(c.runs, [&](const MethodRun& r) { return r.value != c.runs.front().value; }));
+}
+
 TEST_CASE("methods: any choice can be compared, and what is none is refused with those that there are", "[methods]") {
     const SceneFile scene{.lesson = "fluids/projection", .parameters = {}};
     const MethodComparison c = compare_methods(scene, "solver", Until::at_rest());

@@ -110,11 +110,57 @@ TEST_CASE("a comparison that takes long tells so and waits for its button", "[me
     CHECK_FALSE(MethodTable::Work{.runs = 8, .steps = 10, .seconds = 3}.long_one());
     CHECK(MethodTable::Work{.runs = 8, .steps = 1000000, .seconds = 300}.long_one());
     lab.session().run(Until::after_steps(60));
-    const MethodTable::Work after = table.work(lab.session());
-    CHECK(after.steps == 60);
-    REQUIRE(after.seconds);
-    CHECK(*after.seconds > 0);
+    CHECK(table.work(lab.session()).steps == 60);
     lab.state().side_wanted = SideTab::methods;
     frames(4);
     CHECK(lab.state().controls.contains("methods work"));
+}
+
+TEST_CASE("the first steps of every method are measured, and what takes long is told and not run", "[methods]") {
+    Session s("mesh/mass_spring");
+    MethodTable table;
+    const auto wait = [&] {
+        for (int k = 0; k < 6000 && table.busy(); ++k)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10)), table.follow(s);
+        REQUIRE_FALSE(table.busy());
+        CHECK(table.trouble().empty());
+    };
+    table.follow(s);
+    s.run(Until::after_steps(20));
+    CHECK_FALSE(table.work(s).seconds);
+    table.start(s, true);
+    wait();
+    REQUIRE(table.result());
+    const MethodTable::Work small = table.work(s);
+    REQUIRE(small.seconds);
+    CHECK(*small.seconds > 0);
+    CHECK_FALSE(table.so_far());
+    // An implicit step costs many times what an explicit one does, which the present run makes: a million of them take long.
+    s.assign(s.lesson().parameter("time_step"), 1e-6);
+    s.reset();
+    const SceneFile now = s.scene_file();
+    const SceneFile scene{.lesson = now.lesson, .parameters = now.parameters};
+    const auto seconds = seconds_to_compare(scene, "", Until::after_steps(1000000));
+    REQUIRE(seconds);
+    CHECK(MethodTable::Work{.seconds = seconds}.long_one());
+}
+
+TEST_CASE("the bar of a comparison moves with the steps, and each row comes with its run", "[methods]") {
+    const SceneFile scene{.lesson = "mesh/mass_spring", .parameters = {}};
+    Watch watch;
+    const Watched watched(watch);
+    std::vector<Index> shares;
+    std::size_t rows = 0;
+    const MethodComparison c = compare_methods(scene, "", Until::after_steps(12), [&](const MethodComparison& so_far) {
+        CHECK(so_far.runs.size() == ++rows);
+        const Watch::Progress p = watch.progress();
+        CHECK(p.what == "methods");
+        REQUIRE(p.share());
+        shares.push_back(p.done);
+    });
+    CHECK(rows == c.runs.size());
+    CHECK(shares.front() > 0);
+    CHECK(std::ranges::is_sorted(shares));
+    CHECK(shares.back() > shares.front());
+    CHECK(std::ranges::any_of(c.runs, [](const MethodRun& r) { return r.error.has_value(); }));
 }

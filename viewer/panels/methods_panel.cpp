@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace pliant::viewer {
@@ -32,11 +33,13 @@ void choose_over(PanelContext& lab, MethodTable& table) {
     tooltip("The choice whose options are compared", lab.scale);
 }
 
-// "8 runs of 2000 steps each: about 12 s at the pace of this run."
+// "8 runs of 2000 steps each: about 12 s, by the first steps of each."
 std::string work_words(const MethodTable::Work& work) {
     std::string text = counted(work.runs, "run");
     if (work.steps > 0) text += fmt::format(" of {} each", counted(work.steps, "step"));
-    if (work.seconds) text += fmt::format(": about {} at the pace of this run", duration_words(*work.seconds));
+    if (work.seconds)
+        text += fmt::format(": about {}{}", duration_words(*work.seconds),
+                            work.steps > 0 ? ", by the first steps of each" : " at the pace of this run");
     return text + ".";
 }
 
@@ -63,6 +66,14 @@ std::string time_text(const MethodRun& r) { return r.ran() ? format_quantity(r.m
 std::string error_text(const MethodRun& r) {
     if (!r.error) return "–";
     return *r.error < 1e-4 ? format_quantity(*r.error, "", 2) : fmt::format("{} %", format_quantity(100 * *r.error, "", 3));
+}
+
+// Where no run has an error, the number itself is compared.
+std::string value_text(const MethodRun& r, const MethodComparison& c) {
+    return r.value ? format_quantity(*r.value, c.unit, 3) : "–";
+}
+std::string third_text(const MethodRun& r, const MethodComparison& c) {
+    return c.no_error.empty() ? error_text(r) : value_text(r, c);
 }
 
 Rgba8 colour_of(Outcome outcome) {
@@ -104,7 +115,7 @@ void table_row(PanelContext& lab, const MethodComparison& c, std::size_t k) {
     ImGui::PopStyleColor();
     tooltip(std::string(name_of(r.outcome)) + ": " + r.words, lab.scale);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(error_text(r).c_str());
+    ImGui::TextUnformatted(third_text(r, c).c_str());
     lab.note_control("method error " + r.option);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(passes_text(r).c_str());
@@ -114,7 +125,7 @@ void table_row(PanelContext& lab, const MethodComparison& c, std::size_t k) {
 }
 
 // As wide as its head and its widest text.
-float column_width(const MethodComparison& c, const char* head, std::string (*text)(const MethodRun&)) {
+float column_width(const MethodComparison& c, const char* head, const std::function<std::string(const MethodRun&)>& text) {
     float width = ImGui::CalcTextSize(head).x;
     for (const MethodRun& r : c.runs) width = std::max(width, ImGui::CalcTextSize(text(r).c_str()).x);
     return width;
@@ -124,7 +135,9 @@ void draw_table(PanelContext& lab, const MethodComparison& c) {
     ImGui::PushFont(lab.fonts.small);
     // The names take what the numbers leave; where that is too little to tell them apart, the table scrolls sideways.
     constexpr int columns = 5;
-    const std::array<float, columns - 1> widths{ImGui::CalcTextSize("✓").x, column_width(c, "error", error_text),
+    const char* const third = c.no_error.empty() ? "error" : "value";
+    const std::array<float, columns - 1> widths{ImGui::CalcTextSize("✓").x,
+                                                column_width(c, third, [&](const MethodRun& r) { return third_text(r, c); }),
                                                 column_width(c, "passes", passes_text), column_width(c, "took", time_text)};
     const float padding = 2 * ImGui::GetStyle().CellPadding.x, numbers = std::accumulate(widths.begin(), widths.end(), 0.f),
                 left = ImGui::GetContentRegionAvail().x - numbers - columns * padding, least = lab.px(84);
@@ -137,7 +150,7 @@ void draw_table(PanelContext& lab, const MethodComparison& c) {
         if (scrolls) ImGui::TableSetupScrollFreeze(1, 1);
         constexpr int fixed = ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoResize;
         ImGui::TableSetupColumn(words(c.parameter).c_str(), fixed, std::max(left, least));
-        constexpr std::array heads{"", "error", "passes", "took"};
+        const std::array heads{"", third, "passes", "took"};
         for (std::size_t k = 0; k < heads.size(); ++k) ImGui::TableSetupColumn(heads[k], fixed, widths[k]);
         ImGui::TableHeadersRow();
         for (std::size_t k = 0; k < c.runs.size(); ++k) table_row(lab, c, k);
@@ -172,8 +185,9 @@ void draw_methods(PanelContext& lab, MethodsPanelState& panel) {
     choose_over(lab, table);
     compare_or_cancel(lab, panel);
     if (!table.trouble().empty()) sentence_item(lab, table.trouble());
-    const MethodComparison* c = table.result();
-    if (!table.busy() && (!c || table.outdated(lab.session))) {
+    const auto so_far = table.so_far();
+    const MethodComparison* c = table.busy() ? so_far.get() : table.result();
+    if (table.busy() || !c || table.outdated(lab.session)) {
         sentence_item(lab, work_words(table.work(lab.session)));
         lab.note_control("methods work");
     }
@@ -186,10 +200,14 @@ void draw_methods(PanelContext& lab, MethodsPanelState& panel) {
         return;
     }
     ImGui::PushFont(lab.fonts.small);
-    if (table.outdated(lab.session)) sentence_item(lab, "The scene has changed since: compare again.");
-    sentence_item(lab, !c->no_error.empty() ? c->no_error
-                                            : fmt::format("{} each; error of the {} against {}.", counted(c->steps, "step"),
-                                                          spoken(c->probe), c->reference));
+    if (table.busy())
+        sentence_item(lab, fmt::format("{} done so far.", counted(static_cast<long long>(c->runs.size()), "run")));
+    else if (table.outdated(lab.session))
+        sentence_item(lab, "The scene has changed since: compare again.");
+    if (!table.busy())
+        sentence_item(lab, !c->no_error.empty() ? fmt::format("{} Compared is the {} at the end.", c->no_error, spoken(c->probe))
+                                                : fmt::format("{} each; error of the {} against {}.", counted(c->steps, "step"),
+                                                              spoken(c->probe), c->reference));
     ImGui::PopFont();
     draw_table(lab, *c);
     plot_runs(lab, panel, *c);

@@ -34,6 +34,11 @@ void MethodTable::follow(const Session& session) {
     const auto choices = comparable_choices(session.lesson());
     const auto here = [&](const Parameter* p) { return p->info.key == over; };
     if (std::ranges::none_of(choices, here)) over = choices.empty() ? "" : std::string(choices.front()->info.key);
+    if (under_way_) {
+        const std::scoped_lock lock(under_way_->telling);
+        if (under_way_->seconds)
+            measured_ = Measured{under_way_->scene, under_way_->over, under_way_->steps, *under_way_->seconds};
+    }
     if (!under_way_ || !under_way_->work->done()) return;
     const auto job = std::move(under_way_);
     take([&] { return job->work->take(); }, *job);
@@ -48,22 +53,49 @@ std::unique_ptr<MethodTable::Job> MethodTable::job_of(const Session& session) co
                                  until);
 }
 
+// 0 of one that ends by itself.
+Index MethodTable::steps_of(const Session& session) const {
+    const Runner& r = session.runner();
+    if (r.is_static()) return 0;
+    return r.place().step > 0 ? r.place().step : session.entry().info.demo_steps;
+}
+
+std::optional<Real> MethodTable::measured_seconds(const Session& session) const {
+    if (!measured_ || measured_->over != over || measured_->steps != steps_of(session)) return std::nullopt;
+    const bool same = without(measured_->scene.parameters, over) == without(session.scene_file().parameters, over);
+    return same ? std::optional(measured_->seconds) : std::nullopt;
+}
+
+std::shared_ptr<const MethodComparison> MethodTable::so_far() const {
+    if (!under_way_) return nullptr;
+    const std::scoped_lock lock(under_way_->telling);
+    return under_way_->so_far;
+}
+
 MethodTable::Work MethodTable::work(const Session& session) const {
     if (over.empty()) return {};
-    Work work{.runs = static_cast<Index>(session.lesson().parameter(over).info.options.size())};
-    const Index done = session.runner().place().step;
-    if (!session.runner().is_static()) work.steps = done > 0 ? done : session.entry().info.demo_steps;
+    const Parameter& choice = session.lesson().parameter(under_way_ ? under_way_->over : over);
+    Work work{.runs = static_cast<Index>(choice.info.options.size())};
+    if (under_way_) {
+        const std::scoped_lock lock(under_way_->telling);
+        return {work.runs, under_way_->steps, under_way_->seconds};
+    }
+    work.steps = steps_of(session);
+    work.seconds = measured_seconds(session);
+    if (work.steps > 0) return work;
     // One that is solved runs to its end, as this one has.
-    const Index steps = work.steps > 0 ? work.steps : done;
-    if (const auto step_ms = session.costs().step_ms(); step_ms && steps > 0)
-        work.seconds = static_cast<Real>(work.runs * steps) * *step_ms / 1000;
+    const Index done = session.runner().place().step;
+    if (const auto step_ms = session.costs().step_ms(); step_ms && done > 0)
+        work.seconds = static_cast<Real>(work.runs * done) * *step_ms / 1000;
     return work;
 }
 
-void MethodTable::take(const std::function<MethodComparison()>& made, const Job& job) {
+void MethodTable::take(const std::function<std::optional<MethodComparison>()>& made, const Job& job) {
     trouble_.clear();
     try {
-        result_ = made();
+        auto all = made();
+        if (!all) return;  // it would take long
+        result_ = std::move(all);
         settings_ = without(job.scene.parameters, result_->parameter);
     } catch (const Cancelled&) {
         // The table that there was stays.
@@ -72,15 +104,26 @@ void MethodTable::take(const std::function<MethodComparison()>& made, const Job&
     }
 }
 
-void MethodTable::start(const Session& session) {
+void MethodTable::start(const Session& session, bool asks) {
     cancel();
     trouble_.clear();
     auto job = job_of(session);
     job->watch.tell("methods", 0, 0);
-    job->work.emplace([&j = *job](const std::stop_token& stop) {
+    job->steps = steps_of(session);
+    const auto known = measured_seconds(session);
+    job->work.emplace([&j = *job, asks, known](const std::stop_token& stop) -> std::optional<MethodComparison> {
         const Watched watched(j.watch);
         const std::stop_callback on_stop(stop, [&j] { j.watch.cancel(); });
-        return compare_methods(j.scene, j.over, j.until);
+        const auto seconds = known ? known : seconds_to_compare(j.scene, j.over, j.until);
+        {
+            const std::scoped_lock lock(j.telling);
+            j.seconds = seconds;
+        }
+        if (asks && Work{.seconds = seconds}.long_one()) return std::nullopt;
+        return compare_methods(j.scene, j.over, j.until, [&j](const MethodComparison& runs) {
+            const std::scoped_lock lock(j.telling);
+            j.so_far = std::make_shared<const MethodComparison>(runs);
+        });
     });
     under_way_ = std::move(job);
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,14 +32,18 @@ public:
     void follow(const Session& session);
     // From the start of the scene to the time where it stands; as far as its demo goes where it has not begun. What goes wrong is
     // told by trouble().
-    void start(const Session& session);
+    // The first steps of each run are measured before; with asks, what then takes too long is not run but told by work().
+    void start(const Session& session, bool asks = false);
     void make_now(const Session& session);  // in this thread
     void cancel();
     bool busy() const { return under_way_ != nullptr; }
     Watch::Progress progress() const { return under_way_ ? under_way_->watch.progress() : Watch::Progress{}; }
 
     const MethodComparison* result() const { return result_ ? &*result_ : nullptr; }
-    // What start() would run, and how long that takes at the pace of the present run, which has to have made a step.
+    // While it is busy: the runs that are done; null before the first.
+    std::shared_ptr<const MethodComparison> so_far() const;
+    // What start() runs, and how long that takes, as far as it was measured; of a static lesson at the pace of the present
+    // run, which has to have made a step.
     struct Work {
         Index runs = 0, steps = 0;  // steps: of each; 0 where they end by themselves
         std::optional<Real> seconds{};
@@ -57,14 +62,27 @@ private:
         std::string over;
         Until until;
         Watch watch{};
-        std::optional<Background<MethodComparison>> work{};  // last: it is waited for before the others go
+        Index steps = 0;
+        std::mutex telling{};
+        std::shared_ptr<const MethodComparison> so_far{};
+        std::optional<Real> seconds{};                                      // that it takes, measured
+        std::optional<Background<std::optional<MethodComparison>>> work{};  // last: it is waited for before the others go
+    };
+    struct Measured {
+        SceneFile scene;
+        std::string over;
+        Index steps = 0;
+        Real seconds = 0;
     };
     std::unique_ptr<Job> job_of(const Session& session) const;
-    void take(const std::function<MethodComparison()>& made, const Job& job);
+    Index steps_of(const Session& session) const;
+    std::optional<Real> measured_seconds(const Session& session) const;
+    void take(const std::function<std::optional<MethodComparison>()>& made, const Job& job);
 
     std::string_view lesson_{};
     std::optional<MethodComparison> result_;
-    Runner::Assignments settings_;  // of the scene that was compared, without the choice
+    std::optional<Measured> measured_;  // last
+    Runner::Assignments settings_;      // of the scene that was compared, without the choice
     std::string trouble_;
     std::unique_ptr<Job> under_way_;
     std::list<std::unique_ptr<Job>> cancelled_;  // until their threads are done

@@ -60,6 +60,8 @@ Real value_at(const Sampled& s, Real at, Real within) {
     return std::lerp(s.value[k - 1], s.value[k], (at - s.at[k - 1]) / (s.at[k] - s.at[k - 1]));
 }
 
+constexpr Index whole_parts = 1000;
+
 class Comparing {
 public:
     Comparing(const SceneFile& scene, const Parameter& choice, Index steps)
@@ -67,10 +69,17 @@ public:
         result_.lesson = scene.lesson, result_.parameter = key_, result_.steps = steps;
     }
 
-    MethodComparison compare(const std::vector<Option>& options) {
-        for (std::size_t k = 0; k < options.size(); ++k) {
-            tell_progress("methods", static_cast<Index>(k), static_cast<Index>(options.size()));
-            result_.runs.push_back(run_of(options[k]));
+    MethodComparison compare(const std::vector<Option>& options, const AfterRun& after_run) {
+        const Overview whole("methods", whole_parts);
+        whole_ = &whole;
+        runs_ = options.size() + 1;  // the finer one as well
+        for (const Option& option : options) {
+            tell_share(0);
+            result_.runs.push_back(run_of(option));
+            // What is measured against a finer run waits for it.
+            if (!reference_.at.empty())
+                for (MethodRun& run : result_.runs) take_error(run);
+            if (after_run) after_run(result_);
         }
         if (reference_.at.empty()) find_finer();
         for (MethodRun& run : result_.runs) take_error(run);
@@ -80,7 +89,64 @@ public:
         return std::move(result_);
     }
 
+    std::optional<Real> seconds(const std::vector<Option>& options) {
+        const Runner present(entry_, scene_.parameters, 0);
+        if (present.is_static()) return std::nullopt;
+        Real sum = 0;
+        for (const Option& option : options) {
+            Runner::Assignments all = scene_.parameters;
+            assign(all, key_, std::string(option.key));
+            sum += static_cast<Real>(result_.steps) * step_seconds(all);
+        }
+        const Probe* const probe = find_probe(present.lesson(), present.lesson().error_probe());
+        const auto finer = present.lesson().finer();
+        const Real end = static_cast<Real>(result_.steps) * present.time_step();
+        if (!probe || finer.empty() || (probe->exact && probe->exact(end))) return sum;
+        Runner::Assignments all = scene_.parameters;
+        for (const auto& [key, text] : finer) assign(all, key, text);
+        return sum + end / Runner(entry_, all, 0).time_step() * step_seconds(all);
+    }
+
 private:
+    // Of the first steps with all that is sampled in them, but for the very first, in which things are made.
+    Real step_seconds(const Runner::Assignments& all) const {
+        using Clock = std::chrono::steady_clock;
+        constexpr Real long_enough = 0.1;
+        constexpr int enough = 200;
+        int steps = 0;
+        Clock::time_point start = Clock::now();
+        const auto spent = [&] { return std::chrono::duration<Real>(Clock::now() - start).count(); };
+        try {
+            Runner r(entry_, all, 0);
+            r.set_events(scene_.events);
+            const Probe* const probe = find_probe(r.lesson(), r.lesson().error_probe());
+            const Probe* const energy = find_probe(r.lesson(), "energy");
+            r.step();
+            for (start = Clock::now(); steps < enough && spent() < long_enough; ++steps) {
+                cancel_point();
+                r.step();
+                for (const Probe* p : {probe, energy})
+                    if (p) finite_value(r, *p, false), finite_value(r, *p, true);
+            }
+        } catch (const Refused&) {
+            return 0;  // nothing is run
+        } catch (const Diverged&) {
+            // What breaks down so soon costs no more.
+            return 0;
+        }
+        return spent() / steps;
+    }
+
+    // Of the run that is under way.
+    void tell_share(Real share) const {
+        const Real done = static_cast<Real>(result_.runs.size()) + std::clamp(share, Real{0}, Real{1});
+        whole_->tell(static_cast<Index>(static_cast<Real>(whole_parts) * done / static_cast<Real>(runs_)));
+        cancel_point();
+    }
+    Real share_of_steps(const Runner& r) const {
+        return static_cast<Real>(r.place().step) / static_cast<Real>(std::max<Index>(result_.steps, 1));
+    }
+
     static void assign(Runner::Assignments& all, std::string key, std::string text) {
         std::erase_if(all, [&](const auto& a) { return a.first == key; });
         all.emplace_back(std::move(key), std::move(text));
@@ -113,9 +179,10 @@ private:
         run.curve.add(r.place().step, place_of(r), value.value_or(TimeSeries::undefined), exact.value_or(TimeSeries::undefined));
     }
 
-    // The exact course is the same beside every method.
+    // The exact course is the same beside every method. One that ends before the run does, as free fall does at the ground, says
+    // nothing of its end.
     void take_exact(const TimeSeries& curve) {
-        if (!reference_.at.empty() || !curve.has_exact()) return;
+        if (!reference_.at.empty() || !curve.has_exact() || !std::isfinite(curve.exact().back())) return;
         for (std::size_t k = 0; k < curve.size(); ++k)
             if (std::isfinite(curve.exact()[k]))
                 reference_.at.push_back(curve.at()[k]), reference_.value.push_back(curve.exact()[k]);
@@ -141,6 +208,7 @@ private:
             advance(r, Until::after_steps(result_.steps), [&] {
                 const auto before = Clock::now();
                 look();
+                tell_share(share_of_steps(r));
                 looking += Clock::now() - before;
             });
             judge(run, r, energy && watch.samples() > 4 ? std::optional(watch.verdict(true, true)) : std::nullopt);
@@ -190,8 +258,10 @@ private:
                     reference_.at.push_back(place_of(r)), reference_.value.push_back(*v);
             };
             look();
-            tell_progress("finer run", 0, 0);
-            advance(r, r.is_static() ? Until::after_steps(result_.steps) : Until::after_time(end), look);
+            advance(r, r.is_static() ? Until::after_steps(result_.steps) : Until::after_time(end), [&] {
+                look();
+                tell_share(r.is_static() ? share_of_steps(r) : r.time() / end);
+            });
             result_.reference = fmt::format("a finer run: {}", settings_words(r.lesson(), finer));
         } catch (const Diverged& d) {
             no_finer(fmt::format("it stops in the stage {}", spoken(d.failure.stage)));
@@ -210,6 +280,8 @@ private:
             return trouble_.empty() ? "There is neither an exact solution nor a finer run to measure errors against." : trouble_;
         const auto ended = [](const MethodRun& r) { return r.ran() && r.outcome != MethodRun::Outcome::stopped; };
         if (std::ranges::none_of(result_.runs, ended)) return "No method gets to the end, so none has an error there.";
+        if (std::ranges::any_of(reference_.value, [](Real v) { return v != 0; }))
+            return fmt::format("{} does not reach the end of the runs, so none has an error there.", result_.reference);
         return fmt::format("The {} is 0 in {}: an error would be relative to nothing.", spoken(result_.probe), result_.reference);
     }
 
@@ -233,6 +305,8 @@ private:
     MethodComparison result_;
     Sampled reference_;
     std::string trouble_;  // of the finer run
+    const Overview* whole_ = nullptr;
+    std::size_t runs_ = 0;
 };
 
 }  // namespace
@@ -250,9 +324,10 @@ const Parameter* method_of(const Lesson& lesson) {
     return all.empty() || rank_of(*all.front()) == method_keys.size() ? nullptr : all.front();
 }
 
-MethodComparison compare_methods(const SceneFile& scene, std::string_view key, const Until& until) {
-    const LessonEntry& entry = find_lesson(scene.lesson);
-    const Runner r(entry, scene.parameters, 0);
+namespace {
+
+// By its key, or method_of() when that is empty.
+const Parameter& choice_of(const Runner& r, const SceneFile& scene, std::string_view key) {
     const auto choices = comparable_choices(r.lesson());
     std::vector<std::string_view> known;
     for (const Parameter* p : choices) known.push_back(p->info.key);
@@ -265,7 +340,24 @@ MethodComparison compare_methods(const SceneFile& scene, std::string_view key, c
         throw Refused(fmt::format("{} of {}: there are {}",
                                   key.empty() ? "no choice is the method" : fmt::format("'{}' is no choice that is used", key),
                                   scene.lesson, known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
-    return Comparing(scene, *choice, steps_of(entry, scene, until)).compare(choice->info.options);
+    return *choice;
+}
+
+}  // namespace
+
+MethodComparison compare_methods(const SceneFile& scene, std::string_view key, const Until& until, const AfterRun& after_run) {
+    const LessonEntry& entry = find_lesson(scene.lesson);
+    const Runner r(entry, scene.parameters, 0);
+    const Parameter& choice = choice_of(r, scene, key);
+    return Comparing(scene, choice, steps_of(entry, scene, until)).compare(choice.info.options, after_run);
+}
+
+std::optional<Real> seconds_to_compare(const SceneFile& scene, std::string_view key, const Until& until) {
+    const LessonEntry& entry = find_lesson(scene.lesson);
+    const Runner r(entry, scene.parameters, 0);
+    const Parameter& choice = choice_of(r, scene, key);
+    if (r.is_static()) return std::nullopt;
+    return Comparing(scene, choice, steps_of(entry, scene, until)).seconds(choice.info.options);
 }
 
 std::string_view name_of(MethodRun::Outcome outcome) {

@@ -6,6 +6,7 @@
 #include <pliant/run/time_series.h>
 #include <pliant/run/until.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,8 +53,14 @@ const Parameter* method_of(const Lesson& lesson);
 std::vector<const Parameter*> comparable_choices(const Lesson& lesson);
 
 // Each option from the start of the scene on, as far as `until` says for the method of the scene. key: the choice; method_of()
-// when empty. Tells its progress in methods, and throws Cancelled. Throws Refused when there is no such choice.
-MethodComparison compare_methods(const SceneFile& scene, std::string_view key, const Until& until);
+// when empty. after_run is given what there is behind each run: its rows so far. Tells its progress in thousandths of the whole,
+// and throws Cancelled. Throws Refused when there is no such choice.
+using AfterRun = std::function<void(const MethodComparison&)>;
+MethodComparison compare_methods(const SceneFile& scene, std::string_view key, const Until& until,
+                                 const AfterRun& after_run = {});
+// How long that takes, s, from the first steps of each run, which are made for it; nothing for a static lesson, whose steps tell
+// nothing of the later ones. Throws as compare_methods does.
+std::optional<Real> seconds_to_compare(const SceneFile& scene, std::string_view key, const Until& until);
 
 std::string_view name_of(MethodRun::Outcome outcome);
 // A table for people, a row a method; and one object with lesson, parameter, probe, reference, steps and methods[].

@@ -87,6 +87,7 @@ struct Projection final : Lesson {
     std::vector<std::string_view> key_numbers() const override {
         return {"max_divergence_before", "max_divergence", "solver_iterations"};
     }
+    std::string_view error_probe() const override { return "max_divergence"; }
 
     Choice<Given> given{
         *this,
