@@ -194,6 +194,11 @@ public:
         ask_to_close();
         return lab_->wait() ? lab_->exit_code() : -1;
     }
+    // Presses a key that ends the program, and gives its exit code; -1 when it does not end.
+    int end_by(const std::string& key) {
+        xdotool({"key", key});
+        return lab_->wait() ? lab_->exit_code() : -1;
+    }
     std::string output() const { return contents_of(scratch_.path("lab.out")); }
     std::string complaints() const { return contents_of(scratch_.path("lab.err")); }
 

@@ -119,6 +119,21 @@ TEST_CASE("F finds a lesson by a word of its name", "[window]") {
     CHECK(desk.state()["layout"] == "lab");
 }
 
+TEST_CASE("Ctrl Q quits as closing the window does: what was set is there at the next start", "[window]") {
+    need_screen_and_mouse();
+    const Scratch scratch;
+    const std::string config = scratch.path("config");
+    {
+        Desk desk({"--lesson", "elasticity/moduli"}, config);
+        desk.key("ctrl+equal");
+        REQUIRE(desk.becomes("scale", 1.25));
+        CHECK(desk.end_by("ctrl+q") == 0);
+        CHECK(desk.complaints().empty());
+    }
+    Desk desk({"--lesson", "elasticity/moduli"}, config);
+    CHECK(desk.becomes("scale", 1.25));
+}
+
 TEST_CASE("a scene saved by Ctrl S is the same run on the command line", "[window]") {
     need_screen_and_mouse();
     Desk desk({"--lesson", "elasticity/moduli"});

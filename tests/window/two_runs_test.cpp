@@ -33,11 +33,15 @@ TEST_CASE("two runs side by side have sliders of their own", "[window]") {
     CHECK(desk.state()["companion"]["parameters"]["mass"] == of_b);
 
     // Both go on together.
+    const long step = desk.state()["step"];
+    const auto both_at = [&](long at) {
+        return desk.becomes([&](const Json& s) { return s["step"] == at && s["companion"]["step"] == at; });
+    };
     desk.key("period");
     desk.key("period");
-    CHECK(desk.becomes([](const Json& s) { return s["step"] == 2 && s["companion"]["step"] == 2; }));
+    CHECK(both_at(step + 2));
     desk.key("less");
-    CHECK(desk.becomes([](const Json& s) { return s["step"] == 1 && s["companion"]["step"] == 1; }));
+    CHECK(both_at(step + 1));
 
     desk.key("3");
     CHECK(desk.becomes([](const Json& s) { return s["companion"]["difference"] == true; }));

@@ -136,12 +136,15 @@ void Lab::build_frame(Real dt) {
     const Session& s = state_.session;
     if (!state_.files.asking() && !state_.animation.asking) take_show_of_hands();
     if (!state_.files.asking() && !state_.animation.asking)
-        handle_keys({.walkthrough = state_.session.walkthrough.has_value(),
-                     .deck = in_deck(),
-                     .slide = state_.layout == Layout::slide,
-                     .message = s.message() || s.autopsy() || !state_.summary.text.empty() || state_.help_shown,
-                     .filled = static_cast<bool>(state_.fill)},
-                    [this](Action a) { perform(a); });
+        handle_keys(
+            {.walkthrough = state_.session.walkthrough.has_value(),
+             .deck = in_deck(),
+             .slide = state_.layout == Layout::slide,
+             .message = s.message() || s.autopsy() || !state_.summary.text.empty() || state_.help_shown || state_.hand_in.shown,
+             .filled = static_cast<bool>(state_.fill),
+             .ring_has_space = deck_keys_.ring_has_space(),
+             .window_over = state_.hand_in.has_keys},
+            [this](Action a) { perform(a); });
     forget_file_of_another_scene();
     ImGui::PushFont(state_.fonts.normal);
     const ImVec2 display = ImGui::GetIO().DisplaySize;

@@ -110,6 +110,7 @@ private:
     void lab_layout(float width, float height);
     void slide_layout(float width, float height);
     void deck_layout(float width, float height);
+    bool digits_choose() const;
     void take_show_of_hands();
     void compare_all_methods();
     bool perform_on_deck(Action action);

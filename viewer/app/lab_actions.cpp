@@ -10,21 +10,25 @@ namespace pliant::viewer {
 
 namespace {
 bool asks_for_choice(const Session& s) {
+    if (!s.walkthrough) return false;
     const auto& p = s.walkthrough->prediction();
     return p && p->kind == Prediction::Kind::choice && !s.walkthrough->revealed();
 }
 }  // namespace
 
-// A show of hands: in a deck the digits choose an answer.
+// In a deck, for a show of hands, and beside the panel of a walkthrough the digits choose an answer.
+bool Lab::digits_choose() const { return (in_deck() || state_.layout == Layout::lab) && asks_for_choice(state_.session); }
+
 void Lab::take_show_of_hands() {
     Session& s = state_.session;
     const ImGuiIO& io = ImGui::GetIO();
-    if (!in_deck() || !asks_for_choice(s) || io.WantTextInput || io.KeyCtrl || io.KeyAlt) return;
+    if (!digits_choose() || io.WantTextInput || io.KeyCtrl || io.KeyAlt || list_is_open() || state_.hand_in.has_keys) return;
     for (std::size_t k = 0; k < s.walkthrough->prediction()->options.size(); ++k)
         if (ImGui::IsKeyPressed(static_cast<ImGuiKey>(ImGuiKey_1 + static_cast<int>(k)), false)) s.predict({.option = k});
 }
 
 void Lab::perform(Action action) {
+    if (digits_choose() && (action == Action::beside || action == Action::difference)) return;
     if (in_deck() && perform_on_deck(action)) return;
     if (!perform_on_run(action) && !perform_on_walkthrough(action) && !perform_on_lecture(action) && !perform_on_view(action))
         perform_on_files(action);
@@ -43,9 +47,6 @@ bool Lab::perform_on_deck(Action action) {
             return deck_keys_.let_go(), false;
         case Action::leave_deck:
             return deck_keys_.let_go();
-        case Action::beside:
-        case Action::difference:
-            return asks_for_choice(s);  // the digits are its answers
         case Action::previous_lesson:
         case Action::next_lesson:
             s.say(Session::Message::Kind::info,
@@ -152,7 +153,7 @@ void Lab::compare_all_methods() {
     if (!state_.methods_over.empty()) table.over = std::exchange(state_.methods_over, "");
     state_.side_wanted = SideTab::methods, state_.methods.focus = true;
     // What takes long is told first, and begun by its button, which has the keys.
-    if (!table.over.empty() && !table.busy() && !table.work(state_.session).long_one()) table.start(state_.session);
+    if (!table.over.empty() && !table.busy() && !table.work(state_.session).long_one()) table.start(state_.session, true);
 }
 
 bool Lab::perform_on_view(Action action) {
@@ -164,6 +165,8 @@ bool Lab::perform_on_view(Action action) {
             return state_.fill = {}, true;
         case Action::full_screen:
             return context_.set_full_screen(!context_.full_screen()), true;
+        case Action::quit:
+            return context_.request_close(), true;
         case Action::lens:
             state_.lens_shown = !state_.lens_shown;
             return true;
@@ -216,6 +219,7 @@ bool Lab::perform_for_ear_and_hand(Action action) {
     switch (action) {
         case Action::dismiss:
             if (state_.help_shown) return state_.help_shown = false, true;
+            if (state_.hand_in.shown) return state_.hand_in.shown = false, true;
             state_.summary.text.empty() ? state_.session.dismiss() : state_.summary.text.clear();
             return true;
         case Action::hand_in:

@@ -66,6 +66,8 @@ void file_menu(LabState& lab) {
     item(lab, Action::hand_in, "Hand in…");
     ImGui::Separator();
     item(lab, Action::save_animation, "Save an animation…", free);
+    ImGui::Separator();
+    item(lab, Action::quit, "Quit");
 }
 
 void edit_menu(LabState& lab) {

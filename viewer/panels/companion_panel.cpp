@@ -215,9 +215,9 @@ void draw_pin_button(PanelContext& lab) {
 
 void draw_run_switch(PanelContext& lab) {
     Session& s = lab.session;
-    if (toggle_button(
-            lab, "A|B", "beside", s.companion() != nullptr,
-            "Two runs of this lesson side by side, with parameters of their own and linked clocks. Both start again (2)"))
+    if (toggle_button(lab, "A|B", "beside", s.companion() != nullptr,
+                      "Two runs of this lesson side by side, with parameters of their own and linked clocks. B runs up to where "
+                      "this one stands (2)"))
         s.toggle_companion();
     if (!s.companion()) return ImGui::NewLine();
     for (const bool b : {false, true}) {

@@ -83,7 +83,10 @@ void number_menu(PanelContext& lab) {
 }
 
 void answer_field(PanelContext& lab, HandInPanelState& panel) {
+    const auto typed = panel.answer;
     ImGui::InputTextMultiline("##answer", panel.answer.data(), panel.answer.size(), {-1, 3.4f * ImGui::GetTextLineHeight()});
+    // Escape leaves the field, and takes nothing of what was typed.
+    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) panel.answer = typed;
     lab.note_control("hand-in answer");
     const bool any = panel.answer[0] != '\0';
     ImGui::BeginDisabled(!any);
@@ -98,6 +101,7 @@ void answer_field(PanelContext& lab, HandInPanelState& panel) {
 }  // namespace
 
 void draw_hand_in(PanelContext& lab, HandInPanelState& panel) {
+    panel.has_keys = false;
     if (!panel.shown || panel.wants_picture || panel.takes_picture) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(lab.px(560), display.x * 0.9f);
@@ -106,6 +110,9 @@ void draw_hand_in(PanelContext& lab, HandInPanelState& panel) {
     ImGui::Begin("Hand in", &panel.shown,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse);
+    panel.has_keys = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+    // From within a field as well.
+    const bool leaves = panel.has_keys && ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     name_field(lab, panel);
     entries(lab, std::min(lab.px(150), 0.3f * display.y));
     number_menu(lab);
@@ -117,8 +124,10 @@ void draw_hand_in(PanelContext& lab, HandInPanelState& panel) {
     if (flowing_button(lab, "Save to hand in…", "hand-in save", "Writes the file; pliant handin FILE reads and checks it", true))
         panel.wants_save = true, panel.shown = false;
     if (flowing_button(lab, "Start anew", "hand-in clear", "Takes out all entries")) lab.session.notebook.clear();
-    if (flowing_button(lab, "Close", "hand-in close", "Closes this (H); what is noted is kept until you start anew"))
+    if (flowing_button(lab, "Close", "hand-in close", "Closes this (H or Escape); what is noted is kept until you start anew"))
         panel.shown = false;
+    if (leaves) panel.shown = false;
+    if (!panel.shown) panel.has_keys = false;
     ImGui::End();
 }
 

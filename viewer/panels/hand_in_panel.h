@@ -9,6 +9,7 @@ namespace pliant::viewer {
 
 struct HandInPanelState {
     bool shown = false;
+    bool has_keys = false;  // it is worked in
     std::array<char, 80> name{};
     std::array<char, 2000> answer{};
     // What the lab itself has to do, at the end of the frame. A picture is taken while the window stands aside.

@@ -110,6 +110,7 @@ KeyGroup group_of(Action action) {
         case Action::save_plots:
         case Action::save_probes:
         case Action::save_animation:
+        case Action::quit:
             return KeyGroup::files;
         case Action::help:
         case Action::menu:
@@ -132,7 +133,7 @@ std::vector<KeyRow> key_rows() {
         else
             same->keys.push_back(b.keys);
     }
-    rows.push_back({{"1 … 9"}, "deck: choose an answer of the prediction", KeyGroup::lecture});
+    rows.push_back({{"1 … 9"}, "choose an answer, while a prediction waits for one", KeyGroup::lecture});
     std::ranges::stable_sort(rows, {}, &KeyRow::group);
     constexpr KeyGroup mouse = KeyGroup::mouse;
     rows.push_back({{"left drag"}, "pull the body; beside it, turn or move the picture", mouse});

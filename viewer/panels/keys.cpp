@@ -110,6 +110,7 @@ constexpr std::array bindings{
     KeyBinding{Action::open_lecture, ImGuiKey_None, false, false, "", "open a lecture, and show it from its first slide"},
     KeyBinding{Action::end_lecture, ImGuiKey_None, false, false, "", "leave the lecture; this run stays"},
     KeyBinding{Action::defaults, ImGuiKey_None, false, false, "", "set every parameter to its default value"},
+    KeyBinding{Action::quit, ImGuiKey_Q, true, false, "Ctrl Q", "quit; settings, notes and the place in a lecture are kept"},
     twin(Action::step, ImGuiKey_F2, false, true, "F2", "one step"),
     twin(Action::step_back, ImGuiKey_F2, true, true, "Shift F2",
          "one step back; inside a step, to the same stage of the step before"),
@@ -144,7 +145,7 @@ bool KeyContext::suits(Where where) const {
         case Where::filled:
             return filled;
         case Where::over_a_message:
-            return message && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+            return message && !list_is_open();
     }
     return false;
 }
@@ -191,18 +192,33 @@ bool key_pressed(const KeyBinding& b, const KeyContext& context) {
     if (b.key == ImGuiKey_None || io.KeyAlt) return false;
     if (held(io.KeyCtrl, ImGuiKey_LeftCtrl, ImGuiKey_RightCtrl) != b.ctrl) return false;
     if (shift_tells(b) && held(io.KeyShift, ImGuiKey_LeftShift, ImGuiKey_RightShift) != b.shift) return false;
-    // Space acts on the control that has the visible focus, if one has.
-    if (b.key == ImGuiKey_Space && io.NavVisible && !context.deck) return false;
+    // Space acts on the control that keys went to, if they went to one.
+    if (b.key == ImGuiKey_Space && context.ring_has_space && !context.deck) return false;
     // A control that was taken hold of by keys has the arrows, and Escape lets go of it.
     if (is_alone(b.where) && ImGui::IsAnyItemActive() && !presents(b, context)) return false;
     return ImGui::IsKeyPressed(static_cast<ImGuiKey>(b.key), b.repeats);
 }
+
+// A letter, a digit, a sign or a blank.
+bool is_typed(const KeyBinding& b) {
+    if (b.ctrl) return false;
+    return b.character != 0 || b.key == ImGuiKey_Space || (b.key >= ImGuiKey_0 && b.key <= ImGuiKey_Z);
+}
+
+// It is for what lies over the lab.
+bool belongs_above(const KeyBinding& b, const KeyContext& context) {
+    if (!is_typed(b)) return false;
+    return (list_is_open() && !presents(b, context)) || (context.window_over && b.action != Action::hand_in);
+}
 }  // namespace
+
+bool list_is_open() { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
 
 int presses(const KeyBinding& b, const KeyContext& context) {
     // Where a text is typed, letters are its own; from panel to panel one goes all the same.
     const bool between_panels = b.action == Action::next_panel || b.action == Action::previous_panel;
     if (ImGui::GetIO().WantTextInput && !between_panels) return 0;
+    if (belongs_above(b, context)) return 0;
     return b.character ? times_typed(b) : static_cast<int>(key_pressed(b, context));
 }
 

@@ -79,7 +79,8 @@ enum class Action {
     full_screen,
     black_out,
     lens,
-    presenter
+    presenter,
+    quit
 };
 
 // What a key is for: the headings of the help.
@@ -106,6 +107,8 @@ struct KeyBinding {
 // What the person is in, for the keys that depend on it.
 struct KeyContext {
     bool walkthrough = false, deck = false, slide = false, message = false, filled = false;
+    bool ring_has_space = false;  // keys went to a control, which Space acts on
+    bool window_over = false;     // a window over the lab is worked in: what is typed is not for the lab
     bool suits(Where where) const;
 };
 
@@ -114,6 +117,8 @@ const KeyBinding& binding(Action action);
 
 // How often the key was pressed in this frame; never while a text is being typed.
 int presses(const KeyBinding& binding, const KeyContext& context = {});
+// A list, a menu or another popup is open: letters, digits and Space are for it, or for nothing.
+bool list_is_open();
 
 // All keys and what the mouse does, for the help and the documentation: keys with one meaning stand together, ". or F2".
 struct KeyRow {

@@ -15,11 +15,23 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-bool matches(const LessonEntry& e, const std::string& search) {
-    const std::string wanted = lower(search);
-    for (const std::string_view text : {e.info.id, e.info.title, e.info.summary})
-        if (lower(text).find(wanted) != std::string::npos) return true;
-    return false;
+constexpr int no_rank = 4;
+
+// Of a hit, the best being 0. In an id the name behind the chapter counts, and words in place of underscores are as good.
+int rank_of_hit(const LessonEntry& e, const std::string& wanted) {
+    const std::string title = lower(e.info.title), id = lower(e.info.id), name = id.substr(id.find('/') + 1);
+    int best = no_rank;
+    for (const std::string& text : {title, id, name, lower(words(name))}) {
+        const auto at = text.find(wanted);
+        if (at != std::string::npos) best = std::min(best, at > 0 ? 2 : text.size() > wanted.size() ? 1 : 0);
+    }
+    if (best == no_rank && lower(e.info.summary).find(wanted) != std::string::npos) return no_rank - 1;
+    return best;
+}
+
+int move_mark(ImGuiInputTextCallbackData* data) {
+    *static_cast<int*>(data->UserData) += data->EventKey == ImGuiKey_DownArrow ? 1 : -1;
+    return 0;
 }
 
 void search_box(PanelContext& lab, LessonListState& panel) {
@@ -30,14 +42,17 @@ void search_box(PanelContext& lab, LessonListState& panel) {
         ImGui::SetKeyboardFocusHere();
     }
     ImGui::SetNextItemWidth(-1);
-    const bool entered =
-        ImGui::InputTextWithHint("##search", "find a lesson (F)", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue);
-    panel.search = buffer;
+    const bool entered = ImGui::InputTextWithHint("##search", "find a lesson (F)", buffer, sizeof buffer,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
+                                                  move_mark, &panel.marked);
+    if (std::exchange(panel.search, buffer) != buffer) panel.marked = 0;
     lab.note_control("search");
+    const auto found = found_lessons(panel.search);
+    panel.marked = std::clamp(panel.marked, 0, std::max(0, static_cast<int>(found.size()) - 1));
     if (!entered) return;
-    const auto found = std::ranges::find_if(lessons(), [&](const LessonEntry& e) { return matches(e, panel.search); });
-    if (found != lessons().end()) lab.session.open(*found);
+    if (!found.empty() && !panel.search.empty()) lab.session.open(*found[static_cast<std::size_t>(panel.marked)]);
     panel.search.clear();
+    panel.marked = 0;
 }
 
 void preset_menu(PanelContext& lab) {
@@ -63,29 +78,41 @@ bool has_walkthrough(const PanelContext& lab) {
 void names_of_lessons(PanelContext& lab, LessonListState& panel) {
     const bool opened = panel.listed != lab.session.entry().info.id;
     panel.listed = lab.session.entry().info.id;
+    const bool searched = !panel.search.empty();
+    const auto found = found_lessons(panel.search);
     std::string_view chapter;
-    for (const LessonEntry& e : lessons()) {
-        if (!panel.search.empty() && !matches(e, panel.search)) continue;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const LessonEntry& e = *found[k];
         if (e.chapter() != chapter) {
             chapter = e.chapter();
             ImGui::PushFont(lab.fonts.small);
             ImGui::TextDisabled("%s", words(chapter).c_str());
             ImGui::PopFont();
         }
-        const bool selected = e.info.id == lab.session.entry().info.id;
+        const bool is_open = e.info.id == lab.session.entry().info.id,
+                   selected = searched ? static_cast<int>(k) == panel.marked : is_open;
         ImGui::Indent(lab.px(6));
         // A long name takes a second line.
         const std::string title = flowing_text(std::string(e.info.title), ImGui::GetFont(), ImGui::GetContentRegionAvail().x);
         const std::string label = title + "##" + std::string(e.info.id);
-        if (ImGui::Selectable(label.c_str(), selected) && !selected) lab.session.open(e);
+        if (ImGui::Selectable(label.c_str(), selected) && !is_open) lab.session.open(e);
         lab.note_control("lesson " + std::string(e.info.id));
         tooltip(std::string(e.info.summary), lab.scale);
-        if (selected && opened) ImGui::SetScrollHereY();
+        if (selected && (opened || searched)) ImGui::SetScrollHereY();
         ImGui::Unindent(lab.px(6));
     }
 }
 
 }  // namespace
+
+std::vector<const LessonEntry*> found_lessons(std::string_view search) {
+    std::vector<const LessonEntry*> found;
+    const std::string wanted = lower(search);
+    for (const LessonEntry& e : lessons())
+        if (rank_of_hit(e, wanted) < no_rank) found.push_back(&e);
+    if (!wanted.empty()) std::ranges::stable_sort(found, {}, [&](const LessonEntry* e) { return rank_of_hit(*e, wanted); });
+    return found;
+}
 
 void draw_lesson_list(PanelContext& lab, LessonListState& panel) {
     search_box(lab, panel);

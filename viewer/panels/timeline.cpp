@@ -1,6 +1,8 @@
 // The stored past with its scrubber, where the run is to stop, and what is shown of a stage.
 #include "panels/timeline.h"
 
+#include <imgui_internal.h>
+
 #include <pliant/text/format.h>
 #include <pliant/text/spoken.h>
 
@@ -79,12 +81,20 @@ void condition_breaks(PanelContext& lab, TimelineState& panel) {
     ImGui::PopTextWrapPos();
 }
 
+// Wherever the mouse is: from its lower edge in the upper half of the screen, else from its upper one.
+void open_at_last_item(const char* popup) {
+    ImGui::OpenPopup(popup);
+    const ImRect item{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    const bool high = item.GetCenter().y < ImGui::GetIO().DisplaySize.y / 2;
+    ImGui::GetCurrentContext()->OpenPopupStack.back().OpenPopupPos = {item.Min.x, high ? item.Max.y : item.Min.y};
+}
+
 void breaks_menu(PanelContext& lab, TimelineState& panel) {
     Breakpoints& breaks = lab.session.inspector.breaks;
     const std::size_t count = breaks.stages.size() + breaks.passes.size() + breaks.conditions.size() +
                               static_cast<std::size_t>(breaks.assumptions) + static_cast<std::size_t>(breaks.laws);
     if (ImGui::Button(count ? fmt::format("Stops: {}###breaks", count).c_str() : "Stops###breaks") || panel.open_breaks)
-        ImGui::OpenPopup(breaks_popup);
+        open_at_last_item(breaks_popup);
     panel.open_breaks = false;
     lab.note_control("breaks");
     tooltip("Where the run is to stop by itself (F9)", lab.scale);
@@ -97,7 +107,7 @@ void breaks_menu(PanelContext& lab, TimelineState& panel) {
     lab.note_control("break assumptions");
     ImGui::Checkbox("when a conserved quantity is lost", &breaks.laws);
     lab.note_control("break laws");
-    if (ImGui::Button("Clear all")) breaks.clear();
+    if (ImGui::Button("Clear all")) breaks.clear(), lab.session.inspector.stopped.clear();
     lab.note_control("clear breaks");
     ImGui::EndPopup();
 }

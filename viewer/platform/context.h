@@ -50,6 +50,7 @@ public:
     // screen.
     virtual void stand_beside(const Context& other) { (void)other; }
     virtual bool close_requested() const { return false; }
+    virtual void request_close() {}  // as if a person had closed the window
     virtual void cancel_close() {}
     // Paths of the files dropped on the window since the last call.
     virtual std::vector<std::string> take_dropped_files() { return {}; }

@@ -108,6 +108,7 @@ public:
         }
     }
 #endif
+    void request_close() override { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
     void cancel_close() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
     std::vector<std::string> take_dropped_files() override { return std::exchange(dropped_, {}); }
 

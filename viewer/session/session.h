@@ -174,7 +174,8 @@ public:
     // Keeps the picture and the recorded numbers of this run, or lets them go.
     void toggle_pin();
     const std::optional<Pinned>& pinned() const { return pinned_; }
-    // A second run, B, beside this one, A. Both start again when it is made, and when a change rebuilds one of them.
+    // A second run, B, beside this one, A, as beside_to_now makes it; no more where there is one. Both start again when a change
+    // rebuilds one of them.
     void toggle_companion();
     void open_companion(const Runner::Assignments& changes = {});  // throws Refused
     // B with these changes, run to where A stands. A keeps its place, unless something was done to it on the way: then both run

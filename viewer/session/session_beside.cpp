@@ -104,7 +104,10 @@ void Session::close_companion() {
 void Session::toggle_companion() {
     if (put_off([this] { toggle_companion(); })) return;
     if (companion_) return close_companion();
-    guarded([&] { open_companion(); });
+    // A that plays goes on when B has come to it.
+    const bool plays = playing;
+    guarded([&] { runner_->place().step > 0 ? beside_to_now({}) : open_companion(); });
+    playing = plays;
 }
 
 void Session::address(bool b) { addresses_b_ = b && companion_; }
