@@ -81,12 +81,10 @@ void condition_breaks(PanelContext& lab, TimelineState& panel) {
     ImGui::PopTextWrapPos();
 }
 
-// Wherever the mouse is: from its lower edge in the upper half of the screen, else from its upper one.
+// Below it, as far as there is room, wherever the mouse is.
 void open_at_last_item(const char* popup) {
     ImGui::OpenPopup(popup);
-    const ImRect item{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
-    const bool high = item.GetCenter().y < ImGui::GetIO().DisplaySize.y / 2;
-    ImGui::GetCurrentContext()->OpenPopupStack.back().OpenPopupPos = {item.Min.x, high ? item.Max.y : item.Min.y};
+    ImGui::GetCurrentContext()->OpenPopupStack.back().OpenPopupPos = {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y};
 }
 
 void breaks_menu(PanelContext& lab, TimelineState& panel) {
