@@ -3,14 +3,17 @@
 
 #include <pliant/document/summary.h>
 #include <pliant/document/walkthrough.h>
+#include <pliant/document/walkthrough_sentences.h>
 #include <pliant/document/walkthrough_words.h>
 #include <pliant/run/runner.h>
+#include <pliant/text/spoken.h>
 #include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 
@@ -156,6 +159,23 @@ void check_shown(const WalkthroughPlayer& player, const Runner& runner, const st
     }
 }
 
+// What Next does is told by its kind alone: no number, and no option of a choice.
+void check_next(const WalkthroughPlayer& player, const Lesson& lesson) {
+    if (!player.slide().has(BlockKind::ask)) return;
+    const std::string next = next_sentence(lesson, player.slide());
+    INFO("the line below the question reads '" << next << "'");
+    CHECK(next.find_first_of("0123456789") == std::string::npos);
+    for (const Parameter* p : lesson.parameters) {
+        CHECK(next.find(spoken(p->info.key) + " to") == std::string::npos);
+        for (const Option& o : p->info.options) CHECK(next.find(fmt::format("“{}”", o.label)) == std::string::npos);
+    }
+    const bool runs = std::ranges::any_of(player.slide().blocks, [](const Block& b) {
+        return b.kind == BlockKind::actions &&
+               std::ranges::any_of(b.lines, [](const std::string& l) { return l.starts_with("run "); });
+    });
+    if (runs) CHECK(next.find("run") != std::string::npos);
+}
+
 }  // namespace
 
 TEST_CASE("every lesson: no slider, number or word of the picture answers the question beside it", "[every_lesson][answers]") {
@@ -167,6 +187,8 @@ TEST_CASE("every lesson: no slider, number or word of the picture answers the qu
     do {
         INFO(entry.info.id << ", slide " << player.slide_number() + 1 << ": " << player.slide().title);
         check_sliders(player, runner, before);
+        check_next(player, runner.lesson());
+        if (player.slide().has(BlockKind::ask) && player.slide().has_answer()) CHECK(player.hides("lights"));
         const auto shown = shown_numbers(player, runner), in_picture = numbers_of_picture(player, runner);
         if (player.slide().has_answer()) player.next();
         if (player.slide().has(BlockKind::ask)) check_shown(player, runner, shown, in_picture);

@@ -37,7 +37,8 @@ HandIn measured() {
                          .question = "Why?",
                          .came = "So.",
                          .text = "Because.",
-                         .own_verdict = false});
+                         .own_verdict = false,
+                         .after_answer = true});
     h.entries.push_back({.kind = EntryKind::prediction,
                          .lesson = "mesh/rod",
                          .slide = "s",

@@ -1,4 +1,5 @@
 // Keys, actions and expectations as they are said.
+#include <pliant/document/walkthrough.h>
 #include <pliant/document/walkthrough_sentences.h>
 #include <pliant/lesson/registry.h>
 #include <pliant/lesson/setting_words.h>
@@ -26,6 +27,15 @@ TEST_CASE("keys are said as names, counts in their number", "[sentences]") {
     CHECK(counted(1, "pass") == "1 pass");
     CHECK(counted(2, "pass") == "2 passes");
     CHECK(counted(0, "step") == "0 steps");
+    for (const char* many : {"touching_nodes", "newton_iterations_used", "operations_green", "cells_x", "turns"}) {
+        INFO(many);
+        CHECK(is_or_are(spoken(many)) == "are");
+    }
+    for (const char* one :
+         {"loss_per_turn", "mean_stress", "radius", "youngs_modulus", "energy", "u_on_faces", "hookes_law", "axis"}) {
+        INFO(one);
+        CHECK(is_or_are(spoken(one)) == "is");
+    }
 }
 
 TEST_CASE("what a walkthrough does is a sentence without names for programs", "[sentences]") {
@@ -44,6 +54,20 @@ TEST_CASE("what a walkthrough does is a sentence without names for programs", "[
     CHECK(said("reset") == "start again");
     // What cannot be read stays as it is.
     CHECK(said("set no_such=3") == "set no_such=3");
+}
+
+TEST_CASE("what Next does is told by its kind beside a question, and in full without one", "[sentences]") {
+    const auto lesson = find_lesson("elasticity/poisson").make();
+    const auto next = [&](const std::string& blocks) {
+        return next_sentence(*lesson, parse_walkthrough("# W\n## One\n" + blocks, "w.md").slides[0]);
+    };
+    const std::string ask = "```ask\nWhere?\n```\n";
+    CHECK(next(ask + "```do\nset axial_strain=0.3\nsolve\nset axial_strain=0.0154\nrun rest\n```\n") == "Next: sets it and runs");
+    CHECK(next(ask + "```do\nreset\nrun 1 steps\nshow displacement\n```\n") == "Next: runs it");
+    CHECK(next(ask + "```do\nrun 1 steps\nset axial_strain=0.2\n```\n") == "Next: runs it and sets it");
+    CHECK(next(ask + "```do\nset axial_strain=0.2\n```\n```expect\nnarrowing > 0\n```\n").empty());
+    CHECK(next("```do\nsolve\nset axial_strain=0.2\nrun rest\n```\n") ==
+          "Next: set axial strain to 0.2; run until nothing changes any more");
 }
 
 TEST_CASE("settings and ranges are said with name, value and unit", "[sentences]") {
@@ -74,6 +98,8 @@ TEST_CASE("what a walkthrough expects has units, and as many digits as tell the 
     CHECK(expectation_sentence(*lesson,
                                {.name = "energy", .comparison = "<=", .left = 8.2, .right = 4.1, .what = "what it was before"}) ==
           "the energy is 8.2 J, expected at most 4.1 J, what it was before");
+    CHECK(expectation_sentence(*lesson, {.name = "touching_nodes", .comparison = ">=", .left = 15, .right = 1}) ==
+          "the touching nodes are 15, expected at least 1");
     CHECK(
         expectation_sentence(
             *lesson, {.name = "height", .comparison = "=", .left = 0.50001, .right = 0.5, .tolerance = 1e-3, .relative = true}) ==

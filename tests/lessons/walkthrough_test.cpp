@@ -167,6 +167,30 @@ TEST_CASE("a slide that asks without a prediction takes words, and nothing else"
     CHECK_FALSE(player.prediction());  // nothing would answer it
 }
 
+TEST_CASE("what is predicted once the answer was seen is marked, what was said before stays as it is", "[walkthrough]") {
+    Played p(
+        "## One\n```ask\nHow far?\n```\n```predict\nchoice\nFar | x > 0\nNear | x < 0\n```\n```do\nrun 1 step\n```\n"
+        "## Two\n```ask\nAnd now?\n```\n```predict\nchoice\nFar | x > 0\nNear | x < 0\n```\n```do\nrun 1 step\n```\n");
+    WalkthroughPlayer& player = p.player;
+    player.next();
+    player.back();
+    player.guess({.option = 0u});  // skipped before
+    CHECK(player.guess().after_answer);
+    player.next();
+    REQUIRE(player.verdict());
+    CHECK(player.verdict()->words.find("after the answer") != std::string::npos);
+    player.next();
+    player.guess({.option = 1u});  // nothing of this slide has been seen
+    CHECK_FALSE(player.guess().after_answer);
+    player.next();
+    CHECK(player.verdict()->words.find("after the answer") == std::string::npos);
+    player.back();
+    player.guess({.option = 1u});  // says the same again
+    CHECK_FALSE(player.guess().after_answer);
+    player.guess({.option = 0u});
+    CHECK(player.guess().after_answer);
+}
+
 TEST_CASE("a NUL byte in a walkthrough is refused with its line and column", "[walkthrough]") {
     using namespace std::string_view_literals;
     check_refused("# T\n## One\nab\0c\n"sv, "w.md:3", "column 3");

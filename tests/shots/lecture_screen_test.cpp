@@ -179,6 +179,7 @@ TEST_CASE("a slide that speaks of a light has the lights in its picture", "[deck
             hand.lab.state().controls.clear();
             hand.frames(2);
             CHECK(lights() == slide_speaks_of_lights(hand.lab.state()));
+            if (!revealed && s.walkthrough->slide().has(BlockKind::ask)) CHECK_FALSE(lights());
             with += lights();
         }
     CHECK(with > 0);

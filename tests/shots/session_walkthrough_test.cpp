@@ -1,9 +1,15 @@
 // What a slide of a walkthrough locks, and what goes with it.
+#include <pliant/document/hand_in.h>
+#include <pliant/document/summary.h>
+
 #include "parameters.h"
 #include "session/session.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <algorithm>
+#include <string_view>
 
 using namespace pliant;
 using namespace pliant::test;
@@ -124,4 +130,57 @@ TEST_CASE("an extension opens its scene with a question, and answers when asked"
     CHECK_FALSE(s.extension());
     s.open_next(1);
     for (const Extension& e : s.extensions()) CHECK(e.scene.lesson == s.entry().info.id);
+}
+
+TEST_CASE("what is predicted after the answer was seen is handed in as such, in a walkthrough begun anew as well",
+          "[session][walkthrough]") {
+    Session s("mesh/mass_spring");
+    s.start_walkthrough();
+    const auto go_to = [&](std::string_view title) {
+        const auto& slides = s.walkthrough->walkthrough().slides;
+        s.go_to_slide(static_cast<std::size_t>(std::ranges::find(slides, title, &Slide::title) - slides.begin()));
+        REQUIRE(s.walkthrough->slide().title == title);
+    };
+    go_to("Implicit Euler");
+    s.walkthrough_next();  // skipped
+    s.walkthrough_back();
+    s.predict({.option = 2u});
+    CHECK(s.walkthrough->guess().after_answer);
+    s.walkthrough_next();
+    REQUIRE(s.walkthrough->verdict());
+    CHECK_THAT(s.walkthrough->verdict()->words, ContainsSubstring("after the answer"));
+    const HandIn& kept = s.notebook.hand_in();
+    REQUIRE(kept.entries.size() == 1);
+    CHECK(kept.entries[0].after_answer);
+    const HandInRead read = read_hand_in(hand_in_text(kept), "h.json");
+    CHECK(read.hand_in == kept);
+    const auto findings = check_hand_in(read.hand_in);
+    CHECK_THAT(hand_in_report(read, findings),
+               ContainsSubstring("1 prediction was made after the answer was seen") && !ContainsSubstring("was right"));
+    CHECK_THAT(hand_in_report_json(read, findings), ContainsSubstring("\"after_answer\": true"));
+    s.end_walkthrough();
+    s.start_walkthrough();
+    go_to("Implicit Euler");
+    s.predict({.option = 2u});
+    CHECK(s.walkthrough->guess().after_answer);
+    const auto scene = parse_scene(scene_text(s.scene_file()), "s.json");
+    REQUIRE(scene.slide);
+    CHECK(scene.slide->predicted.after_answer);
+    // Of a slide that was only played on the way, nothing has been seen.
+    go_to("Semi-implicit Euler");
+    s.predict({.option = 0u});
+    CHECK_FALSE(s.walkthrough->guess().after_answer);
+}
+
+TEST_CASE("beside a question the summary tells neither its numbers nor what holds", "[session][walkthrough]") {
+    Session s("mesh/mass_spring");
+    s.start_walkthrough();
+    const auto hidden = [&](std::string_view name) { return s.hides(name); };
+    CHECK(s.hides("lights"));
+    const std::string covered = summary_text(s.runner(), hidden);
+    CHECK_THAT(covered, !ContainsSubstring("assumption") && !ContainsSubstring("should stay constant"));
+    CHECK_THAT(covered, !ContainsSubstring("height is"));
+    s.walkthrough_next();
+    CHECK_FALSE(s.hides("lights"));
+    CHECK_THAT(summary_text(s.runner(), hidden), ContainsSubstring("assumption"));
 }

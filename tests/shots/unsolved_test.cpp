@@ -5,6 +5,8 @@
 
 #include <catch2/catch_test_macros.hpp>
 
+#include <algorithm>
+
 using namespace pliant;
 using namespace pliant::test;
 using namespace pliant::viewer;
@@ -35,4 +37,20 @@ TEST_CASE("on a slide with a question, and in a lesson that moves, nothing says 
     moving.session().playing = false;
     moving.frames(3);
     CHECK_FALSE(moving.state().controls.contains("solve"));
+}
+
+TEST_CASE("a number that is not computed yet has no exact value beside it", "[unsolved]") {
+    LabHand lab("elasticity/moduli");
+    lab.session().playing = false;
+    lab.session().reset();
+    lab.frames(3);
+    const auto& numbers = lab.state().held.key_numbers;
+    const auto waits = [](const auto& number) { return !number.awaits.empty(); };
+    const auto is_told = [](const auto& number) { return number.exact.has_value(); };
+    CHECK(std::ranges::any_of(numbers, waits));
+    for (const auto& number : numbers) CHECK_FALSE((waits(number) && is_told(number)));
+    lab.session().run(Until::at_rest());
+    lab.frames(3);
+    CHECK(std::ranges::none_of(numbers, waits));
+    CHECK(std::ranges::any_of(numbers, is_told));
 }

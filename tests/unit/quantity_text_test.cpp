@@ -67,6 +67,8 @@ TEST_CASE("a unit may stand behind the number, with an SI prefix") {
     CHECK(value_of("4/s", "1/s") == 4);
     CHECK(value_of("2 rad/s", "rad/s") == 2);
     CHECK(value_of("64 cells", "cells") == 64);
+    CHECK(value_of("1,5 %", "") == 0.015);
+    CHECK(value_of("30%", "") == 0.3);
 }
 
 TEST_CASE("a prefix rounds no more than the decimal number itself") {
@@ -81,6 +83,7 @@ TEST_CASE("another unit, and what is no number, are told apart") {
                                      {"20 min", "s"},
                                      {"20 m", "s"},
                                      {"3 s", ""},
+                                     {"3 %", "s"},
                                      {"20 Ms2", "s"},
                                      {"5 kcells", "cells"},
                                      {"5 m°", "°"},

@@ -104,6 +104,7 @@ nlohmann::ordered_json prediction_json(const LabState& lab) {
     if (!g.sketch.empty()) j["sketch"] = g.sketch;
     if (!g.words.empty()) j["answer"] = g.words;
     if (g.was_right) j["was_right"] = *g.was_right;
+    if (g.after_answer) j["after_answer"] = true;
     if (player->verdict()) j["right"] = player->verdict()->right, j["words"] = player->verdict()->words;
     return j;
 }

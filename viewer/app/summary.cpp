@@ -17,7 +17,7 @@ namespace {
 
 std::string colours_sentence(const Session& s) {
     const Field* field = s.lesson().find_field(s.colours.field);
-    if (!field || !field->in_use()) return "";
+    if (!field || !field->in_use() || s.hides(field->name)) return "";
     const ColourScale& scale = s.colour_scale();
     return fmt::format("The picture shows {}, from {} to {}.\n", words(field->name), format_quantity(scale.min, field->unit, 3),
                        format_quantity(scale.max, field->unit, 3));
@@ -28,9 +28,11 @@ std::string thing_sentences(const Session& s) {
     if (!thing) return "";
     std::string text = fmt::format("Picked: {} {}.\n", name_of(thing->on), thing->index);
     for (const Field& f : s.lesson().fields) {
-        if (!f.in_use() || f.on != thing->on || thing->index >= f.size()) continue;
-        text += fmt::format("{}{} is {}", f.rank == Rank::scalar ? "" : "The size of ", words(f.name),
-                            format_quantity(row_value(f, thing->index, -1), f.unit));
+        if (!f.in_use() || s.hides(f.name) || f.on != thing->on || thing->index >= f.size()) continue;
+        const std::string name = words(f.name);
+        text +=
+            fmt::format("{}{} {} {}", f.rank == Rank::scalar ? "" : "The size of ", name,
+                        f.rank == Rank::scalar ? is_or_are(name) : "is", format_quantity(row_value(f, thing->index, -1), f.unit));
         if (f.rank != Rank::scalar) {
             const auto names = component_names(f);
             for (int c = 0; c < f.components; ++c)
@@ -70,7 +72,8 @@ std::string beside_sentences(const Session& s) {
         const auto of_a = number_of(a, *p), of_b = number_of(b, b.lesson().probe(p->name));
         if (!of_a && !of_b) continue;
         const auto said = [&](const auto& value) { return value ? format_quantity(*value, p->unit, 6) : "undefined"; };
-        text += fmt::format("{} is {} in A and {} in B", words(p->name), said(of_a), said(of_b));
+        const std::string name = words(p->name);
+        text += fmt::format("{} {} {} in A and {} in B", name, is_or_are(name), said(of_a), said(of_b));
         text += of_a && of_b ? fmt::format("; A − B is {}.\n", format_quantity(*of_a - *of_b, p->unit, 3)) : ".\n";
     }
     if (s.shows_difference()) text += "The picture shows A − B.\n";
@@ -121,7 +124,7 @@ std::string atlas_sentences(const LabState& lab) {
 
 std::string summary_of(const LabState& lab) {
     const Session& s = lab.session;
-    std::string text = summary_text(s.runner());
+    std::string text = summary_text(s.runner(), [&](std::string_view name) { return s.hides(name); });
     text += s.playing ? "The run is playing.\n" : "The run is paused.\n";
     if (!s.inspector.stopped.empty()) text += fmt::format("It was stopped: {}.\n", s.inspector.stopped);
     text += beside_sentences(s);

@@ -173,6 +173,7 @@ float slide_parameters_height(const PanelContext& lab) {
 
 bool slide_speaks_of_lights(const PanelContext& lab) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
+    if (player.hides("lights")) return false;
     return std::ranges::any_of(player.slide().blocks, [&](const Block& b) {
         const bool shown =
             b.kind == BlockKind::text || b.kind == BlockKind::ask || (b.kind == BlockKind::answer && player.revealed());

@@ -19,6 +19,7 @@ std::string entry_line(const HandInEntry& e) {
     const std::string where = e.slide.empty() ? e.lesson : fmt::format("{}, {}", e.lesson, e.slide);
     switch (e.kind) {
         case EntryKind::prediction:
+            if (e.after_answer) return fmt::format("– {}: {} (after the answer)", where, e.predicted);
             return fmt::format("{} {}: {}", e.right ? "✓" : "✗", where, e.predicted);
         case EntryKind::measurement:
             return fmt::format("{}: {} = {} at t = {}", e.lesson, words(e.probe), format_quantity(e.value, e.unit),

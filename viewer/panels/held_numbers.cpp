@@ -75,9 +75,12 @@ void measure_held_numbers(PanelContext& lab) {
     if (held.of == now || s.shows_last_step()) return;
     held.of = now;
     held.lights.clear(), held.key_numbers.clear();
-    for (const Probe* p : key_probes(r.lesson()))
-        held.key_numbers.push_back(
-            {measured([&] { return r.value(*p); }), measured([&] { return r.exact(*p); }), not_yet(awaited_stage(r, *p))});
+    for (const Probe* p : key_probes(r.lesson())) {
+        const Stage* awaited = awaited_stage(r, *p);
+        // Where the number is still to come, its exact value is not told either.
+        held.key_numbers.push_back({measured([&] { return r.value(*p); }),
+                                    measured([&] { return awaited ? std::nullopt : r.exact(*p); }), not_yet(awaited)});
+    }
     try {
         add_laws(r, held.lights);
         add_assumptions(s.lesson(), held.lights);

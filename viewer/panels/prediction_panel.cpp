@@ -177,7 +177,7 @@ void words_entry(PanelContext& lab) {
 const char* verdict_mark(const WalkthroughPlayer& player) {
     const Guess& g = player.guess();
     const bool right = g.words.empty() ? player.verdict()->right : g.was_right.value_or(false);
-    return !g.given() || (!g.words.empty() && !g.was_right) ? "–" : right ? "✓" : "✗";
+    return !g.given() || g.after_answer || (!g.words.empty() && !g.was_right) ? "–" : right ? "✓" : "✗";
 }
 
 std::string verdict_words(const WalkthroughPlayer& player) {
@@ -186,7 +186,7 @@ std::string verdict_words(const WalkthroughPlayer& player) {
 
 void draw_verdict(PanelContext& lab, ImFont* type, const Prediction& p) {
     const WalkthroughPlayer& player = *lab.session.walkthrough;
-    const bool judged = player.guess().given() && p.kind != PredictionKind::words;
+    const bool judged = player.guess().given() && !player.guess().after_answer && p.kind != PredictionKind::words;
     const unsigned colour =
         !judged ? ImGui::GetColorU32(ImGuiCol_Text) : lab.ink(player.verdict()->right ? Ink::velocity : Ink::accent);
     draw_item(lab.fonts.mathematics, boxed(lab, type, verdict_words(player), ImGui::GetContentRegionAvail().x), colour);

@@ -69,13 +69,16 @@ void draw_heading_of_slide(PanelContext& lab, const View& view) {
     ImGui::PopFont();
 }
 
+// Notes tell of limits that a run keeps or breaks, so beside a question their room stays empty.
 void draw_notes(PanelContext& lab, ScenePanelState& panel, const View& view) {
     if (lab.layout == Layout::deck) return draw_heading_of_slide(lab, view);
     const std::vector<NoteLine> lines =
         note_lines(lab, {view.heading, &view.picture->scene.notes}, panel.notes_strip.small, view.size.x);
+    const bool covered = lab.session.hides("lights");  // the heading says which run it is
     float y = view.origin.y - view.above + lab.px(8);
     for (const NoteLine& line : lines) {
         if (y + line.words.height() > view.origin.y) return;
+        if (covered && line.ink == Ink::text) return;
         lab.fonts.mathematics.draw(*ImGui::GetWindowDrawList(), line.words, {view.origin.x + lab.px(10), y + line.words.above},
                                    lab.ink(line.ink));
         y += line.height();

@@ -59,7 +59,7 @@ std::string inside_text(const Session& s) {
 }  // namespace
 
 float draw_lights_at(PanelContext& lab, const Rectangle& room) {
-    if (lab.held.lights.empty()) return 0;
+    if (lab.held.lights.empty() || lab.session.hides("lights")) return 0;
     const float pad = lab.px(6), line = ImGui::GetTextLineHeight(), left = room.x + lab.px(10), right = room.x + room.width;
     // In as many rows as they need, the last at the lower end.
     std::vector<ImVec2> places;

@@ -59,18 +59,11 @@ void folded_reading(PanelContext& lab, const Slide& slide) {
     }
 }
 
-// The actions that wait for Next.
-void next_actions(PanelContext& lab, const pliant::Block& block) {
-    SetUp set_up;
-    std::string all;
-    const auto hidden = [&](std::string_view key) { return lab.session.hides(key); };
-    for (const std::string& line : block.lines) {
-        if (set_up.takes(line) || line.find_first_not_of(" \t") == std::string::npos) continue;
-        all += fmt::format("{}{}", all.empty() ? "" : "; ", action_sentence(lab.session.lesson(), line, hidden));
-    }
+void next_actions(PanelContext& lab, const Slide& slide) {
+    const std::string all = next_sentence(lab.session.lesson(), slide);
     if (all.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
-    sentence_item(lab, "Next: " + all);
+    sentence_item(lab, all);
     ImGui::PopStyleColor();
 }
 
@@ -78,8 +71,7 @@ void question(PanelContext& lab, const Slide& slide, bool revealed) {
     for (const pliant::Block& b : slide.blocks)
         if (b.kind == BlockKind::ask) heading(lab, "Predict", Ink::accent), paragraph(lab, b.paragraph());
     draw_prediction(lab, lab.fonts.normal);
-    for (const pliant::Block& b : slide.blocks)
-        if (b.kind == BlockKind::actions && !revealed) next_actions(lab, b);
+    if (!revealed) next_actions(lab, slide);
 }
 
 void expectations(PanelContext& lab, const WalkthroughPlayer& player) {

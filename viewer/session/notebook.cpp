@@ -59,6 +59,7 @@ void Notebook::note_slide(const Runner& runner, const WalkthroughPlayer& player)
     HandInEntry e{.kind = EntryKind::answer, .lesson = std::string(runner.info().id), .slide = player.slide().title};
     e.question = question_of(player);
     e.text = player.verdict()->predicted, e.came = answer_of(player), e.own_verdict = player.guess().was_right;
+    e.after_answer = player.guess().after_answer;
     add_anew(std::move(e));
 }
 

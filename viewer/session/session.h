@@ -25,6 +25,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -349,6 +350,7 @@ private:
     long pictures_drawn_ = 0;
     int pin_count_ = 0, companion_count_ = 0;
     std::optional<LectureShow> lecture_{};
+    std::set<std::pair<std::string, std::string>> answers_seen_{};  // file and title of the slides
     std::optional<std::size_t> extension_{};
     mutable std::string_view extensions_of_{};  // the lesson of those that are kept
     mutable std::vector<Extension> extensions_{};

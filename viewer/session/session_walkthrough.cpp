@@ -10,6 +10,14 @@
 #include <utility>
 
 namespace pliant::viewer {
+namespace {
+
+// By file and title, so that a slide is the same in a lecture and in the walkthrough of its lesson.
+std::pair<std::string, std::string> slide_key(const WalkthroughPlayer& player) {
+    return {player.walkthrough().path, player.slide().title};
+}
+
+}  // namespace
 
 bool Session::locked(const Parameter& parameter) const {
     return hides(parameter.info.key) || (walkthrough && !unlocked && !walkthrough->allows(parameter.info.key));
@@ -30,7 +38,9 @@ void Session::start_walkthrough() {
 }
 
 void Session::predict(const Guess& guess) {
-    if (walkthrough) guarded([&] { walkthrough->guess(guess); });
+    if (!walkthrough) return;
+    if (answers_seen_.contains(slide_key(*walkthrough))) walkthrough->note_seen();
+    guarded([&] { walkthrough->guess(guess); });
 }
 
 void Session::say_right(bool right) {
@@ -43,7 +53,9 @@ void Session::say_right(bool right) {
 
 // What was said on the slide whose answer shows.
 void Session::note_slide() {
-    if (walkthrough->revealed()) notebook.note_slide(*runner_, *walkthrough);
+    if (!walkthrough->revealed()) return;
+    answers_seen_.insert(slide_key(*walkthrough));
+    notebook.note_slide(*runner_, *walkthrough);
 }
 
 void Session::note_number(std::string_view probe) {

@@ -35,6 +35,7 @@ Json entry_json(const Entry& e) {
     if (e.kind == Entry::Kind::prediction) j["right"] = e.right;
     put_text(j, "text", e.text);
     if (e.own_verdict) j["own_verdict"] = own_verdicts[*e.own_verdict ? 0 : 1];
+    if (e.after_answer) j["after_answer"] = true;
     put_text(j, "scene", e.scene);
     if (stands_somewhere(e)) j["step"] = e.step, j["passes"] = e.passes, j["time"] = e.time;
     if (!e.probe.empty()) j["probe"] = e.probe, j["value"] = e.value, j["unit"] = e.unit;
@@ -143,6 +144,10 @@ private:
             if (std::ranges::find(own_verdicts, own) == own_verdicts.end())
                 refuse(at + "/own_verdict", fmt::format("'{}' is no verdict: right, or not right", own));
             e.own_verdict = own == own_verdicts[0];
+        }
+        if (j.contains("after_answer")) {
+            if (!j["after_answer"].is_boolean()) refuse(at + "/after_answer", "\"after_answer\" has to be true or false");
+            e.after_answer = j["after_answer"].get<bool>();
         }
         const bool measured = e.kind == Entry::Kind::measurement, picture = e.kind == Entry::Kind::picture;
         e.scene = text_at(j, at, "scene", measured || picture);

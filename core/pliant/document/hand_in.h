@@ -11,6 +11,7 @@
 //   answer       slide, question, text; came and own_verdict ("right" or "not right") where it was given on a slide before the
 //                lesson's own answer was shown, which is what came
 //   picture      scene, step, passes, png (base64); note
+// A prediction, or an answer, that was given when the lesson's answer had been seen has "after_answer": true.
 // "time" is that of the simulation, s. The checksum is that of all else, so what was changed by hand is noticed; it does not
 // prove who made the file, nor that nobody has computed it anew.
 #pragma once
@@ -35,6 +36,7 @@ struct HandInEntry {
     std::string predicted{}, came{}, text{};  // text: of an answer, the words of a verdict, or a note
     bool right = false;
     std::optional<bool> own_verdict{};  // of an answer: does the person say that it was right?
+    bool after_answer = false;          // was it said when the lesson's own answer had been seen?
     std::string scene{};                // a share string: parameters and what was done
     Index step = 0, passes = 0;
     Real time = 0;  // s, simulated

@@ -45,8 +45,8 @@ HandInFinding repeated(const Entry& e) try {
 
 // What the person says of the answer.
 std::string said_of(const Entry& e) {
-    if (!e.own_verdict) return "";
-    return *e.own_verdict ? " (“I was right”)" : " (“I was not right”)";
+    const std::string_view own = !e.own_verdict ? "" : *e.own_verdict ? " (“I was right”)" : " (“I was not right”)";
+    return fmt::format("{}{}", own, e.after_answer ? " (after the answer)" : "");
 }
 
 HandInFinding repeated_or_told(const Entry& e, const RepeatClaim& claim) try {
@@ -94,10 +94,15 @@ std::string hand_in_report(const HandInRead& read, const std::vector<HandInFindi
                   "nobody computed it anew.)\n"
                 : "The file was changed after it was saved: its checksum is not that of what it says.\n";
     for (const HandInFinding& f : findings) text += fmt::format("  {} {}\n", !f.repeated ? "·" : f.holds ? "✓" : "✗", f.words);
-    const auto right =
-        std::ranges::count_if(h.entries, [](const Entry& e) { return e.kind == Entry::Kind::prediction && e.right; });
-    const auto asked = std::ranges::count(h.entries, Entry::Kind::prediction, &Entry::kind);
+    const auto predicted = [](const Entry& e, bool after) {
+        return e.kind == Entry::Kind::prediction && e.after_answer == after;
+    };
+    const auto right = std::ranges::count_if(h.entries, [&](const Entry& e) { return predicted(e, false) && e.right; });
+    const auto asked = std::ranges::count_if(h.entries, [&](const Entry& e) { return predicted(e, false); });
+    const auto late = std::ranges::count_if(h.entries, [&](const Entry& e) { return predicted(e, true); });
     if (asked > 0) text += fmt::format("{} of {} {} right.\n", right, asked, asked == 1 ? "prediction was" : "predictions were");
+    if (late > 0)
+        text += fmt::format("{} {} made after the answer was seen.\n", counted(late, "prediction"), late == 1 ? "was" : "were");
     return text;
 }
 
@@ -111,6 +116,7 @@ std::string hand_in_report_json(const HandInRead& read, const std::vector<HandIn
         Json entry{
             {"lesson", e.lesson}, {"repeated", findings[k].repeated}, {"holds", findings[k].holds}, {"words", findings[k].words}};
         if (e.own_verdict) entry["own_verdict"] = *e.own_verdict ? "right" : "not right";
+        if (e.after_answer) entry["after_answer"] = true;
         if (!e.probe.empty()) entry["probe"] = e.probe, entry["value"] = e.value;
         j["entries"].push_back(std::move(entry));
     }

@@ -46,6 +46,7 @@ HandInEntry prediction_of(const Runner& runner, const WalkthroughPlayer& player)
     HandInEntry e{.kind = HandInEntry::Kind::prediction, .lesson = std::string(runner.info().id), .slide = player.slide().title};
     e.question = question_on(player.slide());
     e.predicted = v.predicted, e.came = v.came, e.text = v.words, e.right = v.right;
+    e.after_answer = player.guess().after_answer;
     if (!player.entered()) return e;
     const SceneFile& entered = *player.entered();
     try {
@@ -58,7 +59,7 @@ HandInEntry prediction_of(const Runner& runner, const WalkthroughPlayer& player)
         return e;
     }
     e.slide_text = text_that_plays(player.slide());
-    e.guess = player.guess();
+    e.guess = player.guess(), e.guess.after_answer = false;  // the entry says it
     return e;
 }
 

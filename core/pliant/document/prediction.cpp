@@ -186,6 +186,10 @@ PredictionVerdict verdict_of_words(const Guess& guess) {
     return v;
 }
 
+void note_after_answer(PredictionVerdict& v, const Guess& guess) {
+    if (guess.given() && guess.after_answer) v.words += " (Said after the answer was seen.)";
+}
+
 PredictionVerdict judge_sketch(const Prediction& p, const Guess& guess, const Sketch& measured, const std::string& unit) {
     PredictionVerdict v;
     if (measured.empty()) return v.words = "Nothing was measured.", v;

@@ -52,6 +52,7 @@ struct Guess {
     Sketch sketch{};
     std::string words{};
     std::optional<bool> was_right{};  // of words: what the person says of them once the answer is shown
+    bool after_answer = false;        // was the answer of the slide seen before?
     bool given() const { return option || number || !sketch.empty() || !words.empty(); }
     bool operator==(const Guess&) const = default;
 };
@@ -72,6 +73,8 @@ struct PredictionVerdict {
     std::string predicted, came;  // "It grows", "0.2 rad/s"
     std::string words;            // all of it in sentences
 };
+// That a guess was made once the answer had been seen, behind such a verdict.
+void note_after_answer(PredictionVerdict& verdict, const Guess& guess);
 
 // met: which conditions of a choice hold now. measured: the probe now.
 PredictionVerdict judge_choice(const Prediction& prediction, const Guess& guess, const std::vector<bool>& met);

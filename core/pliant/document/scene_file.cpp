@@ -136,6 +136,7 @@ Written json_guess(const Guess& g) {
     if (!g.sketch.empty()) j["sketch"] = g.sketch;
     put(j, "words", g.words, std::string());
     if (g.was_right) j["right"] = *g.was_right;
+    put(j, "after_answer", g.after_answer, false);
     return j;
 }
 

@@ -228,7 +228,7 @@ SceneSlide SceneReader::slide(const SceneJson& object) const {
 
 // Whether the slide asks for it is seen when it is shown.
 Guess SceneReader::guess(const SceneJson& object, const std::string& pointer) const {
-    known_keys(object, pointer, {"option", "number", "sketch", "words", "right"});
+    known_keys(object, pointer, {"option", "number", "sketch", "words", "right", "after_answer"});
     const auto here = [&](const char* key) { return fmt::format("{}/{}", pointer, key); };
     Guess g;
     if (object.contains("option"))
@@ -245,6 +245,7 @@ Guess SceneReader::guess(const SceneJson& object, const std::string& pointer) co
     }
     if (object.contains("words")) g.words = text_at(object, "words", here("words"));
     if (object.contains("right")) take_flag(object, pointer, "right", g.was_right.emplace());
+    take_flag(object, pointer, "after_answer", g.after_answer);
     if (g.was_right && g.words.empty()) refuse(here("right"), "'right' is said of 'words'");
     return g;
 }

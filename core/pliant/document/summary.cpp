@@ -1,5 +1,6 @@
 #include <pliant/document/summary.h>
 #include <pliant/lesson/setting_words.h>
+#include <pliant/run/awaited.h>
 #include <pliant/text/format.h>
 #include <pliant/text/spoken.h>
 
@@ -44,11 +45,12 @@ std::optional<Real> finite(const std::function<std::optional<Real>()>& value) {
     return v && std::isfinite(*v) ? v : std::nullopt;
 }
 
-std::string number_sentence(const Runner& r, const Probe& p) {
+std::string number_sentence(const Runner& r, const Probe& p, bool theory) {
     const auto value = finite(p.value);
-    if (!value) return fmt::format("{} is undefined.\n", spoken(p.name));
-    std::string text = fmt::format("{} is {}", spoken(p.name), format_quantity(*value, p.unit, 6));
-    const auto exact = p.exact ? finite([&] { return p.exact(r.time()); }) : std::nullopt;
+    const std::string name = spoken(p.name);
+    if (!value) return fmt::format("{} {} undefined.\n", name, is_or_are(name));
+    std::string text = fmt::format("{} {} {}", name, is_or_are(name), format_quantity(*value, p.unit, 6));
+    const auto exact = theory && p.exact && !awaited_stage(r, p) ? finite([&] { return p.exact(r.time()); }) : std::nullopt;
     if (exact)
         text += fmt::format("; exact {}, off by {}", format_quantity(*exact, p.unit, 6),
                             format_quantity(std::abs(*value - *exact), p.unit, 3));
@@ -72,9 +74,13 @@ std::string_view law_words(Law law) {
 std::string law_sentence(const Runner& r, std::size_t i) {
     const Conserved& c = r.lesson().conserved[i];
     const Holds holds = r.holds(i);
-    if (holds == Holds::not_expected) return fmt::format("{} is not expected to {} here.\n", spoken(c.probe), law_words(c.law));
+    const std::string name = spoken(c.probe);
+    if (holds == Holds::not_expected)
+        return c.law == Law::never_grows
+                   ? fmt::format("{} may grow here.\n", name)
+                   : fmt::format("{} {} not expected to {} here.\n", name, is_or_are(name), law_words(c.law));
     const std::string_view unit = r.lesson().probe(c.probe).unit;
-    return fmt::format("{} should {}, and this {}: off by {}, tolerated {}.\n", spoken(c.probe), law_words(c.law),
+    return fmt::format("{} should {}, and this {}: off by {}, tolerated {}.\n", name, law_words(c.law),
                        holds == Holds::yes ? "holds" : "fails", format_quantity(r.drift(i), unit, 3),
                        format_quantity(r.tolerance(i), unit, 3));
 }
@@ -100,15 +106,18 @@ std::vector<const Probe*> key_probes(const Lesson& lesson) {
     return chosen;
 }
 
-std::string summary_text(const Runner& r) {
+std::string summary_text(const Runner& r, const std::function<bool(std::string_view)>& hidden) {
+    const auto told = [&](std::string_view name) { return !hidden || !hidden(name); };
     std::string text = fmt::format("Lesson {}.\n", r.info().title);
     text += place_sentence(r);
     text += waiting_sentences(r);
     text += stage_sentence(r);
-    for (const Probe* p : key_probes(r.lesson())) text += number_sentence(r, *p);
+    for (const Probe* p : key_probes(r.lesson()))
+        if (told(p->name)) text += number_sentence(r, *p, told("theory"));
     for (const Assumption& a : r.lesson().assumptions)
-        if (a.in_use()) text += assumption_sentence(a);
-    for (const std::size_t i : r.shown_laws()) text += law_sentence(r, i);
+        if (a.in_use() && told("lights")) text += assumption_sentence(a);
+    for (const std::size_t i : r.shown_laws())
+        if (told("lights")) text += law_sentence(r, i);
     if (r.failure()) text += failure_sentence(*r.failure());
     return text;
 }

@@ -48,7 +48,7 @@ void WalkthroughPlayer::refuse(int line, const std::string& what) const {
 }
 
 bool WalkthroughPlayer::next() {
-    if (!revealed_ && slide().has_answer()) return reveal(), true;
+    if (!revealed_ && slide().has_answer()) return reveal(), note_seen(), true;
     if (slide_ + 1 == walkthrough_.slides.size()) return false;
     ++slide_;
     enter();
@@ -246,10 +246,10 @@ ExpectationResult WalkthroughPlayer::check(const std::string& line, int number) 
     }
     if (at < words.size()) throw Refused(fmt::format("'{}' is more than an expectation says: leave it out", words[at]));
     const std::string unit = unit_of(words[0]);
-    return {
-        line, met,
-        fmt::format("{} is {}, against {}", spoken(words[0]), format_quantity(left, unit, 4), format_quantity(right, unit, 4)),
-        number, expectation_sentence(runner_.lesson(), expected)};
+    return {line, met,
+            fmt::format("{} {} {}, against {}", spoken(words[0]), is_or_are(spoken(words[0])), format_quantity(left, unit, 4),
+                        format_quantity(right, unit, 4)),
+            number, expectation_sentence(runner_.lesson(), expected)};
 } catch (const Refused& e) {
     refuse(number, fmt::format("{} (in '{}')", e.what(), line));
 } catch (const std::bad_optional_access&) {

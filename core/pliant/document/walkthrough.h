@@ -23,8 +23,8 @@
 //                  legends  the names of the curves
 //                  theory   exact values, and the curves that stand beside a measured one
 //                  matrices of the picture
-//                  lights   of the assumptions
-//                Probes that are expected, or predicted, are hidden without being named
+//                  lights   of the assumptions and of what is conserved, and the notes above the picture
+//                Probes that are expected, or predicted, are hidden without being named, and lights beside every question
 //   ```plots     the probes and curves that are plotted beside the slide; without it those of the
 //                scene, with `none` none
 //   ```notes     for the lecturer alone: never shown with the slide itself
@@ -127,8 +127,11 @@ public:
     // --- the prediction of this slide ---
     const std::optional<Prediction>& prediction() const { return predictions_[slide_]; }
     const Guess& guess() const { return guesses_[slide_]; }
-    // Before the answer is shown. Throws Refused for an answer that there is none of.
+    // Before the answer is shown; marked where it had been shown earlier and what is said is new. Throws Refused for an answer
+    // that there is none of.
     void guess(const Guess& guess);
+    // The answer of this slide has been seen, in this walkthrough or in another.
+    void note_seen() { seen_[slide_] = true; }
     // Of an answer in words, once the lesson's is shown. Throws Refused where none was given.
     void say_right(bool right);
     // What was said earlier, in a scene that is opened again; also behind the answer. Throws Refused as guess.
@@ -157,6 +160,7 @@ private:
     void follow_sketch();
     void track_step();
     void judge();
+    void compare_guess();
     void check_control(const std::string& key, int line) const;
     void reveal();
     void act(const std::string& line, int number);
@@ -175,6 +179,7 @@ private:
     long entered_at_ = 0;                                 // revision of the run when the slide was set up
     std::vector<std::optional<Prediction>> predictions_;  // of each slide
     std::vector<Guess> guesses_;
+    std::vector<bool> seen_;  // of each slide: has next() shown its answer?
     std::optional<PredictionVerdict> verdict_;
     std::optional<SceneFile> entered_, left_;
     Track track_;

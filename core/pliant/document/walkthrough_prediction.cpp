@@ -60,7 +60,7 @@ void WalkthroughPlayer::read_predictions() {
         }
         if (!prediction && s.has(BlockKind::ask) && s.has_answer()) prediction = Prediction{.kind = Prediction::Kind::words};
     }
-    guesses_.resize(walkthrough_.slides.size());
+    guesses_.resize(walkthrough_.slides.size()), seen_.resize(walkthrough_.slides.size());
 }
 
 void WalkthroughPlayer::check_guess(const Guess& guess) const {
@@ -79,8 +79,12 @@ void WalkthroughPlayer::check_guess(const Guess& guess) const {
 void WalkthroughPlayer::guess(const Guess& guess) {
     check_guess(guess);
     if (revealed_) throw Refused("the answer is shown already: Backspace goes back to the start of the slide");
-    guesses_[slide_] = guess;
-    guesses_[slide_].was_right.reset();
+    Guess said = guess, earlier = guesses_[slide_];
+    said.was_right.reset(), earlier.was_right.reset();
+    said.after_answer = earlier.after_answer;
+    const bool repeats = said.given() && said == earlier;
+    if (!repeats) said.after_answer = seen_[slide_];
+    guesses_[slide_] = said;
 }
 
 void WalkthroughPlayer::say_right(bool right) {
@@ -113,8 +117,13 @@ void WalkthroughPlayer::track_step() {
 }
 
 void WalkthroughPlayer::judge() {
+    if (!prediction()) return;
+    compare_guess();
+    if (verdict_) note_after_answer(*verdict_, guess());
+}
+
+void WalkthroughPlayer::compare_guess() {
     const auto& p = prediction();
-    if (!p) return;
     if (p->kind == Prediction::Kind::words) {
         verdict_ = verdict_of_words(guess());
         return;

@@ -191,6 +191,7 @@ std::optional<std::vector<std::string>> Slide::plots() const {
 
 bool Slide::hides(std::string_view name) const {
     if (!has_answer()) return false;
+    if (name == "lights" && has(BlockKind::ask)) return true;
     return std::ranges::any_of(blocks, [&](const Block& b) {
         if (b.kind == BlockKind::hide) return has_word(b, name);
         if (b.kind != BlockKind::expect && b.kind != BlockKind::predict) return false;

@@ -5,8 +5,10 @@
 #include <pliant/text/spoken.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -84,15 +86,71 @@ std::string action_sentence(const Lesson& lesson, const std::string& line, const
     }
 }
 
+namespace {
+
+// The verb of an action: as the first of the sentence, and behind others.
+struct Verb {
+    std::string_view action, first, later;
+};
+constexpr std::array verbs{Verb{"set", "sets it", "sets it"},
+                           Verb{"preset", "opens another scene", "opens another scene"},
+                           Verb{"reset", "starts again", "starts again"},
+                           Verb{"run", "runs it", "runs"},
+                           Verb{"solve", "solves it", "solves it"},
+                           Verb{"pull", "pulls at it", "pulls at it"},
+                           Verb{"release", "lets go", "lets go"},
+                           Verb{"show", "shows another field", "shows another field"}};
+
+// In the order in which they happen first. What starts again before it runs is not worth a word, nor is a field that is shown
+// on the way.
+std::string kinds_said(const std::vector<std::string>& lines) {
+    std::vector<const Verb*> kinds;
+    for (const std::string& line : lines) {
+        const auto verb = std::ranges::find(verbs, words_of_line(line).at(0), &Verb::action);
+        if (verb != verbs.end() && std::ranges::find(kinds, verb) == kinds.end()) kinds.push_back(verb);
+    }
+    const auto by_the_way = [](const Verb* v) { return v->action == "show" || v->action == "reset"; };
+    if (!std::ranges::all_of(kinds, by_the_way)) std::erase_if(kinds, by_the_way);
+    std::vector<std::string> parts;
+    for (const Verb* v : kinds) parts.emplace_back(parts.empty() ? v->first : v->later);
+    return listed_words(parts);
+}
+
+// The actions that wait for Next.
+std::vector<std::string> waiting_lines(const Slide& slide) {
+    std::vector<std::string> lines;
+    SetUp set_up;
+    for (const Block& b : slide.blocks) {
+        if (b.kind == BlockKind::expect) set_up.end();
+        if (b.kind != BlockKind::actions) continue;
+        for (const std::string& raw : b.lines)
+            if (const std::string line = trimmed(raw); !line.empty() && !set_up.takes(line)) lines.push_back(line);
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::string next_sentence(const Lesson& lesson, const Slide& slide) {
+    const std::vector<std::string> lines = waiting_lines(slide);
+    if (lines.empty()) return "";
+    if (slide.has(BlockKind::ask)) return fmt::format("Next: {}", kinds_said(lines));
+    std::vector<std::string> said_in_full;
+    for (const std::string& line : lines)
+        said_in_full.push_back(action_sentence(lesson, line, [&](std::string_view key) { return slide.hides(key); }));
+    return fmt::format("Next: {}", fmt::join(said_in_full, "; "));
+}
+
 std::string expectation_sentence(const Lesson& lesson, const ExpectedNumber& e) {
     const Named named = named_number(lesson, e.name);
     const auto [left, right] = told_apart(e.left, e.right, named.unit);
     const std::string what = e.what.empty() ? "" : fmt::format(", {}", e.what);
     if (e.comparison != "=")
-        return fmt::format("the {} is {}, expected {} {}{}", named.name, left, comparison_said(e.comparison), right, what);
+        return fmt::format("the {} {} {}, expected {} {}{}", named.name, is_or_are(named.name), left,
+                           comparison_said(e.comparison), right, what);
     const std::string tolerance =
         e.relative ? fmt::format("{} %", format_quantity(100 * e.tolerance, "", 3)) : format_quantity(e.tolerance, named.unit, 3);
-    return fmt::format("the {} is {}, expected {}{}, within {}", named.name, left, right, what, tolerance);
+    return fmt::format("the {} {} {}, expected {}{}, within {}", named.name, is_or_are(named.name), left, right, what, tolerance);
 }
 
 }  // namespace pliant

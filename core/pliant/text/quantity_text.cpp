@@ -119,8 +119,9 @@ QuantityText read_quantity(std::string_view text, std::string_view unit, std::st
         return times_power(number,
                            unit_if_none.empty() ? 0 : exponent_between(normal_unit(unit_if_none), normal_unit(unit)).value_or(0));
     if (!looks_like_unit(written)) return {0, QuantityText::Problem::no_number};
-    const auto exponent = exponent_between(normal_unit(written), normal_unit(unit));
-    if (unit.empty() || !exponent) return {0, QuantityText::Problem::other_unit, written};
+    const auto exponent =
+        unit.empty() && written == "%" ? std::optional(-2) : exponent_between(normal_unit(written), normal_unit(unit));
+    if (!exponent || (unit.empty() && written != "%")) return {0, QuantityText::Problem::other_unit, written};
     QuantityText result = times_power(number, *exponent);
     result.unit = written;
     return result;

@@ -72,6 +72,15 @@ std::string spoken(std::string_view key) {
     return text;
 }
 
+// By the noun that the name is about, which stands in front of what says more of it: "operations for C", "iterations used".
+std::string_view is_or_are(std::string_view name) {
+    constexpr std::array further{" of ", " in ", " on ",   " per ", " along ",   " for ",   " by ",    " from ",
+                                 " at ", " to ", " that ", " used", " against ", " after ", " before "};
+    for (const std::string_view word : further) name = name.substr(0, name.find(word));
+    const bool one = name.ends_with("ss") || name.ends_with("us") || name.ends_with("is");
+    return name.ends_with('s') && !one ? "are" : "is";
+}
+
 std::string duration_words(double seconds) {
     if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
     if (seconds < 120) return fmt::format("{:.0f} s", seconds);

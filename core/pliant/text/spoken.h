@@ -8,6 +8,9 @@ namespace pliant {
 // The name in words, small where it is no proper one: "youngs_modulus" is "Young's modulus", "cfl" the "Courant number".
 std::string spoken(std::string_view key);
 
+// "is" or "are" behind a name in words: "touching nodes" are, "stress" is.
+std::string_view is_or_are(std::string_view name);
+
 // A time that one waits: "0.4 s", "12 s", "3 min", "2.5 h".
 std::string duration_words(double seconds);
 
