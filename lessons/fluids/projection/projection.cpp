@@ -127,7 +127,7 @@ void Projection::divergence_of(VecX& out) const {
 // ------------------------------------------------------------------------------------------------------------- the stages
 
 void Projection::declare_stages() {
-    formula_symbols = grid2d::symbols_and({{"d̃", "1/s"}, {"Φ", "m²/s"}, {"q"}, {"m", "m/s"}});
+    formula_symbols = grid2d::symbols_and({{"d̃", "1/s"}, {"Φ", "m²/s"}, {"q"}, {"m", "m/s"}, {"n"}, {"n_before"}});
     stages = {
         stage_of("tentative_velocity", "ũ: given;  on walls and solids the velocity of the wall",
                  "survey, best guess velocity ũ; Utrecht slides, pressure projection", [this] { give(); })

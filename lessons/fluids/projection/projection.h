@@ -246,6 +246,7 @@ struct Projection final : Lesson {
     Explanation why_given(const Question& q) const;
     Explanation why_divergence(Index cell, Input::From from) const;
     std::optional<Explanation> why_pressure_pass(const Question& q) const;
+    Explanation why_passes() const;
     Explanation why_part(const Question& q) const;
     Explanation why_velocity(const Question& q) const;
     Explanation why_energy() const;

@@ -133,10 +133,17 @@ Explanation Projection::why_divergence(Index cell, From from) const {
     return grid_why().divergence(cell, from);
 }
 
+Explanation Projection::why_passes() const {
+    const Real count = tally_[passes];
+    if (count == 0) return fixed_value("n = 0   (the velocity had no divergence to begin with)");
+    return {"n = n_before + 1   (each pass counts)",
+            {Input::constant("n_before", count - 1, "", "passes of the solver before the last one")}};
+}
+
 // Of the solver's passes, and of the projection that follows them.
 std::optional<Explanation> Projection::why_pressure_pass(const Question& q) const {
     const bool of_pressure = q.field == "pressure", of_divergence = q.field == "divergence_after";
-    if (q.field == "solver_iterations") return std::nullopt;  // they are counted
+    if (q.field == "solver_iterations") return why_passes();
     if (of_divergence && tally_[projected] != 0) return why_divergence(q.index, From::now);
     const CollocatedWhy central{grid_->cells(), grid_why().dx(), dt};
     if (!of_pressure && !of_divergence)
