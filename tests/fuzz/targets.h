@@ -5,7 +5,7 @@
 #include <pliant/document/walkthrough.h>
 #include <pliant/formula/formula.h>
 #include <pliant/lecture/lecture.h>
-#include <pliant/mesh/file/mesh_file.h>
+#include <pliant/mesh_file/mesh_file.h>
 
 #include <stdexcept>
 #include <string>

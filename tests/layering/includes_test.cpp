@@ -31,6 +31,7 @@ const std::map<std::string, Names> allowed_folders{
     {"core/pliant/particles", {"math", "continuum", "mesh", "time"}},
     {"core/pliant/fluids", {"math", "continuum", "mesh", "time"}},
     {"core/pliant/text", {"math"}},
+    {"core/pliant/mesh_file", {"math", "mesh", "text"}},
     {"core/pliant/formula", {"math", "text"}},
     {"core/pliant/lesson", {"math", "text", "formula"}},
     {"core/pliant/run", {"math", "text", "formula", "lesson"}},
@@ -38,8 +39,8 @@ const std::map<std::string, Names> allowed_folders{
     {"core/pliant/study", {"math", "text", "formula", "lesson", "run", "document"}},
     {"core/pliant/lecture", {"math", "text", "formula", "lesson", "run", "document", "study"}},
     {"lessons",
-     {"math", "continuum", "mesh", "time", "solids", "particles", "fluids", "text", "formula", "lesson", "run", "document",
-      "study"}},
+     {"math", "continuum", "mesh", "mesh_file", "time", "solids", "particles", "fluids", "text", "formula", "lesson", "run",
+      "document", "study"}},
     {"viewer", {"math", "text", "formula", "lesson", "run", "document", "study", "lecture"}},
 };
 

@@ -1,6 +1,6 @@
 // Mesh files of Gmsh: what is read, and what is refused with the place.
 #include <pliant/math/error.h>
-#include <pliant/mesh/file/gmsh.h>
+#include <pliant/mesh_file/gmsh.h>
 #include <pliant/text/file.h>
 
 #include <fmt/format.h>

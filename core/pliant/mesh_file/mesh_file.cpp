@@ -1,6 +1,6 @@
 #include <pliant/math/error.h>
-#include <pliant/mesh/file/gmsh.h>
-#include <pliant/mesh/file/mesh_file.h>
+#include <pliant/mesh_file/gmsh.h>
+#include <pliant/mesh_file/mesh_file.h>
 #include <pliant/text/file.h>
 
 #include <fmt/format.h>

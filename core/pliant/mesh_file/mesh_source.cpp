@@ -1,5 +1,5 @@
 #include <pliant/math/error.h>
-#include <pliant/mesh/file/mesh_source.h>
+#include <pliant/mesh_file/mesh_source.h>
 #include <pliant/text/number_text.h>
 
 #include <fmt/format.h>

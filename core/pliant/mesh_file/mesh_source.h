@@ -1,7 +1,7 @@
 // The bytes of a mesh file, read from front to back: numbers as text or as they lie in memory. All throw Refused as
 // "part.msh:12: …", or with the byte where the file is binary.
 #pragma once
-#include <pliant/mesh/file/mesh_file.h>
+#include <pliant/mesh_file/mesh_file.h>
 
 #include <cstdint>
 #include <cstring>

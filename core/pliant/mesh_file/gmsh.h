@@ -1,6 +1,6 @@
 // Mesh files of Gmsh, .msh: version 2.2 and 4.1, as text and binary [Gmsh2009].
 #pragma once
-#include <pliant/mesh/file/mesh_file.h>
+#include <pliant/mesh_file/mesh_file.h>
 
 namespace pliant {
 
