@@ -163,11 +163,20 @@ std::string setting_text(const Parameter& p, Real value) {
 
 namespace {
 
-// " from step 13 on", for a parameter that was changed within the run: its numbers before are of another setting.
+// " from step 13 on", for a parameter that was changed within the run: its numbers before are of another setting. By hand, or by
+// the events of a scene that have come.
 std::string since_text(const Runner& runner, std::string_view key) {
+    const auto sets = [&](const Event& e) {
+        return std::ranges::any_of(e.assign, [&](const auto& a) { return a.first == key; });
+    };
+    const auto has_come = [&](const Event& e) {
+        return e.step < runner.place().step || (e.step == runner.place().step && runner.inside_step());
+    };
     Index since = 0;
+    for (const Event& e : runner.events())
+        if (sets(e) && has_come(e)) since = std::max(since, e.step);
     for (const Event& e : runner.recording().events())
-        if (std::ranges::any_of(e.assign, [&](const auto& a) { return a.first == key; })) since = e.step;
+        if (sets(e)) since = std::max(since, e.step);
     return since > 0 ? fmt::format(" from step {} on", since + 1) : "";
 }
 
