@@ -14,8 +14,8 @@ TEST_CASE("a student predicts, notes a number and an answer, goes on after a res
         Desk desk({"--lesson", "fluids/projection"}, config);
         desk.key("n");
         REQUIRE(desk.becomes([](const Json& s) { return s["slide"] == 1 && s["prediction"]["given"] == false; }));
-        desk.click("predict 1");
-        REQUIRE(desk.becomes([](const Json& s) { return s["prediction"]["option"] == 1; }));
+        desk.click("predict 2");
+        REQUIRE(desk.becomes([](const Json& s) { return s["prediction"]["option"] == 2; }));
         desk.click("walkthrough next");
         REQUIRE(desk.becomes([](const Json& s) { return s["revealed"] == true && s["prediction"]["right"] == true; }));
         desk.key("h");
