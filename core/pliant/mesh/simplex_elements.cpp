@@ -82,15 +82,23 @@ std::vector<Index> SimplexElements<Dim, Order>::nodes_of_facets(std::string_view
     return found;
 }
 
-// Corner a: λ_a (2 λ_a - 1), the middle of an edge: 4 λ_a λ_b.
 template <int Dim, int Order>
 typename SimplexElements<Dim, Order>::Gradients SimplexElements<Dim, Order>::gradients(Index element, int point) const {
     if constexpr (Order == 1) {
         return mesh_->gradients(element);
     } else {
         static const auto at = all_near_corners<Dim>();
-        const Vec<Dim + 1>& l = at[static_cast<std::size_t>(point)];
-        const auto g = mesh_->gradients(element);
+        return gradients_at(mesh_->gradients(element), at[static_cast<std::size_t>(point)]);
+    }
+}
+
+// Corner a: λ_a (2 λ_a - 1), the middle of an edge: 4 λ_a λ_b.
+template <int Dim, int Order>
+typename SimplexElements<Dim, Order>::Gradients SimplexElements<Dim, Order>::gradients_at(
+    const typename SimplexMesh<Dim>::Gradients& g, const Vec<Dim + 1>& l) {
+    if constexpr (Order == 1) {
+        return g;
+    } else {
         Gradients all;
         for (int a = 0; a < corners; ++a) all.col(a) = (4 * l[a] - 1) * g.col(a);
         for (int k = 0; k < nodes - corners; ++k) {

@@ -49,6 +49,8 @@ public:
 
     // Shape functions at barycentric coordinates; they sum to 1.
     static Values shape(const Vec<Dim + 1>& barycentric);
+    // Their gradients there, from those of the corners' linear shape functions.
+    static Gradients gradients_at(const typename SimplexMesh<Dim>::Gradients& of_corners, const Vec<Dim + 1>& barycentric);
     // Integral of the products of two shape functions over the volume: the mass of an element of mass 1.
     static const Mat<nodes>& unit_mass();
     // Share of each node in the mass of an element: the diagonal of unit_mass() scaled to sum to 1, since the sums of its rows
