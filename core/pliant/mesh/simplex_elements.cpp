@@ -118,21 +118,6 @@ Mat<Dim> SimplexElements<Dim, Order>::field_gradient(Index element, int point, c
 }
 
 template <int Dim, int Order>
-typename SimplexElements<Dim, Order>::Values SimplexElements<Dim, Order>::shape(const Vec<Dim + 1>& barycentric) {
-    if constexpr (Order == 1) {
-        return barycentric;
-    } else {
-        Values values;
-        for (int a = 0; a < corners; ++a) values[a] = barycentric[a] * (2 * barycentric[a] - 1);
-        for (int k = 0; k < nodes - corners; ++k) {
-            const auto [a, b] = simplex_edges[static_cast<std::size_t>(k)];
-            values[corners + k] = 4 * barycentric[a] * barycentric[b];
-        }
-        return values;
-    }
-}
-
-template <int Dim, int Order>
 const Mat<SimplexElements<Dim, Order>::nodes>& SimplexElements<Dim, Order>::unit_mass() {
     static const Mat<nodes> mass = [] {
         const SimplexRule<Dim> rule = simplex_rule<Dim>(2 * Order);

@@ -16,6 +16,23 @@ constexpr int simplex_nodes(int dimension, int order) {
     return order == 1 ? dimension + 1 : (dimension + 1) * (dimension + 2) / 2;
 }
 
+// Shape functions at barycentric coordinates; they sum to 1. Corner a: λ_a, and for the second order λ_a (2 λ_a - 1); the middle
+// of an edge: 4 λ_a λ_b. Of elements, and with Dim - 1 of their facets.
+template <int Dim, int Order>
+Vec<simplex_nodes(Dim, Order)> simplex_shape(const Vec<Dim + 1>& barycentric) {
+    if constexpr (Order == 1) {
+        return barycentric;
+    } else {
+        Vec<simplex_nodes(Dim, Order)> values;
+        for (int a = 0; a <= Dim; ++a) values[a] = barycentric[a] * (2 * barycentric[a] - 1);
+        for (int k = 0; k < simplex_nodes(Dim, Order) - (Dim + 1); ++k) {
+            const auto [a, b] = simplex_edges[static_cast<std::size_t>(k)];
+            values[Dim + 1 + k] = 4 * barycentric[a] * barycentric[b];
+        }
+        return values;
+    }
+}
+
 template <int Dim, int Order>
 class SimplexElements {
     static_assert(Order == 1 || Order == 2);
@@ -47,9 +64,8 @@ public:
     // Of a field with these values (Dim × nodes): H(i, j) = d(values_i)/dX_j.
     Mat<Dim> field_gradient(Index element, int point, const Points<Dim>& values) const;
 
-    // Shape functions at barycentric coordinates; they sum to 1.
-    static Values shape(const Vec<Dim + 1>& barycentric);
-    // Their gradients there, from those of the corners' linear shape functions.
+    static Values shape(const Vec<Dim + 1>& barycentric) { return simplex_shape<Dim, Order>(barycentric); }
+    // Gradients of the shape functions there, from those of the corners' linear ones.
     static Gradients gradients_at(const typename SimplexMesh<Dim>::Gradients& of_corners, const Vec<Dim + 1>& barycentric);
     // Integral of the products of two shape functions over the volume: the mass of an element of mass 1.
     static const Mat<nodes>& unit_mass();

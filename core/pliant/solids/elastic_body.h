@@ -14,6 +14,9 @@ public:
     // Throws Refused "singular: k rigid modes unconstrained" where the constraints leave the body free to move.
     virtual void check_support(const DisplacementConstraints<Dim>& constraints) const = 0;
 
+    // Is the force linear in the displacements? The stiffness is then the same everywhere.
+    virtual bool is_linear() const { return false; }
+
     // Energy of the body [J]; infinite where an element's F is not admitted.
     virtual Real energy(const Points<Dim>& displacement) const = 0;
     // Its derivative [N]. Throws Diverged, naming the element, where the energy does not admit its F.

@@ -42,6 +42,7 @@ public:
     bool inside(Index node) const { return volumes_[node] > full_share_ * spacing_power(); }
 
     void check_support(const DisplacementConstraints<Dim>& constraints) const override;
+    bool is_linear() const override { return density_.energy() == Energy::linear; }
     Real energy(const Points<Dim>& displacement) const override;
     void internal_force(const Points<Dim>& displacement, Points<Dim>& force) const override;
     void stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const override;

@@ -28,6 +28,7 @@ public:
     const Elements& elements() const { return elements_; }
     Index node_count() const override { return elements_.node_count(); }
     void check_support(const DisplacementConstraints<Dim>& constraints) const override { require_support(mesh(), constraints); }
+    bool is_linear() const override { return densities_.empty() || densities_.front().energy() == Energy::linear; }
     const EnergyDensity<Dim>& density(Index element) const { return densities_[static_cast<std::size_t>(element)]; }
 
     Mat<Dim> deformation_gradient(Index element, const Points<Dim>& displacement, int point = 0) const;

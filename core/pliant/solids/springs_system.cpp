@@ -1,4 +1,3 @@
-#include <pliant/solids/point_masses.h>
 #include <pliant/solids/springs_system.h>
 
 namespace pliant {
@@ -10,18 +9,6 @@ Eigen::Map<const Points<Dim>> points(ConstDofs dofs) {
 }
 
 }  // namespace
-
-template <int Dim>
-void add_external_forces(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<Dim> x, PointsOut<Dim> f) {
-    for (Index n = 0; n < f.cols(); ++n) f.col(n) += mass[n] * load.gravity;
-    if (load.pull.active()) f.col(load.pull.node) += load.pull.force(x.col(load.pull.node));
-}
-
-template <int Dim>
-Real external_energy(const ExternalLoad<Dim>& load, const VecX& mass, PointsIn<Dim> x) {
-    const Real pull = load.pull.active() ? load.pull.energy(x.col(load.pull.node)) : 0;
-    return gravitational_energy<Dim>(mass, load.gravity, x) + pull;
-}
 
 template <int Dim>
 SpringSystem<Dim>::SpringSystem(const Springs& springs, const VecX& mass) : springs_(springs), mass_(mass) {}
@@ -88,13 +75,7 @@ Real SpringSystem<Dim>::length_scale(ConstDofs x) const {
     return (at.rowwise().maxCoeff() - at.rowwise().minCoeff()).norm();
 }
 
-#define PLIANT_INSTANTIATE(Dim)                                                                                   \
-    template void add_external_forces<Dim>(const ExternalLoad<Dim>&, const VecX&, PointsIn<Dim>, PointsOut<Dim>); \
-    template Real external_energy<Dim>(const ExternalLoad<Dim>&, const VecX&, PointsIn<Dim>);                     \
-    template class SpringSystem<Dim>;
-
-PLIANT_INSTANTIATE(2)
-PLIANT_INSTANTIATE(3)
-#undef PLIANT_INSTANTIATE
+template class SpringSystem<2>;
+template class SpringSystem<3>;
 
 }  // namespace pliant

@@ -22,4 +22,13 @@ DiagonalMass::DiagonalMass(const VecX& node_mass, int dimension, const std::vect
     }
 }
 
+DiagonalMass DiagonalMass::with_held(const VecX& node_mass, int dimension, const std::vector<char>& held) {
+    DiagonalMass mass(node_mass, dimension);
+    if (static_cast<Index>(held.size()) != mass.size())
+        throw Refused(fmt::format("{} flags of held degrees of freedom: there are {}", held.size(), mass.size()));
+    for (Index d = 0; d < mass.size(); ++d)
+        if (held[static_cast<std::size_t>(d)]) mass.inverse_[d] = 0;
+    return mass;
+}
+
 }  // namespace pliant

@@ -16,6 +16,9 @@ public:
     // node_mass: kg, one per node; fixed: nodes that no force moves (their velocity stays what it is), as if of infinite mass.
     // Throws Refused, naming the node, for a mass that is not positive and finite or a fixed node that does not exist.
     DiagonalMass(const VecX& node_mass, int dimension, const std::vector<Index>& fixed = {});
+    // held: one flag for each degree of freedom, set where it is fixed: a roller holds one component of a node. Throws Refused as
+    // above, or for another number of flags.
+    static DiagonalMass with_held(const VecX& node_mass, int dimension, const std::vector<char>& held);
 
     Index size() const { return mass_.size(); }
     const VecX& mass() const { return mass_; }        // kg
