@@ -3,7 +3,7 @@ set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${file} text)
   file(RELATIVE_PATH name ${ROOT} ${file})
-  # A raw string literal may hold 64 KiB on every compiler; walkthroughs, claims, scenes and tables are far smaller.
+  # A raw string literal may hold 64 KiB on every compiler, and more on those that Pliant is built with: bodies are larger.
   string(APPEND entries "    {\"${name}\", R\"~~~~(${text})~~~~\"},\n")
 endforeach()
 if(KIND STREQUAL "assets")

@@ -67,7 +67,7 @@ bool told(const Slide& slide, Real value) {
     return std::ranges::any_of(numbers, [&](Real x) { return same_digits(x, value, 1e-3); });
 }
 
-bool is_number(const Parameter& p) { return p.info.kind == Kind::number || p.info.kind == Kind::whole; }
+bool is_number(const Parameter& p) { return p.info.is_number(); }
 
 // The sliders of the slide, its numbers in large type, and what theory says of them.
 std::vector<ShownNumber> shown_numbers(const WalkthroughPlayer& player, const Runner& runner) {

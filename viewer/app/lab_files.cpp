@@ -88,7 +88,7 @@ void Lab::open_file(const std::string& path) {
 }
 
 void Lab::save_file(const std::string& path) {
-    write_file(path, scene_text(scene_file()));
+    write_file(path, scene_text_for(scene_file(), path));
     remember(path);
 }
 
@@ -116,7 +116,7 @@ void Lab::drop_file(const std::string& path) {
 
 void Lab::quick_save() {
     const std::string name = lesson_file(state_.session, ".scene.json");
-    write_and_tell(name, [&] { write_file(name, scene_text(scene_file())); });
+    write_and_tell(name, [&] { write_file(name, scene_text_for(scene_file(), name)); });
 }
 
 void Lab::ask_to_open() {

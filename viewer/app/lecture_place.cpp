@@ -46,7 +46,7 @@ void LecturePlace::write(const Lab& lab) const {
         fs::create_directories(path_.parent_path(), error);
         SceneFile scene = lab.scene_file();
         scene.slide = lab.state().session.lecture_place();
-        write_file(path_.string(), scene_text(scene));
+        write_file(path_.string(), scene_text_for(scene, path_.string()));
     } catch (const Refused&) {
         return;
     }

@@ -30,6 +30,7 @@ SceneFile scene_from(const RunOptions& o) {
     if (!o.scene_path.empty()) {
         const std::string wanted = scene.lesson;
         scene = open_scene_text(o.scene_path);
+        for (const std::string& note : scene.notes) tell(note);
         if (!wanted.empty() && scene.lesson != wanted)
             throw Refused(fmt::format("{} is a scene of {}, not of {}: name that lesson or leave the name out",
                                       is_share(o.scene_path) ? "the share string" : o.scene_path, scene.lesson, wanted));

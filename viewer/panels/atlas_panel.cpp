@@ -43,7 +43,7 @@ void choose_knob(PanelContext& lab, const char* label, std::string& key, std::op
 // What the map spans of a knob: from, to, and whether its values are spaced by factors. Options have no range.
 void range_row(PanelContext& lab, const char* label, const std::string& key, std::optional<Atlas::Span>& span, Index cells) {
     const Parameter* p = key.empty() ? nullptr : &lab.session.lesson().parameter(key);
-    if (!p || p->info.kind == Kind::choice || p->info.kind == Kind::toggle) return;
+    if (!p || !p->info.is_number()) return;
     const Atlas::Span now = span.value_or(Atlas::Span{p->info.useful, p->info.scale == Scale::log});
     const auto set = [&](const Atlas::Span& wanted) {
         lab.take_typed([&] {

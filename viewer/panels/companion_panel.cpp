@@ -3,6 +3,7 @@
 #include "panels/typeset_text.h"
 
 #include <pliant/document/summary.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/run/awaited.h>
 #include <pliant/text/format.h>
 
@@ -153,6 +154,8 @@ std::string setting_text(const Parameter& p, Real value) {
         }
         case Kind::toggle:
             return fmt::format("{} {}", words(p.info.key), value != 0 ? "on" : "off");
+        case Kind::file:
+            return fmt::format("{} {}", words(p.info.key), value_words(p, value));
         case Kind::number:
         case Kind::whole:
             break;

@@ -4,6 +4,7 @@
 #include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/quantity_text.h>
+#include <pliant/text/stored_file.h>
 
 #include "panels/companion_panel.h"
 #include "panels/methods_panel.h"
@@ -22,7 +23,7 @@ namespace {
 
 std::string describe(const Parameter& p) {
     std::string text(p.info.help);
-    if (p.info.kind == Kind::number || p.info.kind == Kind::whole)
+    if (p.info.is_number())
         text += "\nUsual " + range_words(p.info.useful, p.info.unit) + ", accepted " + range_words(p.accepted(), p.info.unit) +
                 ", default " + format_quantity(p.info.initial, p.info.unit) +
                 ".\nCtrl+click, or Enter, types a number: in the unit that is shown, unless another stands behind it; it may lie "
@@ -94,6 +95,19 @@ void choice_box(PanelContext& lab, const Parameter& p) {
                                         ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
 }
 
+// A file by its name, and the bodies that come with Pliant.
+void file_box(PanelContext& lab, const Parameter& p) {
+    Session& session = lab.session;
+    const Real current = session.addressed().wanted(p);
+    if (!ImGui::BeginCombo("##value", value_words(p, current).c_str())) return;
+    const auto offer = [&](const std::string& name) {
+        if (ImGui::Selectable(name.c_str(), name == p.text(current))) session.enter(p, name);
+    };
+    offer("none");
+    for (const std::string& name : bundled_bodies(p.info.endings)) offer(name);
+    ImGui::EndCombo();
+}
+
 // The words belong to the box: a click on them turns it as well.
 void switch_box(PanelContext& lab, const Parameter& p, const std::string& label) {
     bool on = lab.session.addressed().wanted(p) != 0;
@@ -114,6 +128,11 @@ void switch_box(PanelContext& lab, const Parameter& p, const std::string& label)
         *ImGui::GetWindowDrawList(), words,
         {at.x + ImGui::GetFrameHeight() + gap, at.y + (ImGui::GetItemRectSize().y - words.height()) / 2 + words.above},
         ImGui::GetColorU32(ImGuiCol_Text));
+}
+
+void control_of(PanelContext& lab, ParameterPanelState& panel, const Parameter& p) {
+    if (p.info.kind == Kind::choice) return choice_box(lab, p);
+    p.info.kind == Kind::file ? file_box(lab, p) : slider_of(lab, panel, p);
 }
 
 // Where the two runs differ in it: the value in the one that the sliders do not set.
@@ -159,8 +178,7 @@ std::string label_of(const PanelContext& lab, const Parameter& p) {
     std::string label =
         fmt::format("{}{}", value_in_other_run(lab.session, p) ? "≠ " : "", named_with_symbol(p.info.key, p.info.symbol, "  "));
     if (p.info.effect == Effect::rebuild) label += "  ↻";
-    const bool says_it_beside = p.info.kind == Kind::number || p.info.kind == Kind::whole;
-    if (!says_it_beside && !lab.session.hides(p.info.key) && lab.session.addressed().waits(p))
+    if (!p.info.is_number() && !lab.session.hides(p.info.key) && lab.session.addressed().waits(p))
         label += fmt::format("  (still {})", value_words(p, p.value()));
     return label;
 }
@@ -168,7 +186,7 @@ std::string label_of(const PanelContext& lab, const Parameter& p) {
 // Of a number, as it stands above its slider: "4 ms", or "4 ms → 8 ms" while the change waits for the next step.
 std::string value_text(const PanelContext& lab, const Parameter& p) {
     if (lab.session.hides(p.info.key)) return "?";
-    if (p.info.kind == Kind::choice || p.info.kind == Kind::toggle) return "";
+    if (!p.info.is_number()) return "";
     const Runner& run = lab.session.addressed();
     const std::string wanted = format_quantity(run.wanted(p), p.info.unit, Session::value_digits);
     return run.waits(p) ? fmt::format("{} → {}", format_quantity(p.value(), p.info.unit, Session::value_digits), wanted) : wanted;
@@ -218,12 +236,12 @@ void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Paramet
         label_row(lab, panel, p, label_font);
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lab.px(4));
         ImGui::SetNextItemWidth(-1);
-        if (p.info.kind != Kind::choice) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
-        covered ? cover(lab) : p.info.kind == Kind::choice ? choice_box(lab, p) : slider_of(lab, panel, p);
-        if (p.info.kind != Kind::choice) ImGui::PopStyleVar();
+        if (p.info.is_number()) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {lab.px(4), lab.px(0.5f)});
+        covered ? cover(lab) : control_of(lab, panel, p);
+        if (p.info.is_number()) ImGui::PopStyleVar();
     }
     lab.note_control(std::string(p.info.key));
-    if (!large) what_if_menu(lab, p);
+    if (!large && p.info.kind != Kind::file) what_if_menu(lab, p);
     ImGui::EndDisabled();
     ImGui::PopFont();
     parameter_tip(lab, panel, p);

@@ -1,6 +1,7 @@
 #include "session/method_table.h"
 
 #include <pliant/document/summary.h>
+#include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 
 #include "session/session.h"
@@ -174,6 +175,8 @@ std::vector<WhatIf> what_if(const Session& session, const Parameter& p) {
                 if (static_cast<Real>(k) != now)
                     all.push_back({std::string(p.info.options[k].label), std::string(p.info.options[k].key)});
             break;
+        case Kind::file:
+            break;
     }
     return all;
 }
@@ -222,6 +225,7 @@ std::string what_if_words(const Session& s) {
     const auto value = [&](Real v) {
         return p.info.kind == Kind::choice   ? std::string(p.info.options[static_cast<std::size_t>(v)].label)
                : p.info.kind == Kind::toggle ? std::string(v != 0 ? "on" : "off")
+               : p.info.kind == Kind::file   ? value_words(p, v)
                                              : format_quantity(v, p.info.unit);
     };
     return fmt::format("With {} {} in place of {}: {}.", spoken(p.info.key), value(different.front().b),

@@ -2,6 +2,7 @@
 #include <pliant/document/report_json.h>
 #include <pliant/text/format.h>
 #include <pliant/text/markdown.h>
+#include <pliant/text/stored_file.h>
 #include <pliant/text/texts.h>
 
 #include <fmt/format.h>
@@ -21,6 +22,8 @@ std::string_view name_of(Kind kind) {
             return "choice";
         case Kind::toggle:
             return "switch";
+        case Kind::file:
+            return "file";
     }
     return "";
 }
@@ -31,6 +34,9 @@ Json parameter_json(const Parameter& p) {
            {"unit", info.unit}, {"help", info.help},          {"default", value_json(p, info.initial)}};
     if (info.kind == Kind::choice) {
         for (const Option& o : info.options) j["options"].push_back({{"key", o.key}, {"label", o.label}});
+    } else if (info.kind == Kind::file) {
+        j["endings"] = info.endings;
+        j["bundled"] = bundled_bodies(info.endings);
     } else if (info.kind != Kind::toggle) {
         j["useful"] = {info.useful.min, info.useful.max};
         j["accepted"] = {{"min", p.accepted().min},
@@ -53,6 +59,7 @@ Json array_of(const List& list, Make make) {
 
 std::string range_text(const Parameter& p) {
     if (p.info.kind == Kind::toggle) return "true, false";
+    if (p.info.kind == Kind::file) return "a file that ends in " + accepted_files(p.info.endings);
     if (p.info.kind != Kind::choice) return p.accepted().text();
     std::string keys;
     for (const Option& o : p.info.options) keys += (keys.empty() ? "" : ", ") + std::string(o.key);

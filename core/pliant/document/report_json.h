@@ -7,10 +7,11 @@
 
 namespace pliant {
 
-// A choice as its key, a switch as true or false.
+// A choice as its key, a switch as true or false, a file as its path.
 inline nlohmann::ordered_json value_json(const Parameter& p, Real value) {
     switch (p.info.kind) {
         case Kind::choice:
+        case Kind::file:
             return p.text(value);
         case Kind::toggle:
             return value != 0;

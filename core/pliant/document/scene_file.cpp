@@ -1,9 +1,11 @@
 #include <pliant/document/scene_json.h>
+#include <pliant/text/stored_file.h>
 #include <pliant/text/texts.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace pliant {
 namespace {
@@ -12,6 +14,21 @@ using Written = SceneJson;
 
 Written json_vector(const Vec<3>& v) { return Written::array({v[0], v[1], v[2]}); }
 Written json_range(const Interval& range) { return Written::array({range.min, range.max}); }
+
+Written json_file(const StoredFile& file) { return {{"path", file.path}, {"sha256", file.sha256}}; }
+
+// Files in the folder, or below it, are named from there, so that it can be given away as a whole.
+void name_files_from(const std::filesystem::path& folder, Written& part) {
+    if (!part.is_structured()) return;
+    if (part.is_object() && part.size() == 2 && part.contains("path") && part.contains("sha256")) {
+        const std::filesystem::path path(part["path"].get<std::string>());
+        if (!path.is_absolute()) return;
+        const std::filesystem::path near = path.lexically_relative(folder);
+        if (!near.empty() && *near.begin() != "..") part["path"] = near.string();
+        return;
+    }
+    for (Written& inner : part) name_files_from(folder, inner);
+}
 
 Written json_assignments(const Lesson& lesson, const Runner::Assignments& assignments) {
     Written object = Written::object();
@@ -24,6 +41,8 @@ Written json_assignments(const Lesson& lesson, const Runner::Assignments& assign
             object[std::string(p.info.key)] = value != 0;
         else if (p.info.kind == Kind::whole)
             object[std::string(p.info.key)] = static_cast<long long>(value);
+        else if (p.info.kind == Kind::file)
+            object[std::string(p.info.key)] = json_file(stored_file(static_cast<Index>(value)));
         else
             object[std::string(p.info.key)] = value;
     }
@@ -216,6 +235,13 @@ int SceneFile::version() const {
 }
 
 std::string scene_text(const SceneFile& scene) { return json_scene(scene).dump(2) + "\n"; }
+
+std::string scene_text_for(const SceneFile& scene, const std::string& path) {
+    Written json = json_scene(scene);
+    std::error_code error;
+    name_files_from(std::filesystem::absolute(path, error).lexically_normal().parent_path(), json);
+    return json.dump(2) + "\n";
+}
 
 std::string compact_scene_text(const SceneFile& scene) { return json_scene(scene).dump(); }
 

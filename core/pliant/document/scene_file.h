@@ -25,6 +25,9 @@
 //             "axis": 1, "across": [0.5, 0.2]}
 //   "atlas": {"across": {"key": "time_step", "range": [0.001, 0.1], "log": true}, "up": {...}, "cells": 40, "steps": 200}
 //
+// A parameter that is a file is {"path": "part.msh", "sha256": "..."} or its path alone, relative to the scene file, or the name
+// of a body that comes with Pliant. Where the bytes have another hash now, the scene has a note.
+//
 // A scene is written as version 2 only if it needs to be, so that an older program opens what it can and says "newer" of the
 // rest. An unknown key, a wrong type or a newer version is refused with file, line and column.
 #pragma once
@@ -56,6 +59,9 @@ struct SceneFile {
     ScenePlots plots{};
     std::optional<SceneAtlas> atlas{};
 
+    // What was noticed as it was read, and is no reason to refuse it: a file that is another one now than when it was saved.
+    std::vector<std::string> notes{};
+
     // The version that it is written in, 1 or 2.
     int version() const;
 };
@@ -67,6 +73,8 @@ SceneFile read_scene(const std::string& path);
 
 // The text reads back as the same scene, numbers to the bit.
 std::string scene_text(const SceneFile& scene);
+// The same for a file of this path: a mesh in its folder, or below it, is named from there.
+std::string scene_text_for(const SceneFile& scene, const std::string& path);
 // The same in one line, without blanks.
 std::string compact_scene_text(const SceneFile& scene);
 

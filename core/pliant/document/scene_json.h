@@ -50,6 +50,8 @@ private:
     Vec<3> vector_at(const SceneJson& v, const std::string& pointer, const std::string& name) const;
 
     // --- what the lesson declares ---
+    std::string parameter_text(const Parameter& p, const SceneJson& value) const;
+    std::string file_path(const Parameter& p, const SceneJson& value) const;
     Runner::Assignments assignments(const SceneJson& object, const std::string& pointer) const;
     std::string stage(const std::string& name, const std::string& pointer) const;
     std::string field(const SceneJson& object, const std::string& pointer) const;
@@ -87,6 +89,7 @@ private:
     std::string path_;
     PlacedJson json_;
     bool newest_ = false;  // version 2
+    mutable std::vector<std::string> notes_;
     std::unique_ptr<Lesson> lesson_;
 };
 

@@ -1,10 +1,12 @@
 #include <pliant/document/scene_json.h>
 #include <pliant/text/file.h>
+#include <pliant/text/stored_file.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace pliant {
 namespace {
@@ -32,6 +34,8 @@ SceneFile SceneReader::read() {
     if (root.contains("view")) scene.view = view(root["view"]);
     if (root.contains("events")) scene.events = events(root["events"], "/events");
     take_parts(root, scene);
+    for (const std::string& note : notes_)
+        if (std::ranges::find(scene.notes, note) == scene.notes.end()) scene.notes.push_back(note);
     return scene;
 }
 
@@ -100,9 +104,8 @@ Vec<3> SceneReader::vector_at(const SceneJson& v, const std::string& pointer, co
 
 // ------------------------------------------------------------------------------------------- what the lesson declares
 
-namespace {
-// A choice is a string, a switch true or false, a number a number.
-std::string parameter_text(const Parameter& p, const SceneJson& value) {
+// A choice is a string, a switch true or false, a number a number, a file its path, with its hash beside it or without.
+std::string SceneReader::parameter_text(const Parameter& p, const SceneJson& value) const {
     const auto wrong = [&](std::string_view expected) {
         return Refused(fmt::format("{} = {}: {} is expected", p.info.key, value.dump(), expected));
     };
@@ -113,12 +116,36 @@ std::string parameter_text(const Parameter& p, const SceneJson& value) {
         case Kind::toggle:
             if (!value.is_boolean()) throw wrong("true or false");
             return value.get<bool>() ? "true" : "false";
+        case Kind::file:
+            return file_path(p, value);
         default:
             if (!value.is_number()) throw wrong("a number");
             return value.dump();
     }
 }
-}  // namespace
+
+// From the root on: the scene may be run from elsewhere.
+std::string SceneReader::file_path(const Parameter& p, const SceneJson& value) const {
+    const auto is_text = [&](const char* key) { return value.contains(key) && value[key].is_string(); };
+    const bool with_hash = value.is_object() && value.size() == 2 && is_text("path") && is_text("sha256");
+    if (!with_hash && !(value.is_object() && value.size() == 1 && is_text("path")) && !value.is_string())
+        throw Refused(fmt::format("{} = {}: {{\"path\": \"...\", \"sha256\": \"...\"}} is expected, or a path in quotes",
+                                  p.info.key, value.dump()));
+    const auto path = value.is_string() ? value.get<std::string>() : value["path"].get<std::string>();
+    const auto hash = with_hash ? value["sha256"].get<std::string>() : std::string();
+    Index number = 0;
+    try {
+        number = store_file(path, p.info.endings, Reading::again, std::filesystem::path(path_).parent_path().string());
+    } catch (const Refused& e) {
+        throw Refused(fmt::format("{} = {}{}", p.info.key, e.what(),
+                                  with_hash ? fmt::format(" (the scene was saved with the file of SHA-256 {})", hash) : ""));
+    }
+    const StoredFile& file = stored_file(number);
+    if (with_hash && number != 0 && file.sha256 != hash)
+        notes_.push_back(fmt::format("{}: {} has changed since the scene was saved: its SHA-256 is {}, then it was {}",
+                                     p.info.key, file.name, file.sha256, hash));
+    return number == 0 ? "none" : file.path;
+}
 
 Runner::Assignments SceneReader::assignments(const SceneJson& object, const std::string& pointer) const {
     if (!object.is_object()) refuse(pointer, "parameters are an object of keys and values: {\"key\": value}");

@@ -14,15 +14,16 @@ struct Trial {
     Need::What what;
 };
 
-bool has_options(const Parameter& p) { return p.info.kind == Kind::choice || p.info.kind == Kind::toggle; }
+bool has_options(const Parameter& p) { return p.info.has_options(); }
 
 // All other options of a choice or a switch. Of a number a hair more and a hair less, and, for what starts further away, its
-// initial value and both ends of its slider.
+// initial value and both ends of its slider. A file is not varied.
 std::vector<Trial> trials_of(const Parameter& p) {
     std::vector<Trial> trials;
     const auto add = [&](Real value, Need::What what) {
         if (value != p.value() && p.accepted().contains(value)) trials.push_back({value, what});
     };
+    if (p.info.kind == Kind::file) return trials;
     if (has_options(p)) {
         for (Real k = 0; k <= p.info.useful.max; ++k) add(k, Need::What::one_of);
         return trials;

@@ -1,4 +1,5 @@
 #include <pliant/lesson/lesson.h>
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/text/suggest.h>
 
 #include <fmt/format.h>
@@ -42,6 +43,8 @@ std::vector<const Stage*> Lesson::stages_in_use() const {
     if (!order.empty()) std::ranges::stable_sort(used, {}, rank);
     return used;
 }
+
+std::optional<UnstructuredGrid> Lesson::unstructured_grid() const { return std::nullopt; }
 
 std::vector<const Parameter*> Lesson::parameters_of(Group group) const {
     std::vector<const Parameter*> members;

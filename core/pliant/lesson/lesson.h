@@ -183,6 +183,8 @@ struct Pull {
     bool operator==(const Pull&) const = default;
 };
 
+struct UnstructuredGrid;
+
 class Lesson {
 public:
     // First, since parameters join it as they are made.
@@ -231,6 +233,9 @@ public:
 
     // The picture of now, coloured by scene.colour_by.
     virtual void draw(Scene& scene) const = 0;
+
+    // The body, or the grid, as it is now, for files that other programs read (unstructured_grid.h); none by default.
+    virtual std::optional<UnstructuredGrid> unstructured_grid() const;
 
     // What can be pulled; empty when nothing can.
     virtual std::optional<On> can_pull() const { return std::nullopt; }

@@ -3,6 +3,7 @@
 #include <pliant/text/format.h>
 #include <pliant/text/number_text.h>
 #include <pliant/text/quantity_text.h>
+#include <pliant/text/stored_file.h>
 #include <pliant/text/suggest.h>
 
 #include <fmt/format.h>
@@ -115,6 +116,11 @@ ParameterInfo log_quantity(std::string_view key, std::string_view symbol, std::s
     return quantity(key, symbol, unit, initial, useful, accepted, help).log();
 }
 
+ParameterInfo file_of(std::string_view key, std::string_view help, std::vector<std::string_view> endings) {
+    return {
+        .key = key, .help = help, .useful = {0, 0}, .effect = Effect::rebuild, .kind = Kind::file, .endings = std::move(endings)};
+}
+
 std::string_view name_of(Effect effect) {
     return effect == Effect::live ? "live" : effect == Effect::rebuild ? "rebuild" : "look";
 }
@@ -149,6 +155,11 @@ ParameterInfo ParameterInfo::looks() const {
     info.effect = Effect::look;
     return info;
 }
+ParameterInfo ParameterInfo::with(std::string_view companion, std::string_view value) const {
+    ParameterInfo info = *this;
+    info.companions.emplace_back(companion, value);
+    return info;
+}
 ParameterInfo ParameterInfo::when(std::function<bool()> uses) const {
     ParameterInfo info = *this;
     info.used = std::move(uses);
@@ -169,12 +180,28 @@ Whole::Whole(Lesson& owner, ParameterInfo declared, std::function<bool()> used)
 Switch::Switch(Lesson& owner, ParameterInfo declared, std::function<bool()> used)
     : Parameter(owner, of_kind(std::move(declared), Kind::toggle), std::move(used)) {}
 
+File::File(Lesson& owner, ParameterInfo declared, std::function<bool()> used)
+    : Parameter(owner, of_kind(std::move(declared), Kind::file), std::move(used)) {}
+
+namespace {
+const StoredFile& file_of_value(Real value) { return stored_file(static_cast<Index>(value)); }
+}  // namespace
+
+const std::string& File::path() const { return file_of_value(value()).path; }
+const std::string& File::name() const { return file_of_value(value()).name; }
+std::string_view File::bytes() const { return file_of_value(value()).bytes; }
+
 void Parameter::set(Real value) {
     check(value);
     value_ = value == 0 ? 0 : value;  // -0 and 0 are one value
 }
 
 void Parameter::check(Real value) const {
+    if (info.kind == Kind::file) {
+        if (std::isfinite(value) && is_whole(value) && is_stored(static_cast<Index>(value), info.endings)) return;
+        throw Refused(fmt::format("{} = {} is the number of no file that was named: give a file that ends in {}", info.key,
+                                  format_exact(value), accepted_files(info.endings)));
+    }
     if (std::isfinite(value) && accepted().contains(value) && (info.kind == Kind::number || is_whole(value))) return;
     const std::string shown = info.kind == Kind::number ? format_exact(value) : fmt::format("{}", value);
     if (!std::isfinite(value))
@@ -201,6 +228,13 @@ Real Parameter::parse(std::string_view text, std::string_view unit_if_none) cons
         if (text == "false" || text == "off" || text == "0") return 0;
         throw Refused(fmt::format("{} = {} is not a switch position: give true or false", info.key, text));
     }
+    if (info.kind == Kind::file) {
+        try {
+            return static_cast<Real>(store_file(text, info.endings));
+        } catch (const Refused& e) {
+            throw Refused(fmt::format("{} = {}", info.key, e.what()));
+        }
+    }
     const QuantityText read = read_quantity(text, info.unit, unit_if_none);
     if (read.problem != QuantityText::Problem::none) refuse_text(*this, text, read);
     check(read.value);
@@ -215,6 +249,8 @@ std::string Parameter::text(Real value) const {
             return value != 0 ? "true" : "false";
         case Kind::whole:
             return fmt::format("{}", static_cast<long long>(value));
+        case Kind::file:
+            return value == 0 ? "none" : file_of_value(value).path;
         case Kind::number:
             break;
     }

@@ -9,13 +9,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pliant {
 
 class Lesson;
 
-enum class Kind { number, whole, choice, toggle };
+enum class Kind { number, whole, choice, toggle, file };
 enum class Scale { linear, log };  // of the slider
 // live: from the next step on; rebuild: the lesson starts again; look: it chooses what is shown, at once, and the run is the
 // same.
@@ -63,7 +64,13 @@ struct ParameterInfo {
     Kind kind = Kind::number;
     std::vector<Option> options{};
     Group group = Group::scene;
-    std::string_view formerly = "";  // the key that it had in older scenes, which still open
+    std::string_view formerly = "";           // the key that it had in older scenes, which still open
+    std::vector<std::string_view> endings{};  // of a file: ".msh"
+    // Keys and values that a person sets with it by choosing it in the lab: a file that is chosen, or dropped, is to be used.
+    std::vector<std::pair<std::string_view, std::string_view>> companions{};
+
+    bool is_number() const { return kind == Kind::number || kind == Kind::whole; }
+    bool has_options() const { return kind == Kind::choice || kind == Kind::toggle; }
 
     // For declarations of a line or two: quantity(…).log().accepts({1e-6, 1e6}).rebuilds().when([this] { return hangs(); })
     ParameterInfo log() const;
@@ -74,6 +81,7 @@ struct ParameterInfo {
     ParameterInfo rebuilds() const;
     ParameterInfo looks() const;
     ParameterInfo when(std::function<bool()> uses) const;
+    ParameterInfo with(std::string_view companion, std::string_view value) const;
 };
 
 // A number with its unit: where it starts, what its slider spans, what it means.
@@ -90,6 +98,10 @@ ParameterInfo setting_of(std::string_view key, std::string_view help, Initial in
     return {.key = key, .help = help, .initial = static_cast<Real>(static_cast<int>(initial))};
 }
 
+// A file that the lesson reads, of one of these endings (".msh", in small letters); none at first. Another one begins the run
+// anew.
+ParameterInfo file_of(std::string_view key, std::string_view help, std::vector<std::string_view> endings);
+
 class Parameter {
 public:
     Parameter(Lesson& owner, ParameterInfo info, std::function<bool()> used = {});
@@ -100,7 +112,7 @@ public:
 
     bool looks() const { return info.effect == Effect::look; }
 
-    // A choice counts its options from 0; a switch is 0 or 1.
+    // A choice counts its options from 0; a switch is 0 or 1; a file is its number (stored_file.h), 0 for none.
     Real value() const { return value_; }
     bool used() const { return !info.used || info.used(); }
     const Interval& accepted() const { return info.accepted ? *info.accepted : info.useful; }
@@ -110,8 +122,9 @@ public:
     void set(Real value);
     void check(Real value) const;
 
-    // From text as a person writes it: a number, "true/false/on/off", or the key of an option. A number without a unit of its own
-    // is in `unit_if_none`, the parameter's own unit or one that differs from it by a prefix; by default its own. Throws Refused.
+    // From text as a person writes it: a number, "true/false/on/off", the key of an option, or the path or name of a file. A
+    // number without a unit of its own is in `unit_if_none`, the parameter's own unit or one that differs from it by a prefix; by
+    // default its own. Throws Refused.
     Real parse(std::string_view text, std::string_view unit_if_none = "") const;
     // As parse reads it back, to the bit.
     std::string text() const { return text(value_); }
@@ -142,6 +155,18 @@ class Switch : public Parameter {
 public:
     Switch(Lesson& owner, ParameterInfo declared, std::function<bool()> used = {});
     operator bool() const { return value() != 0; }
+};
+
+// A file, whose bytes were read when it was set.
+class File : public Parameter {
+public:
+    File(Lesson& owner, ParameterInfo declared, std::function<bool()> used = {});
+    bool given() const { return value() != 0; }
+    // From the root on, or the name of a body that comes with Pliant ("hook_coarse"); "" for none.
+    const std::string& path() const;
+    // For readers and messages, with its ending: "hook_coarse.msh".
+    const std::string& name() const;
+    std::string_view bytes() const;
 };
 
 // One of several named options, read as an enumeration whose values count from 0 in the same order.

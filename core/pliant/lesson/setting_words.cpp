@@ -1,8 +1,11 @@
 #include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/spoken.h>
+#include <pliant/text/stored_file.h>
 
 #include <fmt/format.h>
+
+#include <filesystem>
 
 namespace pliant {
 
@@ -12,9 +15,13 @@ std::string value_words(const Parameter& p, Real value) {
             return fmt::format("“{}”", p.info.options.at(static_cast<std::size_t>(value)).label);
         case Kind::toggle:
             return value != 0 ? "on" : "off";
-        default:
-            return format_quantity(value, p.info.unit, 6);
+        case Kind::file:
+            return value == 0 ? "none" : std::filesystem::path(stored_file(static_cast<Index>(value)).name).filename().string();
+        case Kind::number:
+        case Kind::whole:
+            break;
     }
+    return format_quantity(value, p.info.unit, 6);
 }
 
 std::string setting_words(const Parameter& p, Real value, std::string_view between) {

@@ -20,7 +20,7 @@ std::vector<std::string> split(std::string_view text, char at) {
     return parts;
 }
 
-bool is_named(const Parameter& p) { return p.info.kind == Kind::choice || p.info.kind == Kind::toggle; }
+bool is_named(const Parameter& p) { return p.info.has_options(); }
 
 void check_count(std::string_view key, Index count) {
     if (count < 2 || count > most_knob_values)

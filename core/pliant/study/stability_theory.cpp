@@ -89,8 +89,7 @@ void cut_line(const LogRatios& logs, Index i, Index j, bool along_x, std::vector
 bool is_named(const StabilityMap& map, const Knob& knob) {
     if (knob.spacing != Spacing::list) return false;
     const auto lesson = map.order.lesson->make();
-    const Kind kind = lesson->parameter(knob.key).info.kind;
-    return kind == Kind::choice || kind == Kind::toggle;
+    return lesson->parameter(knob.key).info.has_options();
 }
 
 bool measured(const MapCell& c) {
