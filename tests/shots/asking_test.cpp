@@ -1,6 +1,6 @@
 // Whatever number is seen can be asked: components of a vector, what a solve has left of its equations.
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -14,7 +14,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 struct Asker {
-    std::unique_ptr<Context> context = open_headless({1280, 900});
+    std::unique_ptr<Context> context = test::open_unseen({1280, 900});
     Lab lab;
     explicit Asker(std::string_view lesson) : lab(*context, lesson) {}
     void ask(const std::string& field, Index index, int component) {

@@ -65,7 +65,7 @@ TEST_CASE("a range of rounding, or of numbers that no quantity has, is 0 everywh
 }
 
 TEST_CASE("what no stage has computed yet is grey in the picture, which says which stage will", "[session]") {
-    Hand hand("fluids/projection");
+    Hand hand("fluids/projection", {1280, 720}, Pixels::seen);
     Session& session = hand.lab.session();
     session.colours = {"pressure", -1};
     session.view_changed();

@@ -107,7 +107,7 @@ void check_card(Hand& hand) {
 
 TEST_CASE("the card of a blow-up leaves some of the picture, and shows reason, number, bound and buttons", "[deck][autopsy]") {
     const Screen screen = small_or_large();
-    Hand hand("mesh/mass_spring", screen.size);
+    Hand hand("mesh/mass_spring", screen.size, std::getenv("CARD_OUT") ? Pixels::seen : Pixels::unseen);
     hand.lab.set_scale(screen.scale);
     SECTION("on a slide") {
         hand.lab.open_lecture(read_lecture("soft_bodies"), 13);
@@ -153,7 +153,7 @@ const ImGuiWindow* tip() {
 
 TEST_CASE("the slide of a map has title, question and field, and keeps its map", "[deck][atlas][lecture]") {
     const Screen screen = small_or_large();
-    Hand hand("elasticity/moduli", screen.size);
+    Hand hand("elasticity/moduli", screen.size, std::getenv("CARD_OUT") ? Pixels::seen : Pixels::unseen);
     hand.lab.set_scale(screen.scale);
     hand.lab.open_lecture(parse_lecture(map_and_scene, "two.json"), 1);
     hand.frames(4);

@@ -1,7 +1,7 @@
 // In a deck Space and the arrows play and turn slides, whatever control was clicked before; a control has the keys after Tab
 // alone.
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <imgui.h>
 #include <catch2/catch_test_macros.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 class Lecturer {
 public:
-    explicit Lecturer(std::string_view lesson) : context_(open_headless({1280, 720})), lab_(*context_, lesson) {
+    explicit Lecturer(std::string_view lesson) : context_(test::open_unseen({1280, 720})), lab_(*context_, lesson) {
         lab_.open_deck();
         frames(4);
         REQUIRE(lab_.in_deck());

@@ -43,7 +43,7 @@ bool zoomed(Hand& hand, const Fill& plot) {
 
 TEST_CASE("X fills the screen with the plot under the mouse; Escape puts all back as it was", "[fill]") {
     for (const Layout layout : {Layout::lab, Layout::slide}) {
-        Hand hand("mesh/mass_spring");
+        Hand hand("mesh/mass_spring", {1280, 720}, Pixels::seen);
         LabState& s = hand.lab.state();
         hand.lab.set_layout(layout);
         hand.lab.session().run(Until::after_steps(20));

@@ -1,7 +1,7 @@
 // Every control has its place: none is cut off by its panel or lies under another, at the sizes of projectors and small screens.
 #include "../every_lesson.h"
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -28,7 +28,7 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
 
 class Screened {
 public:
-    Screened(const Screen& s, std::string_view lesson) : screen(s), context_(open_headless(s.size)), lab(*context_, lesson) {
+    Screened(const Screen& s, std::string_view lesson) : screen(s), context_(open_unseen(s.size)), lab(*context_, lesson) {
         lab.set_scale(s.scale);
         draw();
     }

@@ -1,8 +1,9 @@
-// A hand at a lab without a window: mouse and keys go into ImGui, as the window's library gives them.
+// A hand at a lab without a window: mouse and keys go into ImGui, as the window's library gives them. Its pixels are drawn only
+// for those who look at them.
 #pragma once
 #include "app/lab.h"
-#include "platform/headless_context.h"
 #include "platform/image.h"
+#include "unseen.h"
 
 #include <imgui.h>
 
@@ -11,12 +12,14 @@
 
 namespace pliant::test {
 
+enum class Pixels { unseen, seen };
+
 struct Hand {
     std::unique_ptr<viewer::Context> context;
     viewer::Lab lab;
 
-    explicit Hand(std::string_view lesson, viewer::Size size = {1280, 720})
-        : context(viewer::open_headless(size)), lab(*context, lesson) {
+    explicit Hand(std::string_view lesson, viewer::Size size = {1280, 720}, Pixels shown = Pixels::unseen)
+        : context(shown == Pixels::seen ? viewer::open_headless(size) : open_unseen(size)), lab(*context, lesson) {
         frames(3);
     }
     void frames(int count) {
@@ -51,6 +54,7 @@ struct Hand {
         const viewer::Rectangle r = place(control);
         click(r.x + r.width / 2, r.y + r.height / 2);
     }
+    // Of a hand whose pixels are seen.
     viewer::Image pixels() {
         lab.frame(0);
         viewer::Image image = viewer::read_pixels(*context);

@@ -1,6 +1,6 @@
 // What has been typeset is kept from frame to frame.
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <fmt/format.h>
 #include <catch2/catch_test_macros.hpp>
@@ -9,7 +9,7 @@ using namespace pliant;
 using namespace pliant::viewer;
 
 TEST_CASE("the same text in the same size and width is laid out once, and others push it out in the end", "[session][typeset]") {
-    const auto context = open_headless({1280, 720});
+    const auto context = test::open_unseen({1280, 720});
     Lab lab(*context);
     lab.frame(0);
     const MathType& type = lab.state().fonts.mathematics;
@@ -27,7 +27,7 @@ TEST_CASE("the same text in the same size and width is laid out once, and others
 }
 
 TEST_CASE("what is asked for in every frame stays the box that it is", "[session][typeset]") {
-    const auto context = open_headless({1280, 720});
+    const auto context = test::open_unseen({1280, 720});
     Lab lab(*context);
     for (int k = 0; k < 3; ++k) lab.frame(0), context->present();
     const MathType& type = lab.state().fonts.mathematics;

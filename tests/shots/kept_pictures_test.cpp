@@ -23,7 +23,7 @@ long drawn_by(Session& s, Action&& action) {
 }  // namespace
 
 TEST_CASE("a lab at rest draws its picture once", "[pictures]") {
-    const auto context = open_headless({640, 400});
+    const auto context = open_unseen({640, 400});
     Lab lab(*context);
     for (const LessonEntry& entry : lessons()) {
         CAPTURE(entry.info.id);

@@ -1,7 +1,7 @@
 // A hand on the lab, through ImGui's own queue of events.
 #pragma once
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <imgui.h>
 #include <catch2/catch_test_macros.hpp>
@@ -14,7 +14,7 @@ namespace pliant::test {
 class LabHand {
 public:
     explicit LabHand(std::string_view lesson, viewer::Size size = {1280, 900})
-        : context_(viewer::open_headless(size)), lab_(*context_, lesson) {
+        : context_(open_unseen(size)), lab_(*context_, lesson) {
         frames(3);
     }
     viewer::Lab& lab() { return lab_; }

@@ -24,7 +24,7 @@ const std::uint8_t* pixel(const Image& image, int x, int y) { return image.row(y
 }  // namespace
 
 TEST_CASE("B and the full stop of a remote control make the deck black; whatever is pressed next does nothing else", "[deck]") {
-    Hand hand("elasticity/moduli");
+    Hand hand("elasticity/moduli", {1280, 720}, Pixels::seen);
     LabState& s = hand.lab.state();
     hand.lab.open_deck();
     hand.frames(4);
@@ -70,7 +70,7 @@ TEST_CASE("in the lab the same keys step and go back", "[deck]") {
 }
 
 TEST_CASE("the lens shows what lies under the pointer, enlarged, and nothing is left of it without the mouse", "[deck]") {
-    Hand hand("mesh/mass_spring", {900, 600});
+    Hand hand("mesh/mass_spring", {900, 600}, Pixels::seen);
     LabState& s = hand.lab.state();
     hand.lab.set_layout(Layout::slide);
     s.session.colours = {"velocity", -1};  // one colour for all that is at rest
@@ -99,7 +99,7 @@ TEST_CASE("the lens shows what lies under the pointer, enlarged, and nothing is 
 }
 
 TEST_CASE("the table of keys fits a small screen at a large scale, is searched, and closes", "[deck]") {
-    Hand hand("mesh/mass_spring");
+    Hand hand("mesh/mass_spring", {1280, 720}, Pixels::seen);
     LabState& s = hand.lab.state();
     hand.lab.set_scale(1.5f);
     hand.frames(3);

@@ -1,6 +1,6 @@
 // A lab that is left running: what it records, and what a frame draws, do not grow with the run.
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <imgui.h>
 #include <catch2/catch_test_macros.hpp>
@@ -31,7 +31,7 @@ std::size_t samples_of_plots(const Session& s) {
 }  // namespace
 
 TEST_CASE("a long run takes no more memory and no more points in a frame than a short one", "[lab]") {
-    const auto context = open_headless({1280, 720});
+    const auto context = test::open_unseen({1280, 720});
     Lab lab(*context, integrating);
     Session& s = lab.session();
     s.open(find_lesson(integrating), {{"time_step", "1e-5"}});
@@ -82,7 +82,7 @@ TEST_CASE("the part of a plot that is zoomed to stays dense", "[lab]") {
 }
 
 TEST_CASE("a finer run is measured against wherever the run has a sample", "[lab]") {
-    const auto context = open_headless({1280, 720});
+    const auto context = test::open_unseen({1280, 720});
     Lab lab(*context, integrating);
     Session& s = lab.session();
     s.open(find_lesson(integrating), {{"time_step", "1e-3"}});

@@ -1,7 +1,7 @@
 // Looking never changes a run: whatever is clicked, hovered, opened or asked, it stands where it stood, with the same bits.
 #include "../every_lesson.h"
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <imgui.h>
 #include <catch2/catch_test_macros.hpp>
@@ -30,7 +30,7 @@ struct Standing {
 
 class Watcher {
 public:
-    explicit Watcher(std::string_view lesson, Size size = {1280, 720}) : context_(open_headless(size)), lab(*context_, lesson) {
+    explicit Watcher(std::string_view lesson, Size size = {1280, 720}) : context_(open_unseen(size)), lab(*context_, lesson) {
         draw(3);
     }
     void draw(int frames = 2) {
@@ -178,12 +178,12 @@ TEST_CASE("every lesson: no click, hover, layout or question changes the run, or
         // And it goes on as one that nobody has looked at.
         s.step();
         s.step();
-        Session unseen(entry.info.id);
-        unseen.step();
-        unseen.step_stage();
-        unseen.step();
-        unseen.step();
-        CHECK(state_hash(s.lesson()) == state_hash(unseen.lesson()));
+        Session alone(entry.info.id);
+        alone.step();
+        alone.step_stage();
+        alone.step();
+        alone.step();
+        CHECK(state_hash(s.lesson()) == state_hash(alone.lesson()));
     }
 }
 

@@ -1,6 +1,6 @@
 // All methods at the present setting in one press, and what would be if one parameter were another.
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 #include "waiting.h"
 
 #include <imgui.h>
@@ -16,7 +16,7 @@ using namespace pliant::viewer;
 using Catch::Matchers::ContainsSubstring;
 
 TEST_CASE("one key compares all methods where the run stands; a row becomes run B", "[methods]") {
-    const auto context = open_headless({1280, 800});
+    const auto context = test::open_unseen({1280, 800});
     Lab lab(*context, "time/integration");
     const auto frames = [&](int count) {
         for (int i = 0; i < count; ++i) lab.frame(0), context->present();
@@ -69,7 +69,7 @@ TEST_CASE("the table of methods is readable in narrow panels", "[methods]") {
         return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
     };
     for (const auto& [size, scale] : {std::pair{Size{1440, 810}, 1.f}, {Size{1280, 720}, 1.5f}, {Size{1920, 1080}, 1.5f}}) {
-        const auto context = open_headless(size);
+        const auto context = test::open_unseen(size);
         Lab lab(*context, "time/integration");
         lab.set_scale(scale);
         const auto frames = [&](int count) {
@@ -96,7 +96,7 @@ TEST_CASE("the table of methods is readable in narrow panels", "[methods]") {
 }
 
 TEST_CASE("a comparison that takes long tells so and waits for its button", "[methods]") {
-    const auto context = open_headless({1280, 800});
+    const auto context = test::open_unseen({1280, 800});
     Lab lab(*context, "time/integration");
     const auto frames = [&](int count) {
         for (int i = 0; i < count; ++i) lab.frame(0), context->present();

@@ -1,6 +1,6 @@
 // The borders between panels, dragged by the mouse.
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <imgui.h>
 #include <catch2/catch_test_macros.hpp>
@@ -16,7 +16,7 @@ using namespace pliant::viewer;
 namespace {
 
 struct Dragger {
-    std::unique_ptr<Context> context = open_headless({1920, 1000});
+    std::unique_ptr<Context> context = test::open_unseen({1920, 1000});
     Lab lab{*context, "mesh/mass_spring"};
 
     void frame() { lab.frame(0), context->present(); }

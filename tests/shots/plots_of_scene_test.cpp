@@ -1,6 +1,6 @@
 // Which plots are shown first.
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -11,7 +11,7 @@ using namespace pliant;
 using namespace pliant::viewer;
 
 TEST_CASE("the plots are those of the scene until a person chooses", "[lab]") {
-    const auto context = open_headless({1280, 720});
+    const auto context = test::open_unseen({1280, 720});
     Lab lab(*context, "elasticity/stress_strain");
     Session& s = lab.session();
     const auto plots_with = [&](Runner::Assignments scene) {

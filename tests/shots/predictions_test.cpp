@@ -3,7 +3,7 @@
 #include <pliant/document/scene_file.h>
 
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <imgui.h>
 #include <catch2/catch_test_macros.hpp>
@@ -20,7 +20,7 @@ namespace {
 class Student {
 public:
     explicit Student(std::string_view lesson, Layout layout = Layout::lab, Size size = {1280, 720}, float scale = 1)
-        : context_(open_headless(size)), lab_(*context_, lesson) {
+        : context_(test::open_unseen(size)), lab_(*context_, lesson) {
         lab_.set_scale(scale);
         layout == Layout::deck ? lab_.open_deck() : session().start_walkthrough();
         frames(4);

@@ -3,7 +3,7 @@
 #include <pliant/lesson/setting_words.h>
 
 #include "app/lab.h"
-#include "platform/headless_context.h"
+#include "unseen.h"
 
 #include <imgui.h>
 #include <catch2/catch_test_macros.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 class Typist {
 public:
-    explicit Typist(std::string_view lesson) : context_(open_headless({1280, 900})), lab_(*context_, lesson) { frames(3); }
+    explicit Typist(std::string_view lesson) : context_(test::open_unseen({1280, 900})), lab_(*context_, lesson) { frames(3); }
 
     Session& session() { return lab_.session(); }
     LabState& state() { return lab_.state(); }
