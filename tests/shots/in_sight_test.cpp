@@ -234,10 +234,11 @@ TEST_CASE("every lesson: the body is in sight at first, at Home, in both halves,
         }
 }
 
-TEST_CASE("on every slide of every deck the picture has its room, and what moves is in it", "[shots][sight][slow]") {
+TEST_CASE("every lesson: on each slide of its deck the picture has its room, and what moves is in it",
+          "[shots][sight][every_lesson]") {
     Onlooker watch({1280, 720}, Layout::deck);
     Session& s = watch.lab.session();
-    for (const LessonEntry& entry : lessons()) {
+    for (const LessonEntry& entry : every_lesson()) {
         s.open(entry);
         s.start_walkthrough();
         const std::size_t count = s.walkthrough->walkthrough().slides.size();
