@@ -84,8 +84,8 @@ TEST_CASE("cloth: the operator of a sheet is the assembled matrix, and its rows 
     sheet.system->terms.planes.push_back({4, Vec<3>(0.6, 0.8, 0), 0.1, 900});
     sheet.system->load.pull = {7, Vec<3>::Zero(), 40};
     sheet.system->begin_step(flat(sheet.x));
-    const VecX added = VecX::Constant(sheet.x.size(), 2.5), d = random_vector(sheet.x.size());
-    const LinearisedSystem* h = sheet.system->linearise(flat(sheet.x), 60, added);
+    const VecX added = 3600 * sheet.inertia.mass(), d = random_vector(sheet.x.size());
+    const LinearisedSystem* h = sheet.system->linearise(flat(sheet.x), 60, 3600, sheet.inertia);
     SparseMatrix whole = sheet.system->stiffness(flat(sheet.x), 60, SecondOrderSystem::Curvature::positive);
     for (Index k = 0; k < whole.cols(); ++k) whole.coeffRef(k, k) += added[k];
     VecX product(d.size());

@@ -1,5 +1,6 @@
 // An elastic body in motion: its forces are derivatives of its energies, momentum and energy behave, and every scheme moves it.
 #include <pliant/mesh/block_mesh.h>
+#include <pliant/mesh/element_mass.h>
 #include <pliant/solids/contact.h>
 #include <pliant/solids/elastic_system.h>
 #include <pliant/solids/fem_loads.h>
@@ -17,7 +18,7 @@ using namespace pliant;
 
 namespace {
 
-constexpr Real density = 1000;  // kg/m^Dim
+constexpr Real moving_density = 1000;  // kg/m^Dim
 
 template <int Dim>
 SimplexMesh<Dim> small_beam() {
@@ -29,22 +30,12 @@ SimplexMesh<Dim> small_beam() {
     return block_mesh(shape);
 }
 
-template <int Dim, int Order>
-VecX lumped(const SimplexElements<Dim, Order>& elements) {
-    VecX mass = VecX::Zero(elements.node_count());
-    const auto shares = SimplexElements<Dim, Order>::lumped_shares();
-    for (Index e = 0; e < elements.element_count(); ++e)
-        for (int a = 0; a < shares.size(); ++a)
-            mass[elements.elements()(a, e)] += density * elements.mesh().volumes()[e] * shares[a];
-    return mass;
-}
-
 template <int Dim, int Order = 1>
 struct Moving {
     explicit Moving(Energy energy, const std::vector<Index>& fixed = {})
         : mesh(small_beam<Dim>()),
           body(mesh, energy, IsotropicModuli::from_young_poisson(1e5, 0.3).lame()),
-          mass(lumped(body.elements()), Dim, fixed),
+          mass(lumped_mass(body.elements(), moving_density), Dim, fixed),
           system(body, body.elements().positions(), mass),
           x(body.elements().positions()),
           v(Points<Dim>::Zero(Dim, x.cols())) {}
@@ -109,10 +100,10 @@ TEMPLATE_TEST_CASE_SIG("forces and the matrix of a moving body are derivatives o
         b.system.force(x - h * d, v - rate * h * d, back);
         CHECK((Kd - (back - forward) / (2 * h)).norm() < 1e-6 * Kd.norm());
         // The operator of conjugate gradients is the positive matrix with what is added.
-        const VecX added = VecX::Constant(x.size(), 123);
         VecX product(x.size());
-        const VecX wanted = b.system.stiffness(x, rate, SecondOrderSystem::Curvature::positive) * d + 123 * d;
-        const LinearisedSystem* h_system = b.system.linearise(x, rate, added);
+        const VecX wanted =
+            b.system.stiffness(x, rate, SecondOrderSystem::Curvature::positive) * d + 123 * b.mass.mass().cwiseProduct(d);
+        const LinearisedSystem* h_system = b.system.linearise(x, rate, 123, b.mass);
         h_system->multiply(d, product);
         CHECK((product - wanted).norm() < 1e-13 * wanted.norm());
     }
@@ -130,7 +121,7 @@ TEMPLATE_TEST_CASE_SIG("a free body keeps its momentum under every scheme, and f
             const AngularVec<Dim> spin = angular_momentum<Dim>(b.system.node_mass(), b.x, b.v);
             TimeIntegrator integrator(b.system, b.mass, info.scheme);
             for (int k = 0; k < 5; ++k) integrator.step(1e-3, flat(b.x), flat(b.v));
-            const Real size = density * b.mesh.volume();
+            const Real size = moving_density * b.mesh.volume();
             CHECK((momentum<Dim>(b.system.node_mass(), b.v) - before).norm() < 1e-9 * size);
             if (energy != Energy::linear && info.scheme == Scheme::semi_implicit_euler)
                 CHECK((angular_momentum<Dim>(b.system.node_mass(), b.x, b.v) - spin).norm() < 1e-10 * size);
@@ -204,7 +195,7 @@ TEST_CASE("a body dropped on the ground comes to rest on it with its weight as r
     }
     CHECK(b.x.row(1).minCoeff() > -1e-12);
     CHECK(b.v.cwiseAbs().maxCoeff() < 1e-4);
-    CHECK(std::abs(reaction / (9.81 * density * b.mesh.volume()) - 1) < 1e-3);
+    CHECK(std::abs(reaction / (9.81 * moving_density * b.mesh.volume()) - 1) < 1e-3);
 }
 
 TEMPLATE_TEST_CASE_SIG("loads on elements of second order do the work of the fields they stand for", "[elastic_system]",

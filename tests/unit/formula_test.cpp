@@ -29,13 +29,13 @@ struct Given {
 
 Formula formula(std::string text, const std::vector<Given>& given) {
     std::vector<FormulaSymbol> symbols;
-    for (const Given& g : given) symbols.push_back({g.symbol, Unit(g.unit)});
+    for (const Given& one : given) symbols.push_back({one.symbol, Unit(one.unit)});
     return Formula(std::move(text), std::move(symbols));
 }
 
 std::vector<Real> values_of(const std::vector<Given>& given) {
     std::vector<Real> values;
-    for (const Given& g : given) values.push_back(g.value);
+    for (const Given& one : given) values.push_back(one.value);
     return values;
 }
 

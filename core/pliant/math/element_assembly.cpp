@@ -81,11 +81,12 @@ ElementAssembly<Dim, Nodes>::ElementAssembly(const Elements& elements, Index nod
 }
 
 template <int Dim, int Nodes>
-void ElementAssembly<Dim, Nodes>::add(Index element, const Local& local, SparseMatrix& matrix) const {
+void ElementAssembly<Dim, Nodes>::add(Index element, const Local& local, SparseMatrix& matrix, Index first, Index last) const {
     const int* rank = rank_.data() + element * Nodes * Nodes;
     const int* columns = matrix.outerIndexPtr();
     for (int b = 0; b < Nodes; ++b) {
         const int node = elements_(b, element);
+        if (node < first || node >= last) continue;
         Real* values = matrix.valuePtr() + first_[static_cast<std::size_t>(node)];
         const int stride = columns[Dim * node + 1] - columns[Dim * node];
         for (int l = 0; l < Dim; ++l, values += stride)

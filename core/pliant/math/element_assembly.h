@@ -20,9 +20,19 @@ public:
     // A matrix of zeros with an entry for every pair of unknowns that share an element.
     const SparseMatrix& pattern() const { return pattern_; }
 
+    // Does the element have a node of [first, last)?
+    bool touches(Index element, Index first, Index last) const {
+        for (int a = 0; a < Nodes; ++a)
+            if (elements_(a, element) >= first && elements_(a, element) < last) return true;
+        return false;
+    }
+    // Adds the columns of those nodes alone, all others are left as they are.
+    void add(Index element, const Local& local, SparseMatrix& matrix, Index first, Index last) const;
     // Adds the matrix of one element to a matrix that has the pattern. Elements that are added in the same order give the same
     // bits, and symmetric element matrices give a matrix that is symmetric to the bit.
-    void add(Index element, const Local& local, SparseMatrix& matrix) const;
+    void add(Index element, const Local& local, SparseMatrix& matrix) const {
+        add(element, local, matrix, 0, static_cast<Index>(first_.size()));
+    }
 
 private:
     SparseMatrix pattern_;

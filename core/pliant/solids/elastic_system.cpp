@@ -51,12 +51,16 @@ void BlockTangent<Dim>::precondition(const VecX& r, VecX& z) const {
 }
 
 template <int Dim>
-ElasticSystem<Dim>::ElasticSystem(const ElasticBody<Dim>& body, const Points<Dim>& rest, const DiagonalMass& mass)
+ElasticSystem<Dim>::ElasticSystem(const ElasticBody<Dim>& body, const Points<Dim>& rest, const Mass& mass)
     : body_(body), rest_(rest), mass_(mass), blocks_(body.pattern()), matrix_(body.pattern()), frozen_(body.pattern()) {
     if (rest.cols() != body.node_count() || mass.size() != Dim * body.node_count())
         throw Refused(fmt::format("a body of {} nodes, {} positions at rest and masses of {} nodes: give one for each node",
                                   body.node_count(), rest.cols(), mass.size() / Dim));
-    node_mass_ = mass.mass()(Eigen::seqN(0, body.node_count(), Dim));
+    if (mass.matrix() && mass.matrix()->nonZeros() != body.pattern().nonZeros())
+        throw Refused("a mass matrix with another pattern than the stiffness of its body");
+    VecX weight;
+    mass.multiply(VecX::Ones(mass.size()), weight);
+    node_mass_ = weight(Eigen::seqN(0, body.node_count(), Dim));
     spacing_ = mean_spacing<Dim>(rest);
     displacement_ = internal_ = Points<Dim>::Zero(Dim, body.node_count());
     product_ = velocity_ = VecX::Zero(mass.size());
@@ -73,6 +77,8 @@ template <int Dim>
 void ElasticSystem<Dim>::begin_step(ConstDofs x) {
     start_ = x;
     if (!body_.is_linear()) frozen_known_ = false;
+    pressing_.setZero(Dim, pressure ? body_.node_count() : 0);
+    if (pressure) pressure->add_forces(columns<Dim>(x), pressing_);
 }
 
 template <int Dim>
@@ -91,14 +97,18 @@ void ElasticSystem<Dim>::multiply_damping_stiffness(ConstDofs v) const {
 
 template <int Dim>
 Real ElasticSystem<Dim>::potential(ConstDofs x) const {
+    const Real pressed = pressing_.size() > 0 ? -flat(pressing_).dot(x) : Real{0};
     return body_.energy(displacement(x)) + external_energy<Dim>(load, node_mass_, columns<Dim>(x)) +
-           terms.potential(columns<Dim>(x));
+           terms.potential(columns<Dim>(x)) + pressed;
 }
 
 template <int Dim>
 Real ElasticSystem<Dim>::dissipation(ConstDofs v) const {
     Real power = terms.drag_power(columns<Dim>(v));
-    if (mass_damping > 0) power += mass_damping * v.cwiseAbs2().dot(mass_.mass());
+    if (mass_damping > 0) {
+        velocity_ = v;
+        power += mass_damping * mass_.square(velocity_);
+    }
     if (stiffness_damping > 0) {
         multiply_damping_stiffness(v);
         power += stiffness_damping * v.dot(product_);
@@ -115,9 +125,23 @@ void ElasticSystem<Dim>::force(ConstDofs x, ConstDofs v, Dofs f) const {
         multiply_damping_stiffness(v);
         f -= stiffness_damping * product_;
     }
-    if (mass_damping > 0) f -= mass_damping * mass_.mass().cwiseProduct(v);
+    if (mass_damping > 0) {
+        mass_.multiply(v, product_);
+        f -= mass_damping * product_;
+    }
     add_external_forces<Dim>(load, node_mass_, columns<Dim>(x), forces);
     terms.add_forces(columns<Dim>(x), columns<Dim>(v), forces);
+    if (pressing_.size() > 0) forces += pressing_;
+}
+
+template <int Dim>
+void ElasticSystem<Dim>::add_mass(Real rate, const Mass& mass) {
+    if (mass.matrix()) {
+        matrix_.coeffs() += rate * mass.matrix()->coeffs();
+        return;
+    }
+    for (Index n = 0; n < node_mass_.size(); ++n)
+        blocks_.add_at_node(n, (rate * mass.diagonal().segment<Dim>(Dim * n)).asDiagonal().toDenseMatrix(), matrix_);
 }
 
 template <int Dim>
@@ -130,19 +154,17 @@ const SparseMatrix& ElasticSystem<Dim>::stiffness(ConstDofs x, Real velocity_rat
         body_.stiffness(displacement(x), curvature == Curvature::positive, matrix_);
         if (damping > 0) matrix_.coeffs() += damping * frozen_.coeffs();
     }
+    if (mass_damping > 0) add_mass(velocity_rate * mass_damping, mass_);
     const auto add = [this](Index node, const Mat<Dim>& block) { blocks_.add_at_node(node, block, matrix_); };
-    if (mass_damping > 0)
-        for (Index n = 0; n < node_mass_.size(); ++n) add(n, velocity_rate * mass_damping * node_mass_[n] * Mat<Dim>::Identity());
     if (load.pull.active()) add(load.pull.node, load.pull.stiffness * Mat<Dim>::Identity());
     terms.add_stiffness(velocity_rate, add);
     return matrix_;
 }
 
 template <int Dim>
-const LinearisedSystem* ElasticSystem<Dim>::linearise(ConstDofs x, Real velocity_rate, const VecX& added) {
+const LinearisedSystem* ElasticSystem<Dim>::linearise(ConstDofs x, Real velocity_rate, Real acceleration_rate, const Mass& mass) {
     stiffness(x, velocity_rate, Curvature::positive);
-    for (Index n = 0; n < node_mass_.size(); ++n)
-        blocks_.add_at_node(n, added.segment<Dim>(Dim * n).asDiagonal().toDenseMatrix(), matrix_);
+    add_mass(acceleration_rate, mass);
     tangent_.set(blocks_, matrix_);
     return &tangent_;
 }

@@ -18,18 +18,6 @@ std::vector<EnergyDensity<Dim>> densities_of(Energy energy, const std::vector<La
     return densities;
 }
 
-// Calls visit(element) for each; a failure then names its element.
-template <class Visit>
-void for_each_element(Index count, Visit visit) {
-    Index e = 0;
-    try {
-        for (; e < count; ++e) visit(e);
-    } catch (Diverged& diverged) {
-        diverged.failure.index = e;
-        throw Diverged(diverged.failure);
-    }
-}
-
 }  // namespace
 
 template <int Dim, int Order>
@@ -47,42 +35,70 @@ Mat<Dim> HyperelasticFem<Dim, Order>::deformation_gradient(Index element, const 
     return Mat<Dim>::Identity() + elements_.field_gradient(element, point, displacement);
 }
 
+// Loops in several threads must not throw.
+template <int Dim, int Order>
+void HyperelasticFem<Dim, Order>::require_admitted(const Points<Dim>& displacement) const {
+    Index e = 0;
+    try {
+        for (; e < elements_.element_count(); ++e) {
+            if (density(e).admits(Mat<Dim>::Zero())) continue;
+            for (int q = 0; q < Elements::points; ++q) {
+                const Mat<Dim> F = deformation_gradient(e, displacement, q);
+                if (!density(e).admits(F)) (void)density(e).P(F);
+            }
+        }
+    } catch (Diverged& diverged) {
+        diverged.failure.index = e;
+        throw Diverged(diverged.failure);
+    }
+}
+
 template <int Dim, int Order>
 void HyperelasticFem<Dim, Order>::stress(const Points<Dim>& displacement, Tensors<Dim>& P) const {
     P.resize(Dim * Dim, elements_.element_count());
-    for_each_element(elements_.element_count(), [&](Index e) {
+    require_admitted(displacement);
+    for (Index e = 0; e < elements_.element_count(); ++e) {
         Mat<Dim> sum = density(e).P(deformation_gradient(e, displacement));
         for (int q = 1; q < Elements::points; ++q) sum += density(e).P(deformation_gradient(e, displacement, q));
         tensor<Dim>(P, e) = sum / Elements::points;
-    });
+    }
 }
 
 template <int Dim, int Order>
 Real HyperelasticFem<Dim, Order>::energy(const Points<Dim>& displacement) const {
-    Real sum = 0;
-    for (Index e = 0; e < elements_.element_count(); ++e)
-        for (int q = 0; q < Elements::points; ++q)
-            sum += elements_.weight(e) * density(e).psi(deformation_gradient(e, displacement, q));
-    return sum;
+    return parallel_sum(elements_.element_count(), [&](Index first, Index last) {
+        Real sum = 0;
+        for (Index e = first; e < last; ++e)
+            for (int q = 0; q < Elements::points; ++q)
+                sum += elements_.weight(e) * density(e).psi(deformation_gradient(e, displacement, q));
+        return sum;
+    });
 }
 
 // Node a takes w P g_a from each point, g the gradients of the shape functions.
 template <int Dim, int Order>
 void HyperelasticFem<Dim, Order>::internal_force(const Points<Dim>& displacement, Points<Dim>& force) const {
     force.setZero(Dim, elements_.node_count());
-    for_each_element(elements_.element_count(), [&](Index e) {
-        for (int q = 0; q < Elements::points; ++q) {
-            const Mat<Dim> P = elements_.weight(e) * density(e).P(deformation_gradient(e, displacement, q));
-            const auto g = elements_.gradients(e, q);
-            for (int a = 0; a < nodes; ++a) force.col(elements_.elements()(a, e)).noalias() += P * g.col(a);
+    require_admitted(displacement);
+    parallel_parts(elements_.node_count(), Dim * Dim * nodes, [&](Index first, Index last, int) {
+        for (Index e = 0; e < elements_.element_count(); ++e) {
+            if (!assembly_.touches(e, first, last)) continue;
+            for (int q = 0; q < Elements::points; ++q) {
+                const Mat<Dim> P = elements_.weight(e) * density(e).P(deformation_gradient(e, displacement, q));
+                const auto g = elements_.gradients(e, q);
+                for (int a = 0; a < nodes; ++a) {
+                    const Index n = elements_.elements()(a, e);
+                    if (n >= first && n < last) force.col(n).noalias() += P * g.col(a);
+                }
+            }
         }
     });
 }
 
 template <int Dim, int Order>
 void HyperelasticFem<Dim, Order>::stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const {
-    std::fill_n(matrix.valuePtr(), static_cast<std::size_t>(matrix.nonZeros()), Real{0});
-    for (Index e = 0; e < elements_.element_count(); ++e) assembly_.add(e, element_stiffness(e, displacement, definite), matrix);
+    require_admitted(displacement);
+    assemble([&](Index e) { return element_stiffness(e, displacement, definite); }, matrix);
 }
 
 // Both ends of a step may be admitted with a mirror image between them: two axes turned over make a proper body again.

@@ -4,14 +4,18 @@
 #include <pliant/continuum/energy_density.h>
 #include <pliant/continuum/strain.h>
 #include <pliant/math/element_assembly.h>
+#include <pliant/math/parallel.h>
 #include <pliant/mesh/simplex_elements.h>
 #include <pliant/solids/elastic_body.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace pliant {
 
-// In 2D: plane strain, per metre of thickness.
+// In 2D per metre of thickness: plane strain with the coefficients of IsotropicModuli::lame(). Those of plane_stress_lame() give
+// plane stress for the linear, the corotated and the St. Venant-Kirchhoff energy, each of which is quadratic in its strain, so
+// that the stretch across the plane that no stress holds is known; a neo-Hookean body takes plane strain alone.
 template <int Dim, int Order = 1>
 class HyperelasticFem final : public ElasticBody<Dim> {
 public:
@@ -41,13 +45,30 @@ public:
     void stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const override;
     const SparseMatrix& pattern() const override { return assembly_.pattern(); }
     Real admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const override;
+    // Sum of the matrices that local(element) gives. In several threads, each for nodes of its own; the bits do not depend on how
+    // many there are.
+    template <class Local>
+    void assemble(Local local, SparseMatrix& matrix) const;
     // Of one element [N/m], symmetric to the bit.
     ElementMatrix element_stiffness(Index element, const Points<Dim>& displacement, bool definite) const;
 
 private:
+    void require_admitted(const Points<Dim>& displacement) const;
+
     Elements elements_;
     std::vector<EnergyDensity<Dim>> densities_;
     ElementAssembly<Dim, nodes> assembly_;
 };
+
+template <int Dim, int Order>
+template <class Local>
+void HyperelasticFem<Dim, Order>::assemble(Local local, SparseMatrix& matrix) const {
+    parallel_parts(node_count(), Dim * nodes * nodes, [&](Index first, Index last, int) {
+        const Index from = matrix.outerIndexPtr()[Dim * first], to = matrix.outerIndexPtr()[Dim * last];
+        std::fill(matrix.valuePtr() + from, matrix.valuePtr() + to, Real{0});
+        for (Index e = 0; e < elements_.element_count(); ++e)
+            if (assembly_.touches(e, first, last)) assembly_.add(e, local(e), matrix, first, last);
+    });
+}
 
 }  // namespace pliant

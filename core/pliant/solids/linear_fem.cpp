@@ -1,4 +1,5 @@
 #include <pliant/solids/element_materials.h>
+#include <pliant/solids/linear_element.h>
 #include <pliant/solids/linear_fem.h>
 
 #include <algorithm>
@@ -26,20 +27,7 @@ void LinearFem<Dim>::assemble() {
 
 template <int Dim>
 typename LinearFem<Dim>::ElementMatrix LinearFem<Dim>::element_stiffness(Index element) const {
-    const typename SimplexMesh<Dim>::Gradients g = mesh_->gradients(element);
-    const Real lambda = material(element).lambda * mesh_->volumes()[element];
-    const Real mu = material(element).mu * mesh_->volumes()[element];
-    ElementMatrix K;
-    for (int a = 0; a < corners; ++a)
-        for (int b = 0; b <= a; ++b) {
-            const Real diagonal = mu * g.col(a).dot(g.col(b));
-            for (int i = 0; i < Dim; ++i)
-                for (int j = 0; j < Dim; ++j) {
-                    const Real entry = lambda * g(i, a) * g(j, b) + mu * g(i, b) * g(j, a) + (i == j ? diagonal : 0);
-                    K(Dim * a + i, Dim * b + j) = K(Dim * b + j, Dim * a + i) = entry;
-                }
-        }
-    return K;
+    return linear_element_stiffness<Dim>(mesh_->gradients(element), mesh_->volumes()[element], material(element));
 }
 
 template <int Dim>

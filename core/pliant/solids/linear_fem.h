@@ -26,7 +26,7 @@ public:
 
     // K [N/m], symmetric to the bit, with every rigid motion in its null space.
     const SparseMatrix& stiffness() const { return stiffness_; }
-    // Block (a, b) is V (lambda g_a g_b^T + mu g_b g_a^T + mu (g_a . g_b) I) with the gradients g of the shape functions.
+    // See linear_element.h.
     ElementMatrix element_stiffness(Index element) const;
 
     // Strain and stress [Pa] of one element or of all; constant in each.

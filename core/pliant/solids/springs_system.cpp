@@ -53,13 +53,15 @@ SpringTangent& SpringSystem<Dim>::tangent() {
 }
 
 template <int Dim>
-const LinearisedSystem* SpringSystem<Dim>::linearise(ConstDofs x, Real velocity_rate, const VecX& added) {
+const LinearisedSystem* SpringSystem<Dim>::linearise(ConstDofs x, Real velocity_rate, Real acceleration_rate, const Mass& mass) {
     if constexpr (Dim != 3) {
         return nullptr;
     } else {
+        if (mass.matrix()) return nullptr;
         tangent().fill(points<3>(x), points<3>(start_), damping, velocity_rate);
         const auto add = [this](Index node, const Mat<3>& block) { tangent_->add_at_node(node, block); };
-        for (Index n = 0; n < added.size() / 3; ++n) add(n, added.segment<3>(3 * n).asDiagonal());
+        for (Index n = 0; n < mass.size() / 3; ++n)
+            add(n, (acceleration_rate * mass.diagonal().segment<3>(3 * n)).asDiagonal().toDenseMatrix());
         if (load.pull.active()) add(load.pull.node, load.pull.stiffness * Mat<3>::Identity());
         terms.add_stiffness(velocity_rate, add);
         tangent_->prepare();

@@ -12,7 +12,7 @@
 namespace pliant {
 
 // Spring, damping and external forces together. The directions of projected damping are those of begin_step(). In 3D linearise()
-// gives the net as a SpringTangent.
+// gives the net as a SpringTangent, with a diagonal mass.
 template <int Dim>
 class SpringSystem final : public SecondOrderSystem {
 public:
@@ -33,7 +33,7 @@ public:
     Real dissipation(ConstDofs v) const override;
     void force(ConstDofs x, ConstDofs v, Dofs f) const override;
     const SparseMatrix& stiffness(ConstDofs x, Real velocity_rate, Curvature curvature) override;
-    const LinearisedSystem* linearise(ConstDofs x, Real velocity_rate, const VecX& added) override;
+    const LinearisedSystem* linearise(ConstDofs x, Real velocity_rate, Real acceleration_rate, const Mass& mass) override;
     Real length_scale(ConstDofs x) const override;  // the mean rest length; the extent of x when that is 0
 
 private:

@@ -19,7 +19,8 @@ public:
 
     // H, symmetric, both triangles stored. The first call sets the pattern, which must hold every diagonal entry and not change.
     void set_matrix(const SparseMatrix& matrix);
-    // Adds to the diagonal.
+    // Adds factor times a matrix of the same pattern, or values to the diagonal.
+    void add_matrix(Real factor, const SparseMatrix& matrix) { matrix_.coeffs() += factor * matrix.coeffs(); }
     void add_diagonal(Real factor, const VecX& values);
     const SparseMatrix& matrix() const { return matrix_; }  // H
     Real diagonal(Index d) const { return matrix_.valuePtr()[diagonal_[static_cast<std::size_t>(d)]]; }

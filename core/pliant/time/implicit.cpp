@@ -14,7 +14,7 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 constexpr Real sufficient_decrease = 1e-4;
 constexpr int unproved_steps = 5;
 
-std::vector<char> fixed_flags(const DiagonalMass& mass) {
+std::vector<char> fixed_flags(const Mass& mass) {
     std::vector<char> fixed(static_cast<std::size_t>(mass.size()));
     for (Index d = 0; d < mass.size(); ++d) fixed[static_cast<std::size_t>(d)] = mass.fixed(d);
     return fixed;
@@ -24,7 +24,7 @@ Real largest(const VecX& values) { return values.size() ? values.lpNorm<Eigen::I
 
 }  // namespace
 
-ImplicitSolver::ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options)
+ImplicitSolver::ImplicitSolver(SecondOrderSystem& system, const Mass& mass, NewtonOptions options)
     : system_(system), mass_(mass), options_(options), model_(fixed_flags(mass)) {
     for (VecX* values : {&x_, &v_, &residual_, &reaction_, &direction_, &trial_, &scratch_}) values->setZero(mass.size());
     for (Index d = 0; d < mass.size(); ++d)
@@ -73,7 +73,7 @@ Real ImplicitSolver::merit(const VecX& x) {
         return 0.5 * scratch_.squaredNorm();
     }
     scratch_ = x - form_.acceleration_origin;
-    const Real inertia = 0.5 * form_.acceleration_rate * scratch_.cwiseAbs2().dot(mass_.mass());
+    const Real inertia = 0.5 * form_.acceleration_rate * mass_.square(scratch_);
     scratch_ = form_.velocity_rate * (x - form_.velocity_origin);
     return inertia + system_.dissipation(scratch_) / form_.velocity_rate + system_.potential(x);
 }
@@ -87,7 +87,9 @@ void ImplicitSolver::keep_bounds(VecX& x) const {
 void ImplicitSolver::residual_at(const VecX& x, const VecX& v, VecX& g) const {
     g.resize(x.size());
     system_.force(x, v, g);
-    g = form_.acceleration_rate * mass_.mass().cwiseProduct(x - form_.acceleration_origin) - g;
+    offset_ = x - form_.acceleration_origin;
+    mass_.multiply(offset_, inertia_);
+    g = form_.acceleration_rate * inertia_ - g;
     for (Index d = 0; d < g.size(); ++d)
         if (mass_.fixed(d)) g[d] = 0;
 }
@@ -119,7 +121,10 @@ void ImplicitSolver::factorise_for_direction() {
     // downhill, and the positive ones take their place.
     for (const auto curvature : {SecondOrderSystem::Curvature::exact, SecondOrderSystem::Curvature::positive}) {
         model_.set_matrix(system_.stiffness(x_, form_.velocity_rate, curvature));
-        model_.add_diagonal(form_.acceleration_rate, mass_.mass());
+        if (mass_.matrix())
+            model_.add_matrix(form_.acceleration_rate, *mass_.matrix());
+        else
+            model_.add_diagonal(form_.acceleration_rate, mass_.diagonal());
         if (model_.minimise(residual_, room_, direction_)) {
             reaction_ = model_.multiplier();
             return;
@@ -135,8 +140,7 @@ void ImplicitSolver::solve_for_direction() {
 }
 
 void ImplicitSolver::iterate_for_direction() {
-    inertia_ = form_.acceleration_rate * mass_.mass();
-    linearised_ = system_.linearise(x_, form_.velocity_rate, inertia_);
+    linearised_ = system_.linearise(x_, form_.velocity_rate, form_.acceleration_rate, mass_);
     if (!linearised_) throw Refused("conjugate gradients: this system offers no products; give the direct solve");
     // Fixed degrees of freedom take no part.
     const auto masked = [this](auto map) {

@@ -39,9 +39,12 @@ public:
     // whose pattern never changes and holds every diagonal entry.
     virtual const SparseMatrix& stiffness(ConstDofs x, Real velocity_rate, Curvature curvature) = 0;
 
-    // The same matrix with positive curvature, and with `added` on its diagonal, known by its products; it stays as it is until
-    // the next call. Null when the system offers none.
-    virtual const LinearisedSystem* linearise(ConstDofs /*x*/, Real /*velocity_rate*/, const VecX& /*added*/) { return nullptr; }
+    // The same matrix with positive curvature, and with acceleration_rate M, known by its products; it stays as it is until the
+    // next call. Null when the system offers none.
+    virtual const LinearisedSystem* linearise(ConstDofs /*x*/, Real /*velocity_rate*/, Real /*acceleration_rate*/,
+                                              const Mass& /*mass*/) {
+        return nullptr;
+    }
 
     // A length that counts as large for this system, m: Newton's steps are measured against it.
     virtual Real length_scale(ConstDofs x) const = 0;
@@ -87,7 +90,7 @@ struct NewtonOptions {
 class ImplicitSolver {
 public:
     // Both must outlive the solver.
-    ImplicitSolver(SecondOrderSystem& system, const DiagonalMass& mass, NewtonOptions options = {});
+    ImplicitSolver(SecondOrderSystem& system, const Mass& mass, NewtonOptions options = {});
 
     void set_options(const NewtonOptions& options);
 
@@ -160,7 +163,7 @@ private:
     };
 
     SecondOrderSystem& system_;
-    const DiagonalMass& mass_;
+    const Mass& mass_;
     NewtonOptions options_;
     ImplicitForm form_;
     VecX x_, v_, residual_, reaction_, direction_, room_, trial_, scratch_;
@@ -169,7 +172,8 @@ private:
     std::vector<Index> fixed_;
     const LinearisedSystem* linearised_ = nullptr;
     std::optional<ConjugateGradients> gradients_;
-    VecX inertia_, linear_residual_;
+    mutable VecX offset_, inertia_;
+    VecX linear_residual_;
     bool linear_converged_ = true;
     Reference reference_;
     int unproved_ = 0;  // full steps since the reference

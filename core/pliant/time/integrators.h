@@ -1,4 +1,4 @@
-// The implicit time integrators of M a = f(x, v) with a diagonal mass matrix, each as the ImplicitForm that it gives to an
+// The implicit time integrators of M a = f(x, v) with a mass matrix, each as the ImplicitForm that it gives to an
 // ImplicitSolver (implicit.h); the explicit ones are tables (scheme.h), and TimeIntegrator runs both. Degrees of freedom are one
 // long vector (see mass.h); a fixed degree of freedom keeps its velocity. Notation: dt time step s, x m, v m/s, f N.
 #pragma once

@@ -11,9 +11,10 @@ struct LuDirection::Factor {
 LuDirection::LuDirection() : factor_(std::make_unique<Factor>()) {}
 LuDirection::~LuDirection() = default;
 
-bool LuDirection::solve(const SparseMatrix& stiffness, Real rate, const DiagonalMass& mass, const VecX& residual, VecX& d) {
+bool LuDirection::solve(const SparseMatrix& stiffness, Real rate, const Mass& mass, const VecX& residual, VecX& d) {
     const bool first = matrix_.rows() == 0;
     matrix_ = stiffness;
+    if (mass.matrix()) matrix_ += rate * *mass.matrix();
     matrix_.makeCompressed();
     // A fixed degree of freedom keeps its diagonal alone.
     for (Index column = 0; column < matrix_.cols(); ++column)
@@ -21,8 +22,8 @@ bool LuDirection::solve(const SparseMatrix& stiffness, Real rate, const Diagonal
             const bool diagonal = entry.row() == column, held = mass.fixed(entry.row()) || mass.fixed(column);
             if (held)
                 entry.valueRef() = diagonal ? 1 : 0;
-            else if (diagonal)
-                entry.valueRef() += rate * mass.mass()[column];
+            else if (diagonal && !mass.matrix())
+                entry.valueRef() += rate * mass.diagonal()[column];
         }
     if (first) factor_->lu.analyzePattern(matrix_);
     factor_->lu.factorize(matrix_);

@@ -14,7 +14,7 @@ public:
 
     // J is K + rate M with K of any symmetry, whose pattern never changes and holds every diagonal entry. Returns false when J is
     // singular.
-    bool solve(const SparseMatrix& stiffness, Real rate, const DiagonalMass& mass, const VecX& residual, VecX& d);
+    bool solve(const SparseMatrix& stiffness, Real rate, const Mass& mass, const VecX& residual, VecX& d);
     // Of the latest matrix, N/m.
     const SparseMatrix& matrix() const { return matrix_; }
 

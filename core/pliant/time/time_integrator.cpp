@@ -2,7 +2,7 @@
 
 namespace pliant {
 
-TimeIntegrator::TimeIntegrator(SecondOrderSystem& system, const DiagonalMass& mass, Scheme scheme, NewtonOptions options)
+TimeIntegrator::TimeIntegrator(SecondOrderSystem& system, const Mass& mass, Scheme scheme, NewtonOptions options)
     : system_(system), mass_(mass), options_(options), scheme_(scheme) {
     for (VecX* values : {&start_x_, &start_v_, &x_, &v_, &force_}) values->setZero(mass.size());
     scheme_ = scheme == Scheme::bdf2 ? Scheme::explicit_euler : Scheme::bdf2;  // any other
@@ -48,7 +48,7 @@ void TimeIntegrator::begin_explicit(const VecX* force) {
     v_ = start_v_;
     first_known_ = force || remembers();
     if (force)
-        accelerations_[0] = mass_.inverse().cwiseProduct(*force);
+        mass_.accelerate(*force, accelerations_[0]);
     else if (remembers())
         accelerations_[0] = memory_.tail(mass_.size());
 }
@@ -63,7 +63,7 @@ void TimeIntegrator::begin_implicit(const VecX* force) {
         x_ = start_x_;
         v_ = start_v_;
         if (force && !system_.damped()) {
-            accelerations_[0] = mass_.inverse().cwiseProduct(*force);
+            mass_.accelerate(*force, accelerations_[0]);
         } else {
             force_ = start_x_ + dt_ / 2 * start_v_;
             system_.begin_step(force_);
@@ -103,7 +103,7 @@ void TimeIntegrator::pass() {
 
 void TimeIntegrator::evaluate(VecX& acceleration) {
     system_.force(x_, v_, force_);
-    acceleration = mass_.inverse().cwiseProduct(force_);
+    mass_.accelerate(force_, acceleration);
     ++force_evaluations_;
 }
 

@@ -13,7 +13,7 @@ namespace pliant {
 class TimeIntegrator {
 public:
     // Both must outlive the integrator. The system's pattern must not change: make another integrator then.
-    TimeIntegrator(SecondOrderSystem& system, const DiagonalMass& mass, Scheme scheme = Scheme::semi_implicit_euler,
+    TimeIntegrator(SecondOrderSystem& system, const Mass& mass, Scheme scheme = Scheme::semi_implicit_euler,
                    NewtonOptions options = {});
 
     // Forgets what lives between steps. Nothing happens when it is the scheme already.
@@ -64,7 +64,7 @@ private:
     void remember();
 
     SecondOrderSystem& system_;
-    const DiagonalMass& mass_;
+    const Mass& mass_;
     NewtonOptions options_;
     Scheme scheme_;
     std::optional<ImplicitSolver> solver_;
