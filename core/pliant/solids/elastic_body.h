@@ -19,6 +19,8 @@ public:
 
     // Energy of the body [J]; infinite where an element's F is not admitted.
     virtual Real energy(const Points<Dim>& displacement) const = 0;
+    // Size of the terms that the energy is the sum of where they cancel, at rest above all [J]: rounding leaves a part of it.
+    virtual Real energy_scale() const { return 0; }
     // Its derivative [N]. Throws Diverged, naming the element, where the energy does not admit its F.
     virtual void internal_force(const Points<Dim>& displacement, Points<Dim>& force) const = 0;
     // Its second derivative [N/m]. With `definite` the tangent of each element loses its negative eigenvalues, so that the matrix

@@ -75,6 +75,15 @@ Real HyperelasticFem<Dim, Order>::energy(const Points<Dim>& displacement) const 
     });
 }
 
+// The neo-Hookean energy is mu/2 (tr F^T F - Dim) and more, of which little is left near rest.
+template <int Dim, int Order>
+Real HyperelasticFem<Dim, Order>::energy_scale() const {
+    Real sum = 0;
+    for (Index e = 0; e < elements_.element_count(); ++e)
+        if (density(e).energy() == Energy::neo_hookean) sum += mesh().volumes()[e] * density(e).material().mu * Dim / 2;
+    return sum;
+}
+
 // Node a takes w P g_a from each point, g the gradients of the shape functions.
 template <int Dim, int Order>
 void HyperelasticFem<Dim, Order>::internal_force(const Points<Dim>& displacement, Points<Dim>& force) const {

@@ -41,6 +41,7 @@ public:
     void stress(const Points<Dim>& displacement, Tensors<Dim>& P) const;
 
     Real energy(const Points<Dim>& displacement) const override;
+    Real energy_scale() const override;
     void internal_force(const Points<Dim>& displacement, Points<Dim>& force) const override;
     void stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const override;
     const SparseMatrix& pattern() const override { return assembly_.pattern(); }

@@ -126,7 +126,7 @@ bool NewtonEquilibrium<Dim>::try_step(Real length, Real slope) {
     const Real potential = energy - work;
     if (!std::isfinite(potential)) return false;
     const bool moves_supports = constraints_.distance_from(u_) > 0;
-    const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * (std::abs(energy) + std::abs(work));
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * (std::abs(energy) + std::abs(work) + body_->energy_scale());
     if (!moves_supports && potential > potential_ + enough_decrease * length * slope + rounding) return false;
     u_.swap(trial_);
     potential_ = potential;

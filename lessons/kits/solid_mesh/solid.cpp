@@ -2,11 +2,11 @@
 
 #include <pliant/continuum/deformation.h>
 #include <pliant/mesh/simplex_quadrature.h>
-#include <pliant/mesh_file/mesh_file.h>
 #include <pliant/solids/hyperelastic_fem.h>
 #include <pliant/solids/newton_equilibrium.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace pliant::solid_mesh {
@@ -63,6 +63,7 @@ public:
         return sum / Elements::points;
     }
     Small deformation(Index element, const MatX& u) const override {
+        if constexpr (Order == 1) return body_.deformation_gradient(element, u);
         Mat<Dim> F = Mat<Dim>::Identity();
         const MatX g = slopes(element);
         for (int a = 0; a < nodes; ++a) F += u.col(elements_(a, element)) * g.col(a).transpose();
@@ -74,6 +75,7 @@ public:
         if (settings_.law != Law::corotational) return green_strain<Dim>(H);
         return polar_decomposition<Dim>(F).S - Mat<Dim>::Identity();
     }
+    Small rotation(const Small& F) const override { return nearest_rotation<Dim>(Mat<Dim>(F)); }
     Small stress(const Small& F) const override { return body_.density(0).P(Mat<Dim>(F)); }
     Real von_mises(const Small& F) const override;
     MatX element_stiffness(Index element, const MatX& u) const override { return body_.element_stiffness(element, u, false); }
@@ -113,20 +115,29 @@ public:
     void hold(const std::vector<Index>& nodes_held) override {
         held_.assign(held_.size(), 0);
         for (const Index n : nodes_held) held_[static_cast<std::size_t>(n)] = 1;
-        newton_.emplace(body_, constraints(MatX::Zero(Dim, node_count())), typename NewtonEquilibrium<Dim>::Settings{});
+        supports_.reset();
+        newton_.emplace(body_, constraints(MatX::Zero(Dim, node_count())),
+                        typename NewtonEquilibrium<Dim>::Settings{.tolerance = 1e-9, .max_iterations = 200});
     }
-    void begin(const MatX& u, const MatX& load, const MatX& places) override { newton_->begin(u, load, constraints(places)); }
+    void begin(const MatX& u, const MatX& load, const MatX& places) override {
+        supports_ = constraints(places);
+        newton_->begin(u, load, *supports_);
+    }
     void iterate() override { newton_->iterate(); }
-    bool running() const override { return newton_ && newton_->running(); }
-    void require_convergence() const override { newton_->require_convergence(); }
+    bool running() const override { return newton_ && newton_->running() && !(in_place() && balanced()); }
+    bool converged() const override { return newton_->converged(); }
     MatX displacement() const override { return newton_->displacement(); }
     MatX newton_step() const override { return newton_->step(); }
     Real step_length() const override { return newton_->step_length(); }
     bool tangent_was_definite() const override { return newton_->tangent_was_definite(); }
     Real diagonal_shift() const override { return newton_->diagonal_shift(); }
-    Real residual() const override { return newton_->residual(); }
 
 private:
+    void require_convergence() const override { newton_->require_convergence(); }
+    Real residual_force() const override { return newton_->residual_force().cwiseAbs().maxCoeff(); }
+    Real largest_force() const override {
+        return residual_force() / std::max(newton_->residual(), std::numeric_limits<Real>::min());
+    }
     DisplacementConstraints<Dim> constraints(const MatX& places) const {
         DisplacementConstraints<Dim> all(node_count());
         for (Index n = 0; n < node_count(); ++n)
@@ -151,8 +162,11 @@ private:
         }
     }
 
+    bool in_place() const { return supports_ && supports_->distance_from(newton_->displacement()) == 0; }
+
     SimplexMesh<Dim> mesh_;
     HyperelasticFem<Dim, Order> body_;
+    std::optional<DisplacementConstraints<Dim>> supports_;
     std::optional<NewtonEquilibrium<Dim>> newton_;
 };
 
@@ -225,9 +239,9 @@ std::unique_ptr<Solid> of_order(const BodySettings& settings, SimplexMesh<Dim> m
 }
 
 template <int Dim>
-std::unique_ptr<Solid> of_file(const BodySettings& settings, const MeshFile& file) {
-    SimplexMesh<Dim> mesh = simplex_mesh_of<Dim>(file, settings.path);
-    require_facet_groups<Dim>(mesh, {"fixed", "loaded"}, settings.path);
+std::unique_ptr<Solid> of_file(const BodySettings& settings) {
+    SimplexMesh<Dim> mesh = simplex_mesh_of<Dim>(*settings.file, settings.file_name);
+    require_facet_groups<Dim>(mesh, {"fixed", "loaded"}, settings.file_name);
     return of_order<Dim>(settings, std::move(mesh));
 }
 
@@ -244,8 +258,7 @@ std::unique_ptr<Solid> make_solid(const BodySettings& s) {
         case Shape::file:
             break;
     }
-    const MeshFile file = read_mesh_file(s.path);
-    return file.dimension() == 2 ? of_file<2>(s, file) : of_file<3>(s, file);
+    return s.file->dimension() == 2 ? of_file<2>(s) : of_file<3>(s);
 }
 
 Vec<3> Solid::rest(Index node) const {
@@ -258,6 +271,28 @@ Vec<3> Solid::place(Index node, const MatX& u, Real magnification) const {
     Vec<3> x = rest(node);
     x.head(dim_) += magnification * u.col(node);
     return x;
+}
+
+// VTK has the middles of the last two edges of a tetrahedron the other way round.
+UnstructuredGrid Solid::grid(const MatX& u) const {
+    const bool second = settings_.order == 2;
+    Eigen::MatrixXi cells = elements_;
+    if (second && dim_ == 3) cells.row(8).swap(cells.row(9));
+    const CellKind kind = dim_ == 2 ? (second ? CellKind::triangle6 : CellKind::triangle)
+                                    : (second ? CellKind::tetrahedron10 : CellKind::tetrahedron);
+    return grid_of(in_space(rest_ + u), kind, std::move(cells), {On::element});
+}
+
+// A stiffness entry of the body times its size, a small part: rounding leaves less than its billionth part.
+Real Solid::residual() const {
+    const Real size = (rest_.rowwise().maxCoeff() - rest_.rowwise().minCoeff()).norm();
+    const Real least = 1e-5 * (std::abs(lame_.lambda) + lame_.mu) * volume() / size;
+    const Real left = residual_force();
+    return left > 0 ? left / std::max(largest_force(), least) : 0;
+}
+
+void Solid::require_balance() const {
+    if (!balanced()) require_convergence();
 }
 
 Real Solid::volume(const MatX& u) const {

@@ -1,8 +1,11 @@
 // An elastic body of finite elements, in the plane or in space and of first or second order, as lessons show it: one interface
 // for all four, with numbers laid out as fields have them.
 #pragma once
+#include <pliant/continuum/moduli.h>
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/math/types.h>
 #include <pliant/mesh/simplex_mesh.h>
+#include <pliant/mesh_file/mesh_file.h>
 #include <pliant/solids/elastic_body.h>
 
 #include <array>
@@ -24,7 +27,8 @@ struct BodySettings {
     Real youngs_modulus = 1, poisson_ratio = 0;
     Vec<3> size = Vec<3>::Ones();  // m, of a beam
     std::array<int, 3> cells{1, 1, 1};
-    std::string path{};  // of a file
+    std::shared_ptr<const MeshFile> file{};
+    std::string file_name{};
 };
 
 using Small = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;  // dim × dim
@@ -73,6 +77,8 @@ public:
     virtual MatX slopes(Index element) const = 0;
     // F there; with elements of first order everywhere.
     virtual Small deformation(Index element, const MatX& u) const = 0;
+    // R of F = R S.
+    virtual Small rotation(const Small& F) const = 0;
     // The strain that the law is made of: ε, S − I of F = R S, or E; and P(F) [Pa], of all elements alike.
     virtual Small strain(const Small& F) const = 0;
     virtual Small stress(const Small& F) const = 0;
@@ -86,6 +92,8 @@ public:
     virtual void internal_force(const MatX& u, MatX& force) const = 0;       // N
     virtual const SparseMatrix& pattern() const = 0;                         // of K
     virtual SparseMatrix stiffness(const MatX& u, bool definite) const = 0;  // N/m
+    // The deformed body, for files that other programs read.
+    UnstructuredGrid grid(const MatX& u) const;
     // Volume of the deformed body [m³].
     Real volume(const MatX& u) const;
     Lame lame() const { return lame_; }  // Pa, of the law: with plane stress taken in
@@ -112,15 +120,23 @@ public:
     virtual void begin(const MatX& u, const MatX& load, const MatX& places) = 0;
     virtual void iterate() = 0;
     virtual bool running() const = 0;
-    virtual void require_convergence() const = 0;
+    virtual bool converged() const = 0;
+    // Throws Diverged, with the residual that was reached and its limit, unless balanced().
+    void require_balance() const;
     virtual MatX displacement() const = 0;
     virtual MatX newton_step() const = 0;  // m, before the line search
     virtual Real step_length() const = 0;
     virtual bool tangent_was_definite() const = 0;
     virtual Real diagonal_shift() const = 0;
-    virtual Real residual() const = 0;  // relative
+    // Largest force that nothing balances over the largest force; over what rounding makes of forces in such a body where a
+    // rigid motion leaves no others.
+    Real residual() const;
+    bool balanced() const { return converged() || residual() <= 1e-9; }
 
 protected:
+    virtual void require_convergence() const = 0;
+    virtual Real residual_force() const = 0;  // N, largest
+    virtual Real largest_force() const = 0;   // N, of load and internal forces
     explicit Solid(BodySettings settings) : settings_(std::move(settings)) {}
 
     BodySettings settings_;

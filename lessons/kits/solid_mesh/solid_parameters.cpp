@@ -64,22 +64,22 @@ BodySettings SolidParameters::settings(Shape shape, int order) const {
     return s;
 }
 
-void SolidParameters::check(Shape shape, int order, bool has_law) const {
-    if (shape != Shape::beam && shape != Shape::file && has_law && Law(law) == Law::neo_hookean && Plane(plane) == Plane::stress)
+void SolidParameters::check(const BodySettings& s, bool in_plane, bool has_law) const {
+    if (in_plane && has_law && Law(law) == Law::neo_hookean && Plane(plane) == Plane::stress)
         throw Refused(
             "plane = stress with model = neo_hookean: in plane stress the thickness of a neo-Hookean body is an unknown of its "
             "own. "
             "Take plane=strain, or model=linear, corotational or stvk");
-    if (shape == Shape::file) return;
-    const bool in_space = shape == Shape::beam;
+    if (s.shape == Shape::file) return;
+    const bool in_space = s.shape == Shape::beam;
     // The middles of edges make a body of second order about eight times as dear.
     const Index count = cells_x * cells_y * (in_space ? 6 * Index(cells_z) : Index{2}),
-                most = most_elements / (order == 2 ? 6 : 1);
+                most = most_elements / (s.order == 2 ? 6 : 1);
     if (count > most)
         throw Refused(fmt::format("cells_x = {}, cells_y = {}{} make {} elements: at most {} are accepted{}. Take fewer cells",
                                   Index(cells_x), Index(cells_y),
                                   in_space ? fmt::format(", cells_z = {}", Index(cells_z)) : std::string(), count, most,
-                                  order == 2 ? " of second order" : ""));
+                                  s.order == 2 ? " of second order" : ""));
     if (!in_space) return;
     const Vec<3> edge(length / static_cast<Real>(Index(cells_x)), height / static_cast<Real>(Index(cells_y)),
                       width / static_cast<Real>(Index(cells_z)));

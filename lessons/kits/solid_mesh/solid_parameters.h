@@ -31,7 +31,7 @@ struct SolidParameters {
     BodySettings settings(Shape shape, int order) const;
     Vec<3> load() const { return {load_x, load_y, load_z}; }  // N, in all
     // Refuses what no such body can be.
-    void check(Shape shape, int order, bool has_law) const;
+    void check(const BodySettings& s, bool in_plane, bool has_law) const;
 };
 
 }  // namespace pliant::solid_mesh

@@ -71,7 +71,7 @@ void draw_nodes(Scene& scene, const Drawn& drawn, float radius) {
     std::vector<char> wanted(static_cast<std::size_t>(solid.node_count()), solid.dim() == 2);
     for (Index f = 0; f < solid.facets().cols(); ++f)
         for (Index a = 0; a < solid.facets().rows(); ++a) wanted[static_cast<std::size_t>(solid.facets()(a, f))] = 1;
-    PointMarks nodes{.at = {}, .ink = Ink::edge, .radius = radius};
+    PointMarks nodes{.at = {}, .ink = Ink::edge, .radius = solid.node_count() > 60 ? 0.6f * radius : radius};
     for (Index n = 0; n < solid.node_count(); ++n)
         if (wanted[static_cast<std::size_t>(n)]) nodes.at.push_back(at_place(drawn.place(n))), nodes.pick.ids.push_back(n);
     nodes.pick.pickable = true;
@@ -100,20 +100,22 @@ void draw_rest(Scene& scene, const Solid& solid) {
     if (!outline.ends.empty()) scene.lines.push_back(std::move(outline));
 }
 
-void draw_supports(Scene& scene, const Drawn& drawn) {
+namespace {
+
+void draw_held(Scene& scene, const Drawn& drawn, const std::vector<Index>& facets) {
     const Solid& solid = *drawn.solid;
-    if (solid.fixed_facets().empty()) return;
+    if (facets.empty()) return;
     const Real off = 0.003 * size_at_rest(solid);
     if (solid.dim() == 2) {
         LineMarks held{.ends = {}, .ink = Ink::fixed, .width = 6};
-        for (const Index f : solid.fixed_facets())
+        for (const Index f : facets)
             for (int a = 0; a < 2; ++a) held.ends.push_back(at_place(drawn.place(solid.facets()(a, f))));
         scene.lines.push_back(std::move(held));
         return;
     }
     TriangleMarks held{.corners = {}, .triangles = {}, .ink = Ink::fixed, .opacity = 0.8f};
     LineMarks rim{.ends = {}, .ink = Ink::fixed, .width = 3};
-    for (const Index f : solid.fixed_facets()) {
+    for (const Index f : facets) {
         const Vec<3> out = off * Vec<3>(solid.facet_areas().col(f)).normalized();
         const int first = static_cast<int>(held.corners.size());
         held.triangles.push_back({first, first + 1, first + 2});
@@ -127,6 +129,11 @@ void draw_supports(Scene& scene, const Drawn& drawn) {
     scene.lines.push_back(std::move(rim));
 }
 
+}  // namespace
+
+void draw_supports(Scene& scene, const Drawn& drawn) { draw_held(scene, drawn, drawn.solid->fixed_facets()); }
+void draw_turned(Scene& scene, const Drawn& drawn) { draw_held(scene, drawn, drawn.solid->loaded_facets()); }
+
 void draw_load(Scene& scene, const Drawn& drawn, const Vec<3>& force) {
     const Solid& solid = *drawn.solid;
     const auto& facets = solid.loaded_facets();
@@ -136,20 +143,24 @@ void draw_load(Scene& scene, const Drawn& drawn, const Vec<3>& force) {
     Vec<3> outward = Vec<3>::Zero(), middle = Vec<3>::Zero();
     for (const Index f : facets) outward.head(solid.dim()) += solid.facet_areas().col(f);
     const bool leaves = outward.dot(force) >= -1e-9 * outward.norm() * force.norm();
-    const std::size_t every = std::max<std::size_t>(1, facets.size() / 9);
+    // One arrow for a pull along the face, which would hide the others.
+    const bool along_face = std::abs(outward.dot(force)) < 0.3 * outward.norm() * force.norm();
+    const auto middle_of = [&](Index facet) {
+        Vec<3> sum = Vec<3>::Zero();
+        for (int a = 0; a < solid.dim(); ++a) sum += drawn.place(solid.facets()(a, facet));
+        return Vec<3>(sum / solid.dim());
+    };
+    for (const Index f : facets) middle += middle_of(f) / static_cast<Real>(facets.size());
     ArrowMarks arrows{.from = {}, .to = {}};
-    std::size_t drawn_facets = 0;
-    for (std::size_t k = every / 2; k < facets.size(); k += every) {
-        Vec<3> on_face = Vec<3>::Zero();
-        for (int a = 0; a < solid.dim(); ++a) on_face += drawn.place(solid.facets()(a, facets[k]));
-        on_face /= solid.dim();
+    const auto add = [&](const Vec<3>& on_face) {
         arrows.from.push_back(at_place(leaves ? on_face : Vec<3>(on_face - along)));
         arrows.to.push_back(at_place(leaves ? Vec<3>(on_face + along) : on_face));
-        middle += on_face;
-        ++drawn_facets;
-    }
-    if (drawn_facets == 0) return;
-    middle /= static_cast<Real>(drawn_facets);
+    };
+    const std::size_t every = std::max<std::size_t>(1, facets.size() / (solid.dim() == 2 ? 3 : 6));
+    if (along_face)
+        add(middle);
+    else
+        for (std::size_t f = every / 2; f < facets.size(); f += every) add(middle_of(facets[f]));
     const Vec<3> end = leaves ? Vec<3>(middle + along) : Vec<3>(middle - along);
     scene.arrows.push_back(std::move(arrows));
     LabelMark label{.at = at_place(end), .text = fmt::format("F = {}", format_quantity(force.norm(), "N")), .ink = Ink::force};

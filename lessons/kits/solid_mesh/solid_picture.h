@@ -28,6 +28,8 @@ void draw_nodes(Scene& scene, const Drawn& drawn, float radius = 3);
 // The outline at rest: boundary edges in the plane, sharp edges in space.
 void draw_rest(Scene& scene, const Solid& solid);
 void draw_supports(Scene& scene, const Drawn& drawn);
+// The loaded face as a support, which turns it.
+void draw_turned(Scene& scene, const Drawn& drawn);
 // Arrows on the loaded face, towards the whole force [N], and its label.
 void draw_load(Scene& scene, const Drawn& drawn, const Vec<3>& force);
 // Its edges, and the numbers of its corners.

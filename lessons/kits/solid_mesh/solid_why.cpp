@@ -111,19 +111,27 @@ Explanation SolidWhy::strain(Index element, int i, int j) const {
         return {fmt::format("{} = ½ ({} + {})", why::entry("ε", i, j), why::entry("F", i, j), why::entry("F", j, i)),
                 {F(i, j), F(j, i)}};
     }
-    if (solid->settings().law == Law::corotational)
-        return Explanation{fmt::format("{} = stretch(F_n), an entry of S − I, where F = R S", why::entry("e", i, j)),
-                           family_of("F_n", all_entries("F", "deformation_gradient", element))}
-            .by("stretch", "", [body = solid, i, j](Values x) { return body->strain(small_matrix(body->dim(), x))(i, j); });
+    const bool turns = solid->settings().law == Law::corotational;
+    const auto left = [&](int r, int k) { return turns ? entry_now("R", "rotation", element, r, k) : F(r, k); };
     std::vector<Input> inputs;
     std::string sum;
     for (int k = 0; k < solid->dim(); ++k) {
-        inputs.push_back(F(k, i));
-        if (i != j) inputs.push_back(F(k, j));
-        sum += i == j ? fmt::format("{}{}²", k ? " + " : "", why::entry("F", k, i))
-                      : fmt::format("{}{} {}", k ? " + " : "", why::entry("F", k, i), why::entry("F", k, j));
+        inputs.push_back(left(k, i));
+        if (turns || i != j) inputs.push_back(F(k, j));
+        const bool square = !turns && i == j;
+        sum += fmt::format("{}{}", k ? " + " : "",
+                           square ? why::entry("F", k, i) + "²"
+                                  : fmt::format("{} {}", why::entry(turns ? "R" : "F", k, i), why::entry("F", k, j)));
     }
-    return {fmt::format("{} = ½ ({}{})", why::entry("E", i, j), sum, i == j ? " − 1" : ""), std::move(inputs)};
+    const char* one = i == j ? " − 1" : "";
+    if (turns) return {fmt::format("{} = {}{}, e = S − I = RᵀF − I", why::entry("e", i, j), sum, one), std::move(inputs)};
+    return {fmt::format("{} = ½ ({}{})", why::entry("E", i, j), sum, one), std::move(inputs)};
+}
+
+Explanation SolidWhy::rotation(Index element, int i, int j) const {
+    return Explanation{fmt::format("{} = turn(F_n), an entry of the rotation nearest to F", why::entry("R", i, j)),
+                       family_of("F_n", all_entries("F", "deformation_gradient", element))}
+        .by("turn", "", [body = solid, i, j](Values x) { return body->rotation(small_matrix(body->dim(), x))(i, j); });
 }
 
 // 2 μ ε_ij + λ tr ε.
@@ -145,25 +153,25 @@ Input SolidWhy::hooke(std::string_view left, std::string_view symbol, Index elem
 Explanation SolidWhy::stress(Index element, int i, int j) const {
     const std::string name = why::entry("P", i, j);
     if (linear()) return *hooke("P", "ε", element, i, j).why;
-    if (solid->settings().law == Law::stvk) {
+    if (solid->settings().law != Law::neo_hookean) {
+        // Hooke's law on the strain, turned by R or taken along by F.
+        const bool turns = solid->settings().law == Law::corotational;
+        const std::string_view left = turns ? "R" : "F", field = turns ? "rotation" : "deformation_gradient";
         std::vector<std::pair<Input, Input>> terms;
         for (int k = 0; k < solid->dim(); ++k)
-            terms.emplace_back(entry_now("F", "deformation_gradient", element, i, k), hooke("S", "E", element, k, j));
-        const std::string along_row = fmt::format("F_{}k", i + 1), along_column = fmt::format("S_k{}", j + 1);
+            terms.emplace_back(entry_now(left, field, element, i, k), hooke("S", turns ? "e" : "E", element, k, j));
+        const std::string along_row = fmt::format("{}_{}k", left, i + 1), along_column = fmt::format("S_k{}", j + 1);
         return weighted_sum(fmt::format("{} = Σ_k {} {}", name, along_row, along_column), along_row, along_column, terms);
     }
-    const bool turns = solid->settings().law == Law::corotational;
-    Explanation e{fmt::format("{} = law(F_n, μ, λ), an entry of {}", name,
-                              turns ? "R (2 μ (S − I) + λ tr(S − I) I)" : "μ (F − G) + λ ln J G, G the transposed inverse of F"),
+    Explanation e{fmt::format("{} = law(F_n, μ, λ), an entry of μ (F − G) + λ ln J G, G the transposed inverse of F", name),
                   family_of("F_n", all_entries("F", "deformation_gradient", element))};
     e.inputs.push_back(mu()), e.inputs.push_back(lambda());
-    return std::move(e).by("law", "Pa", [d = solid->dim(), turns, i, j](Values x) {
+    return std::move(e).by("law", "Pa", [d = solid->dim(), i, j](Values x) {
         const auto entries = static_cast<std::size_t>(d * d);
         const Lame material{.lambda = x[entries + 1], .mu = x[entries]};
-        const Energy energy = turns ? Energy::corotated : Energy::neo_hookean;
         const Small F = small_matrix(d, x);
-        if (d == 2) return EnergyDensity<2>(energy, material).P(F)(i, j);
-        return EnergyDensity<3>(energy, material).P(F)(i, j);
+        if (d == 2) return EnergyDensity<2>(Energy::neo_hookean, material).P(F)(i, j);
+        return EnergyDensity<3>(Energy::neo_hookean, material).P(F)(i, j);
     });
 }
 

@@ -1,6 +1,6 @@
 // Why the elements and nodes of an elastic body have the numbers that they have: from the material and the displacements of its
 // nodes to F, strain, stress, the element's stiffness and the force on a node. For lessons whose fields are called displacement,
-// rest_volume, deformation_gradient, strain, stress, element_stiffness, internal_force.
+// rest_volume, deformation_gradient, rotation (of the corotational law), strain, stress, element_stiffness, internal_force.
 #pragma once
 #include "solid_parameters.h"
 
@@ -22,6 +22,7 @@ struct SolidWhy {
     Input mu() const, lambda() const;
     Explanation volume(Index element) const;
     Explanation deformation(Index element, int i, int j) const;
+    Explanation rotation(Index element, int i, int j) const;
     Explanation strain(Index element, int i, int j) const;
     Explanation stress(Index element, int i, int j) const;
     Explanation von_mises(Index element) const;
