@@ -37,6 +37,7 @@ pliant_find_or_fetch(Eigen3 Eigen3::Eigen https://gitlab.com/libeigen/eigen.git 
 pliant_find_or_fetch(fmt fmt::fmt https://github.com/fmtlib/fmt.git 9.1.0)
 pliant_find_or_fetch(nlohmann_json nlohmann_json::nlohmann_json https://github.com/nlohmann/json.git v3.11.2 3.11)
 find_package(ZLIB REQUIRED)
+pliant_find_or_fetch(pugixml pugixml::pugixml https://github.com/zeux/pugixml.git v1.13)
 find_package(Threads REQUIRED)
 include(ThreadDependencies)
 

@@ -2,7 +2,7 @@
 # PLIANT_INSTALLABLE tells the tests whether there is anything to install.
 get_property(fetched GLOBAL PROPERTY PLIANT_FETCHED)
 set(PLIANT_INSTALLABLE ON CACHE INTERNAL "")
-foreach(package Eigen3 fmt nlohmann_json TBB)
+foreach(package Eigen3 fmt nlohmann_json pugixml TBB)
   if(package IN_LIST fetched)
     message(STATUS "install: left out, for an installed pliant::core needs ${package} installed too")
     set(PLIANT_INSTALLABLE OFF CACHE INTERNAL "")

@@ -38,11 +38,14 @@ logged() {
 # ---- Packages of the distribution, as "why: package package ..." ----
 run_packages=(
     "compiler and build tools: g++ cmake ninja-build xz-utils"
-    "numbers, threads, text and the command line: libeigen3-dev libtbb-dev libfmt-dev nlohmann-json3-dev libcli11-dev zlib1g-dev"
+    "numbers, threads, text and the command line: libeigen3-dev libtbb-dev libfmt-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libpugixml-dev"
     "windows and pictures: libglfw3-dev libosmesa6-dev libegl-dev libgl-dev libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri"
     "picture and PDF files, GL functions and letters: libpng-dev libgif-dev libhpdf-dev python3-glad fonts-dejavu-core fonts-dejavu-extra"
 )
-test_packages=("a screen, a mouse and a second locale for the tests: xvfb xdotool x11-xkb-utils locales")
+test_packages=(
+    "a screen, a mouse and a second locale for the tests: xvfb xdotool x11-xkb-utils locales"
+    "another program that reads the files of VTK: python3-meshio"
+)
 bench_packages=("the benchmarks: libbenchmark-dev")
 fuzz_packages=("the fuzzers: clang libclang-rt-dev")
 format_packages=("formatting: clang-format")

@@ -70,16 +70,29 @@ inline bool fuzz_lecture(std::string_view bytes) {
     }
 }
 
-// True when it makes a body.
+// The ending that a mesh file with these first bytes has.
+inline std::string mesh_name(std::string_view bytes) {
+    if (bytes.starts_with("$")) return "body.msh";
+    if (bytes.starts_with("# vtk")) return "body.vtk";
+    if (bytes.starts_with("<")) return "body.vtu";
+    for (const char* begin : {"# ", "v ", "o ", "g ", "f "})
+        if (bytes.starts_with(begin)) return "body.obj";
+    return "body.stl";
+}
+
+// True when it makes a body, or a surface.
 inline bool fuzz_mesh_file(std::string_view bytes) {
     const auto promise_body = [](const auto& mesh) {
         promise(mesh.volume() > 0, "a body has a volume");
         promise(mesh.facet_count() > 0, "a body has a boundary");
     };
     try {
-        const MeshFile file = parse_mesh_file(bytes, "body.msh");
-        if (file.dimension() == 3) return promise_body(simplex_mesh_of<3>(file, "body.msh")), true;
-        if (file.dimension() == 2) return promise_body(simplex_mesh_of<2>(file, "body.msh")), true;
+        const std::string name = mesh_name(bytes);
+        const MeshFile file = parse_mesh_file(bytes, name);
+        if (name == "body.obj" || name == "body.stl")
+            return promise(surface_of(file, name).triangles.cols() > 0, "a surface"), true;
+        if (file.dimension() == 3) return promise_body(simplex_mesh_of<3>(file, name)), true;
+        if (file.dimension() == 2) return promise_body(simplex_mesh_of<2>(file, name)), true;
     } catch (const Error&) {
     }
     return false;

@@ -148,7 +148,7 @@ TEST_CASE("a mesh that makes no body is refused with the numbers of its file", "
     CHECK_THAT(refusal([&] {
                    require_facet_groups(mesh, {"fixed", "held"}, "s.msh");
                }),
-               ContainsSubstring("the group 'held' of edges on the boundary is missing; there are fixed, loaded"));
+               ContainsSubstring("the group 'held' of edges on the boundary is missing; the file has fixed, loaded"));
 }
 
 TEST_CASE("what is no Gmsh file, or not a whole one, is refused with its line", "[mesh_file]") {
@@ -169,7 +169,7 @@ TEST_CASE("what is no Gmsh file, or not a whole one, is refused with its line", 
     CHECK_THAT(refused(with(square(), "$EndElements\n", "")), ContainsSubstring("'$EndElements' should stand here"));
     CHECK_THAT(refused(square().substr(0, square().find("$Elements"))), ContainsSubstring("the section $Elements is missing"));
     CHECK_THAT(refusal([] { parse_mesh_file("", "body.stp"); }),
-               ContainsSubstring("body.stp: a mesh is read from a file of Gmsh that ends in .msh"));
+               ContainsSubstring("body.stp: a mesh is read from a file that ends in .msh"));
     const std::string binary = read_file(folder + "cube_41_binary.msh");
     CHECK_THAT(refused(binary.substr(0, binary.size() / 2)), ContainsSubstring("s.msh:byte "));
 }

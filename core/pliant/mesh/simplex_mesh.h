@@ -53,6 +53,7 @@ public:
     void name_facets(const std::string& name, Set facets);
     const Set& nodes(std::string_view name) const;
     const Set& facets(std::string_view name) const;
+    const std::map<std::string, Set, std::less<>>& node_sets() const { return node_sets_; }
     const std::map<std::string, Set, std::less<>>& facet_sets() const { return facet_sets_; }
 
     // The same simplices and named sets on other points. Throws Refused as the constructor does.

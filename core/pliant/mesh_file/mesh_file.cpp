@@ -1,12 +1,15 @@
 #include <pliant/math/error.h>
 #include <pliant/mesh_file/gmsh.h>
 #include <pliant/mesh_file/mesh_file.h>
-#include <pliant/text/file.h>
+#include <pliant/mesh_file/surface_files.h>
+#include <pliant/mesh_file/vtk.h>
+#include <pliant/text/stored_file.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -93,9 +96,11 @@ private:
 template <int Dim>
 void name_groups(const MeshFile& file, const KeptNodes& kept, SimplexMesh<Dim>& mesh) {
     const FacetFinder<Dim> finder(mesh);
+    std::map<std::string, typename SimplexMesh<Dim>::Set> nodes_of_name;
     for (const MeshGroup& g : file.groups) {
         const MeshFileElements& elements = file.elements[static_cast<std::size_t>(g.dimension)];
-        typename SimplexMesh<Dim>::Set nodes, facets;
+        auto& nodes = nodes_of_name[g.name];
+        typename SimplexMesh<Dim>::Set facets;
         bool on_boundary = g.dimension == Dim - 1;
         for (const Index e : g.elements) {
             for (int a = 0; a <= g.dimension; ++a)
@@ -106,8 +111,28 @@ void name_groups(const MeshFile& file, const KeptNodes& kept, SimplexMesh<Dim>& 
             facets.push_back(finder.find(facet));
             on_boundary = facets.back() >= 0;
         }
-        mesh.name_nodes(g.name, std::move(nodes));
         if (on_boundary) mesh.name_facets(g.name, std::move(facets));
+    }
+    for (auto& [name, nodes] : nodes_of_name) mesh.name_nodes(name, std::move(nodes));
+}
+
+// Boundary facets whose corners all belong to the set.
+template <int Dim>
+void name_point_sets(const MeshFile& file, const KeptNodes& kept, SimplexMesh<Dim>& mesh) {
+    for (const MeshPointSet& set : file.point_sets) {
+        if (mesh.facet_sets().contains(set.name)) continue;
+        std::vector<char> in_set(static_cast<std::size_t>(mesh.node_count()), 0);
+        typename SimplexMesh<Dim>::Set nodes, facets;
+        for (const Index p : set.points)
+            if (const int n = kept.node_of_point[static_cast<std::size_t>(p)]; n >= 0)
+                nodes.push_back(n), in_set[static_cast<std::size_t>(n)] = 1;
+        for (Index f = 0; f < mesh.facet_count(); ++f) {
+            const auto corners = mesh.facets().col(f);
+            if (std::all_of(corners.begin(), corners.end(), [&](int n) { return in_set[static_cast<std::size_t>(n)] == 1; }))
+                facets.push_back(f);
+        }
+        mesh.name_nodes(set.name, std::move(nodes));
+        if (!facets.empty()) mesh.name_facets(set.name, std::move(facets));
     }
 }
 
@@ -119,12 +144,23 @@ int MeshFile::dimension() const {
     return 0;
 }
 
-MeshFile read_mesh_file(const std::string& path) { return parse_mesh_file(read_file(path), path); }
+MeshFile read_mesh_file(const std::string& path) {
+    const StoredFile& file = stored_file(store_file(path, mesh_file_endings));
+    if (file.name.empty())
+        throw Refused(fmt::format("no mesh is named: give a file that ends in {}", accepted_files(mesh_file_endings)));
+    return parse_mesh_file(file.bytes, file.name);
+}
 
 MeshFile parse_mesh_file(std::string_view bytes, std::string_view path) {
-    const std::string ending = std::filesystem::path(path).extension().string();
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (ending == ".msh") return parse_gmsh(bytes, path);
-    throw Refused(fmt::format("{}: a mesh is read from a file of Gmsh that ends in .msh, not in '{}'", path, ending));
+    if (ending == ".vtu") return parse_vtu(bytes, path);
+    if (ending == ".vtk") return parse_vtk_legacy(bytes, path);
+    if (ending == ".obj") return parse_obj(bytes, path);
+    if (ending == ".stl") return parse_stl(bytes, path);
+    throw Refused(fmt::format("{}: a mesh is read from a file that ends in {}, not in '{}'", path,
+                              fmt::join(mesh_file_endings, ", "), ending));
 }
 
 template <int Dim>
@@ -136,6 +172,7 @@ SimplexMesh<Dim> simplex_mesh_of(const MeshFile& file, std::string_view path) {
     const KeptNodes kept = corners_of(file, Dim + 1);
     SimplexMesh<Dim> mesh = bare_mesh<Dim>(file, kept, path);
     name_groups(file, kept, mesh);
+    name_point_sets(file, kept, mesh);
     return mesh;
 }
 
@@ -144,11 +181,22 @@ void require_facet_groups(const SimplexMesh<Dim>& mesh, std::initializer_list<st
     const auto& sets = mesh.facet_sets();
     for (const std::string_view name : names) {
         if (const auto found = sets.find(name); found != sets.end() && !found->second.empty()) continue;
-        std::vector<std::string_view> known;
+        const std::string_view facets = Dim == 2 ? "edges" : "triangles";
+        std::vector<std::string_view> known, others;
         for (const auto& [key, set] : sets) known.push_back(key);
-        throw Refused(fmt::format(
-            "{}: the group '{}' of {} on the boundary is missing; there {}: make a physical group of that name", path, name,
-            Dim == 2 ? "edges" : "triangles", known.empty() ? "is none" : fmt::format("are {}", fmt::join(known, ", "))));
+        for (const auto& [key, set] : mesh.node_sets())
+            if (!sets.contains(key)) others.push_back(key);
+        if (mesh.node_sets().contains(name))
+            throw Refused(
+                fmt::format("{}: the group '{}' is there, but it is not made of {} on the boundary: it has others, or some that "
+                            "lie inside the body; give it the {} of the boundary alone",
+                            path, name, facets, facets));
+        std::string there = known.empty() ? "none on the boundary" : fmt::format("{}", fmt::join(known, ", "));
+        if (!others.empty()) there += fmt::format("; of other elements {}", fmt::join(others, ", "));
+        throw Refused(
+            fmt::format("{}: the group '{}' of {} on the boundary is missing; the file has {}: make a physical group of "
+                        "that name",
+                        path, name, facets, there));
     }
 }
 

@@ -41,9 +41,13 @@ void MeshSource::skip_space() {
     while (place_ < bytes_.size() && is_space(bytes_[place_])) ++place_;
 }
 
+std::string_view MeshSource::peek_line() const {
+    return trimmed(bytes_.substr(place_, std::min(bytes_.find('\n', place_), bytes_.size()) - place_));
+}
+
 std::string_view MeshSource::line() {
     const std::size_t end = std::min(bytes_.find('\n', place_), bytes_.size());
-    const std::string_view text = trimmed(bytes_.substr(place_, end - place_));
+    const std::string_view text = peek_line();
     place_ = std::min(end + 1, bytes_.size());
     return text;
 }
@@ -54,6 +58,15 @@ std::string_view MeshSource::word() {
     while (place_ < bytes_.size() && !is_space(bytes_[place_])) ++place_;
     if (begin == place_) refuse("the file ends where a number should stand");
     return bytes_.substr(begin, place_ - begin);
+}
+
+std::optional<std::string_view> MeshSource::peek_word() {
+    skip_space();
+    if (at_end()) return std::nullopt;
+    const std::size_t before = place_;
+    const std::string_view text = word();
+    place_ = before;
+    return text;
 }
 
 Real MeshSource::real_word() {
@@ -118,6 +131,30 @@ FileNumber MeshSource::number() {
     const Index value = whole_word();
     if (value < 0) refuse(fmt::format("{} stands where a number from 0 on should be", value));
     return static_cast<FileNumber>(value);
+}
+
+template <class T>
+Real MeshSource::raw_real() {
+    return static_cast<Real>(raw<T>());
+}
+
+Real MeshSource::number_of(std::size_t bytes, bool is_real, bool is_signed) {
+    if (is_real) return bytes == 4 ? raw_real<float>() : raw_real<double>();
+    switch (bytes) {
+        case 1:
+            return is_signed ? raw_real<std::int8_t>() : raw_real<std::uint8_t>();
+        case 2:
+            return is_signed ? raw_real<std::int16_t>() : raw_real<std::uint16_t>();
+        case 4:
+            return is_signed ? raw_real<std::int32_t>() : raw_real<std::uint32_t>();
+        default:
+            return is_signed ? raw_real<std::int64_t>() : raw_real<std::uint64_t>();
+    }
+}
+
+void MeshSource::skip(std::size_t bytes) {
+    if (bytes > bytes_.size() - place_) refuse("the file ends before its numbers begin");
+    place_ += bytes;
 }
 
 Real MeshSource::real() { return binary_ ? raw<double>() : real_word(); }

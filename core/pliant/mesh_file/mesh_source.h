@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 namespace pliant {
 
@@ -15,6 +16,7 @@ public:
     // Numbers from here on: as text, or binary, with their bytes turned round where the file comes from a machine of the other
     // kind.
     void be_binary(bool swapped) { binary_ = true, swapped_ = swapped; }
+    void be_text() { binary_ = false; }
     bool binary() const { return binary_; }
 
     [[noreturn]] void refuse(std::string_view what) const;
@@ -25,8 +27,12 @@ public:
     bool at_end() const { return place_ >= bytes_.size(); }
     // Up to the next end of line, without spaces around it.
     std::string_view line();
+    // The same, and stays before it.
+    std::string_view peek_line() const;
     // Up to the next space.
     std::string_view word();
+    // The same, and stays before it; empty at the end.
+    std::optional<std::string_view> peek_word();
     Real real_word();
     Index whole_word();
     // The rest of a line behind the words read so far, "in quotes".
@@ -40,6 +46,9 @@ public:
     std::int32_t whole();  // 4 bytes
     FileNumber number();   // 8 bytes
     Real real();           // 8 bytes
+    // Binary: of 1, 2, 4 or 8 bytes, with fraction or whole, as a Real.
+    Real number_of(std::size_t bytes, bool is_real, bool is_signed);
+    void skip(std::size_t bytes);
     // How many of something follow, each of at least so many bytes: refused when the file is too short for them.
     Index count(std::string_view what, std::size_t least_bytes_each);
     Index count_of_ints(std::string_view what, std::size_t least_bytes_each);
@@ -48,6 +57,8 @@ public:
 private:
     template <class T>
     T raw();
+    template <class T>
+    Real raw_real();
     void skip_space();
 
     std::string_view bytes_, path_;

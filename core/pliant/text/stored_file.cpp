@@ -17,6 +17,22 @@
 #include <optional>
 
 namespace pliant {
+
+namespace {
+
+std::string small_letters(std::string_view text) {
+    std::string small(text);
+    std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return small;
+}
+
+}  // namespace
+
+bool takes_ending(std::string_view name, std::span<const std::string_view> endings) {
+    const std::string small = small_letters(name);
+    return std::ranges::any_of(endings, [&](std::string_view ending) { return small.ends_with(ending); });
+}
+
 namespace {
 
 using Endings = std::span<const std::string_view>;
@@ -36,17 +52,6 @@ FileTable& file_table() {
     return table;
 }
 
-std::string small_letters(std::string_view text) {
-    std::string small(text);
-    std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return small;
-}
-
-bool ends_in_one_of(std::string_view name, Endings endings) {
-    const std::string small = small_letters(name);
-    return std::ranges::any_of(endings, [&](std::string_view ending) { return small.ends_with(ending); });
-}
-
 [[noreturn]] void refuse_file(std::string_view text, std::string_view what, Endings endings) {
     throw Refused(fmt::format("{} {}: give a file that ends in {}", text, what, accepted_files(endings)));
 }
@@ -58,7 +63,7 @@ std::string bundled_path(std::string_view text, Endings endings) {
     if (!folder.empty() && folder != bodies_folder && !folder.ends_with("assets/meshes")) return "";
     for (const std::string_view path : texts_in(bodies_folder)) {
         const std::filesystem::path known(path);
-        if (ends_in_one_of(path, endings) && (known.stem() == given.filename() || known.filename() == given.filename()))
+        if (takes_ending(path, endings) && (known.stem() == given.filename() || known.filename() == given.filename()))
             return std::string(path);
     }
     return "";
@@ -106,7 +111,7 @@ void require_usual_file(const std::filesystem::path& path, std::string_view text
     const auto status = std::filesystem::status(path, error);
     if (std::filesystem::is_directory(status)) refuse_file(text, "is a folder", endings);
     if (!std::filesystem::is_regular_file(status)) refuse_file(text, "is no file with a content of its own", endings);
-    if (!ends_in_one_of(path.string(), endings)) {
+    if (!takes_ending(path.string(), endings)) {
         const std::string ending = path.extension().string();
         refuse_file(text, ending.empty() ? "has no ending" : fmt::format("ends in {}", ending), endings);
     }
@@ -119,7 +124,7 @@ void require_usual_file(const std::filesystem::path& path, std::string_view text
 std::vector<std::string> bundled_bodies(Endings endings) {
     std::vector<std::string> names;
     for (const std::string_view path : texts_in(bodies_folder))
-        if (ends_in_one_of(path, endings)) names.push_back(std::filesystem::path(path).stem().string());
+        if (takes_ending(path, endings)) names.push_back(std::filesystem::path(path).stem().string());
     return names;
 }
 
@@ -156,7 +161,7 @@ bool is_stored(Index number, Endings endings) {
     FileTable& table = file_table();
     const std::scoped_lock lock(table.mutex);
     if (number <= 0 || number >= static_cast<Index>(table.files.size())) return number == 0;
-    return ends_in_one_of(table.files[static_cast<std::size_t>(number)].name, endings);
+    return takes_ending(table.files[static_cast<std::size_t>(number)].name, endings);
 }
 
 const StoredFile& stored_file(Index number) {

@@ -19,6 +19,9 @@ struct StoredFile {
     bool bundled = false;
 };
 
+// Does the name end in one of these, in any case of letters?
+bool takes_ending(std::string_view name, std::span<const std::string_view> endings);
+
 // The bodies that come with Pliant, which end in one of these (".msh"), by name: "hook_coarse".
 std::vector<std::string> bundled_bodies(std::span<const std::string_view> endings);
 
