@@ -27,7 +27,8 @@ struct RunOptions {
     std::optional<Index> steps;
     std::optional<Real> time;
     bool rest = false;
-    std::string csv_path;
+    std::string csv_path, vtu_path;
+    std::string fields;  // "a,b", whose numbers go into the JSON
     bool json = false, summary = false;
     bool strict = false;  // what is set without effect is refused
 };

@@ -8,6 +8,7 @@
 #include <pliant/study/lesson_page.h>
 #include <pliant/text/file.h>
 
+#include "command_line/grid_output.h"
 #include "command_line/options.h"
 #include "command_line/output_paths.h"
 #include "command_line/terminal.h"
@@ -99,8 +100,22 @@ void go_into_step(Runner& runner, const ScenePlace& to) {
     apply_to(runner, to.changes);
 }
 
+// The names in "a,b". Throws Refused for one that the lesson has not.
+std::vector<std::string> fields_from(const std::string& list, const Lesson& lesson) {
+    std::vector<std::string> names;
+    std::string_view rest = list;
+    while (!rest.empty()) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        const std::string name(rest.substr(0, comma));
+        if (!lesson.find_field(name)) lesson.field(name);
+        names.push_back(name);
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    return names;
+}
+
 std::string report_of(const RunOptions& o, const Runner& runner, const std::vector<UnusedSetting>& unused, const Companion* b) {
-    if (o.json) return run_json(runner, unused, b ? &b->runner() : nullptr);
+    if (o.json) return run_json(runner, unused, b ? &b->runner() : nullptr, fields_from(o.fields, runner.lesson()));
     const auto words = [&](const Runner& run) { return o.summary ? summary_text(run) : run_text(run); };
     if (!b) return words(runner);
     const std::string stopped = b->stopped().empty() ? "" : fmt::format("B stopped: {}\n", b->stopped());
@@ -115,6 +130,8 @@ int run(const RunOptions& options) {
     if (!options.csv_path.empty()) check_table(options.csv_path);
     Runner runner(entry, scene.parameters, 0);
     runner.set_events(scene.events);
+    fields_from(options.fields, runner.lesson());
+    GridOutput grids(options.vtu_path, entry, runner.lesson());
     const auto unused = tell_unused(unused_settings(scene), options.strict);
     const bool to_place = runs_to_place(options, scene);
     const Until until = to_place ? Until::after_steps(scene.place->step) : until_from(options, entry, runner.is_static());
@@ -122,6 +139,7 @@ int run(const RunOptions& options) {
     std::string csv = csv_header(runner.lesson());
     const auto record = [&] {
         if (!options.csv_path.empty()) csv += csv_row(runner);
+        grids.note(runner);
         if (beside) beside->follow(runner);
     };
 
@@ -136,6 +154,7 @@ int run(const RunOptions& options) {
         divergence = e;
     }
     if (!options.csv_path.empty()) write_file(options.csv_path, csv);
+    grids.finish(runner, divergence.has_value());
     if (divergence) runner.note_failure(divergence->failure);
     print(report_of(options, runner, unused, beside.get()));
     if (divergence) throw *divergence;

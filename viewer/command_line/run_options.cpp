@@ -27,7 +27,10 @@ void add_run_commands(CLI::App& app, CommandLine& o) {
     CLI::App* run_command = app.add_subcommand("run", "run a lesson and print its probes, assumptions and costs");
     add_run_options(*run_command, o.run);
     run_command->add_option("--csv", o.run.csv_path, "write the probes of every step to this file");
+    run_command->add_option("--vtu", o.run.vtu_path,
+                            "write the last state, with all fields, to this .vtu, or every step to this .pvd and a folder");
     CLI::Option* run_json_flag = run_command->add_flag("--json", o.run.json, "print one JSON object");
+    run_command->add_option("--fields", o.run.fields, "fields whose numbers go into the JSON, as a,b")->needs(run_json_flag);
     run_command->add_flag("--summary", o.run.summary, "print how the run stands in plain sentences")->excludes(run_json_flag);
     run_command->callback([&o] { o.action = [&o] { return run(o.run); }; });
 

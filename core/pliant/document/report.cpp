@@ -101,7 +101,23 @@ std::string_view status_of(const Runner& runner) {
 }
 
 namespace {
-Json json_of_run(const Runner& runner, const std::vector<UnusedSetting>& unused) {
+Json field_json(const Field& f) {
+    const auto view = f.view();
+    Json value = Json::array();
+    for (Index r = 0; r < f.size(); ++r) {
+        const auto row = view.subspan(static_cast<std::size_t>(r * f.components), static_cast<std::size_t>(f.components));
+        if (f.rank == Rank::scalar) {
+            value.push_back(number(row[0]));
+            continue;
+        }
+        Json list = Json::array();
+        for (const Real x : row) list.push_back(number(x));
+        value.push_back(std::move(list));
+    }
+    return {{"unit", f.unit}, {"on", pliant::name_of(f.on)}, {"value", std::move(value)}};
+}
+
+Json json_of_run(const Runner& runner, const std::vector<UnusedSetting>& unused, const std::vector<std::string>& fields) {
     const Lesson& lesson = runner.lesson();
     Json j{{"lesson", runner.info().id},      {"parameters", Json::object()}, {"unused", unused_json(unused)},
            {"dimension", lesson.dimension()}, {"steps", runner.place().step}, {"time", runner.time()},
@@ -122,15 +138,17 @@ Json json_of_run(const Runner& runner, const std::vector<UnusedSetting>& unused)
     j["lines"] = lines_json(lesson);
     j["assumptions"] = assumptions_json(lesson);
     j["conserved"] = conserved_json(runner);
+    for (const std::string& name : fields) j["fields"][name] = field_json(lesson.field(name));
     j["cost"] = cost_json(runner);
     if (runner.failure()) j["failure"] = failure_json(*runner.failure());
     return j;
 }
 }  // namespace
 
-std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused, const Runner* beside) {
-    Json j = json_of_run(runner, unused);
-    if (beside) j["beside"] = json_of_run(*beside, {});
+std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused, const Runner* beside,
+                     const std::vector<std::string>& fields) {
+    Json j = json_of_run(runner, unused, fields);
+    if (beside) j["beside"] = json_of_run(*beside, {}, fields);
     return j.dump(2) + "\n";
 }
 

@@ -19,8 +19,11 @@ std::string describe_markdown(const Lesson& lesson, std::string_view id);
 
 // `pliant run LESSON`: one object with lesson, parameters, unused (what is set without effect, and what it needs), dimension,
 // steps, time, status, probes, lines, assumptions, conserved, cost and, when the run stopped early, failure; inside a step also
-// passes, and beside: the same of the run that stands beside it.
-std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused, const Runner* beside = nullptr);
+// passes, and beside: the same of the run that stands beside it. With names of fields also fields: of each its unit, what it is
+// on and its value, a number for each node, cell, ... in their order, or a list of those of a vector or tensor. Throws Refused
+// for a field that the scene does not have.
+std::string run_json(const Runner& runner, const std::vector<UnusedSetting>& unused, const Runner* beside = nullptr,
+                     const std::vector<std::string>& fields = {});
 // The same for people: probes against exact, assumptions, conserved quantities, milliseconds per stage.
 std::string run_text(const Runner& runner);
 

@@ -23,6 +23,7 @@ struct DeformationGradientLesson final : Lesson {
     Real time_step() const override { return 0; }
     bool at_rest() const override { return done_[0] != 0; }
     void draw(Scene& scene) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::optional<On> can_pull() const override { return On::particle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;

@@ -2,6 +2,7 @@
 // small sphere about P.
 #include "deformation_gradient.h"
 
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -169,6 +170,14 @@ void DeformationGradientLesson::frame(Scene& scene) const {
     // Room for the matrices below.
     low[1] -= 0.3 * (high[1] - low[1]);
     scene.frame(at(low), at(high));
+}
+
+std::optional<UnstructuredGrid> DeformationGradientLesson::unstructured_grid() const {
+    Eigen::MatrixXi faces(4, static_cast<Index>(body_.faces().size()));
+    for (Index f = 0; f < faces.cols(); ++f)
+        for (std::size_t k = 0; k < 4; ++k)
+            faces(static_cast<Index>(k), f) = static_cast<int>(body_.faces()[static_cast<std::size_t>(f)][k]);
+    return grid_of(position_, CellKind::quadrangle, std::move(faces), {});
 }
 
 }  // namespace pliant::deformation

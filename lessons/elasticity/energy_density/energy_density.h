@@ -26,6 +26,7 @@ struct EnergyDensityLesson final : Lesson {
     Real time_step() const override { return 0; }
     bool at_rest() const override { return done_[0] != 0 && (!has_block() || done_[1] != 0); }
     void draw(Scene& scene) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::optional<On> can_pull() const override { return On::node; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;

@@ -2,6 +2,7 @@
 #include "energy_density.h"
 
 #include <pliant/continuum/deformation.h>
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -176,6 +177,20 @@ void EnergyDensityLesson::write_notes(Scene& scene) const {
                                       is(Energy::corotated) ? "" : ")"));
     scene.notes.push_back(
         fmt::format("  = μ · {} + ½ λ · ({})² = {}", number(strain_.squaredNorm()), number(strain_.trace()), psi));
+}
+
+std::optional<UnstructuredGrid> EnergyDensityLesson::unstructured_grid() const {
+    const SimplexMesh<3>& mesh = block_->mesh();
+    const Vec<3> beside(0, -1.3, 0.25);
+    UnstructuredGrid grid{.points = displacement_};
+    for (Index n = 0; n < corners; ++n) grid.points.col(n) += cube_corner(n);
+    for (Index n = 0; n < mesh.node_count(); ++n) grid.points.col(corners + n) += beside + mesh.points().col(n);
+    Eigen::MatrixXi cube(8, 1);
+    cube << 0, 1, 3, 2, 4, 5, 7, 6;  // round the bottom, then round the top
+    Eigen::MatrixXi block = mesh.simplices();
+    block.array() += corners;
+    grid.cells = {{CellKind::hexahedron, std::move(cube)}, {CellKind::tetrahedron, std::move(block)}};
+    return grid;
 }
 
 }  // namespace pliant::energies

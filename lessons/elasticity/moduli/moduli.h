@@ -27,6 +27,7 @@ struct ModuliLesson final : Lesson {
     Real time_step() const override { return 0; }
     bool at_rest() const override { return level() == load_levels; }
     void draw(Scene& scene) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;

@@ -198,4 +198,8 @@ void ModuliLesson::write_notes(Scene& scene) const {
                                                                test == Test::tension ? "Y" : "G", stress, strain, result));
 }
 
+std::optional<UnstructuredGrid> ModuliLesson::unstructured_grid() const {
+    return linear_body::grid_of_body(specimen_->mesh(), displacement_);
+}
+
 }  // namespace pliant::moduli

@@ -34,6 +34,7 @@ struct PoissonLesson final : Lesson {
     Real time_step() const override { return 0; }
     bool at_rest() const override { return done() == rounds(); }
     void draw(Scene& scene) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure&) const override { return fix_by(poisson_ratio, 0.3); }
     std::vector<std::pair<std::string, std::string>> finer() const override;

@@ -102,4 +102,9 @@ void PoissonLesson::draw_deflection(Scene& scene, Position tip) const {
                                           format_quantity(*converged_deflection(nu), "m"), format_quantity(*times, "", 3)));
 }
 
+std::optional<UnstructuredGrid> PoissonLesson::unstructured_grid() const {
+    if (bends()) return linear_body::grid_of_body(membrane_->mesh(), displacement_);
+    return linear_body::grid_of_body(cube_->rest(), displacement_);
+}
+
 }  // namespace pliant::poisson

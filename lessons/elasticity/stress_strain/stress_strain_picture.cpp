@@ -222,4 +222,8 @@ std::vector<std::pair<std::string, Real>> StressStrainLesson::dragged(const Pull
     return {};
 }
 
+std::optional<UnstructuredGrid> StressStrainLesson::unstructured_grid() const {
+    return linear_body::grid_of_body(body_->mesh(), displacement_);
+}
+
 }  // namespace pliant::stress_strain

@@ -35,6 +35,7 @@ struct AdvectionLesson final : Lesson {
     Real time_step() const override { return dt(); }
     std::string unrest() const override { return "the flow carries the blob around without end"; }
     void draw(Scene& scene) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::optional<On> can_pull() const override { return On::handle; }
     // The mark of the cell goes where the hand goes.
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override {

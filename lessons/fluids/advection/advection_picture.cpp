@@ -150,4 +150,6 @@ void AdvectionLesson::write_notes(Scene& scene) const {
         scene.notes.push_back(fmt::format("correction {:+.3f}, within the samples: {:.3f}", correction, quantity_[cell]));
 }
 
+std::optional<UnstructuredGrid> AdvectionLesson::unstructured_grid() const { return grid2d::grid_of_cells(*grid_); }
+
 }  // namespace pliant::carrying

@@ -34,6 +34,7 @@ struct DiffusionLesson final : Lesson {
     Real time_step() const override { return viscosity > 0 ? diffusion_number * dx() * dx() / viscosity : Real{1}; }
     bool at_rest() const override;
     std::string unrest() const override { return ""; }  // what diffuses evens out, or blows up
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     void draw(Scene& scene) const override {
         dims() == 1 ? draw_row(scene) : draw_square(scene);
         write_notes(scene);

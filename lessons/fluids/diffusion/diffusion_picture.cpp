@@ -1,6 +1,7 @@
 // The figure: the curve over its row of cells, or the heat map of the square, and below or beside it the stencil of one cell.
 #include "diffusion.h"
 
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -234,6 +235,10 @@ std::string DiffusionLesson::formula_at_cell() const {
     if (elapsed_[0] == 0) return fmt::format("to solve in every cell:  (1 + {}r) u′ − r Σ′ = u", count);
     return fmt::format("(1 + {}r) u′ − r Σ′ = {} · {} − {} · {} = {},  u was {}", count, format_quantity(1 + count * r, "", 3),
                        text(u_[c]), format_quantity(r, "", 3), text(beside), plain(u_[c] - r * sums[c]), plain(previous_[c]));
+}
+
+std::optional<UnstructuredGrid> DiffusionLesson::unstructured_grid() const {
+    return regular_grid(Vec<3>::Zero(), Vec<3>::Constant(dx()), lattice_.count[0], lattice_.count[1], 0, {On::cell});
 }
 
 }  // namespace pliant::diffusion

@@ -36,6 +36,7 @@ struct FreeSurface final : Lesson {
                             : "the liquid has no viscosity, and what has begun to slosh goes on";
     }
     void draw(Scene& picture) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     // The corner of the column, or the crest of the wave.
     std::optional<On> can_pull() const override {
         if (scene == Pouring::column || scene == Pouring::wave) return On::handle;

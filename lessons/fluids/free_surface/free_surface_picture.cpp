@@ -140,4 +140,6 @@ void FreeSurface::write_notes(Scene& picture) const {
     if (!keep_volume) picture.notes.push_back("nothing keeps the volume");
 }
 
+std::optional<UnstructuredGrid> FreeSurface::unstructured_grid() const { return grid2d::grid_of_cells(liquid_->grid()); }
+
 }  // namespace pliant::free_surface

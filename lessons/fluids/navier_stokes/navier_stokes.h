@@ -34,6 +34,7 @@ struct NavierStokes final : Lesson {
     bool at_rest() const override;
     std::string unrest() const override;
     void draw(Scene& scene) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::optional<On> can_pull() const override { return with_forces ? std::optional(On::cell) : std::nullopt; }
     void pull(const std::optional<Pull>& pull) override { pull_ = pull; }
     std::string blow_up_hint() const override;

@@ -123,4 +123,6 @@ void NavierStokes::write_notes(Scene& picture) const {
     if (picture.show_arrows) picture.notes.push_back("arrow of one spacing: " + format_quantity(arrow_speed(), "m/s", 3));
 }
 
+std::optional<UnstructuredGrid> NavierStokes::unstructured_grid() const { return grid2d::grid_of_cells(*grid_); }
+
 }  // namespace pliant::navier_stokes

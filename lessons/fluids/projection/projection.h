@@ -77,6 +77,7 @@ struct Projection final : Lesson {
     Real time_step() const override { return 0; }
     bool at_rest() const override { return tally_[done] != 0; }
     void draw(Scene& scene) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::optional<On> can_pull() const override { return On::handle; }
     std::vector<std::pair<std::string, Real>> dragged(const Pull& pull) const override;
     std::string blow_up_hint() const override;

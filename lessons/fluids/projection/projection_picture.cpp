@@ -120,4 +120,6 @@ void Projection::write_notes(Scene& scene) const {
                                           number(specific_energy(), "J/kg")));
 }
 
+std::optional<UnstructuredGrid> Projection::unstructured_grid() const { return grid2d::grid_of_cells(*grid_); }
+
 }  // namespace pliant::projection

@@ -150,4 +150,9 @@ void draw_liquid(Scene& picture, const StaggeredGrid<2>& grid, const VecX& dista
     picture.lines.push_back(std::move(surface));
 }
 
+UnstructuredGrid grid_of_cells(const StaggeredGrid<2>& grid) {
+    const Counts<2>& n = grid.cell_counts();
+    return regular_grid(Vec<3>::Zero(), Vec<3>::Constant(grid.dx()), n[0], n[1], 0, {On::cell});
+}
+
 }  // namespace pliant::grid2d

@@ -4,12 +4,16 @@
 #include <pliant/fluids/velocity_sampler.h>
 #include <pliant/lesson/lesson.h>
 #include <pliant/lesson/scene.h>
+#include <pliant/lesson/unstructured_grid.h>
 
 namespace pliant::grid2d {
 
 // The heat map of the field that is chosen. Numbers on faces are drawn as cells around the faces, half of which reach beyond the
 // walls; a lesson without a field on the grid to show gets the plain cells.
 void draw_field(Scene& scene, const Lesson& lesson, const StaggeredGrid<2>& grid);
+
+// Its cells, for other programs.
+UnstructuredGrid grid_of_cells(const StaggeredGrid<2>& grid);
 
 // What is no fluid: squares of the cells.
 void draw_solids(Scene& scene, const StaggeredGrid<2>& grid);

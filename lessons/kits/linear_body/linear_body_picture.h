@@ -1,6 +1,7 @@
 // What the pictures of linear elastic bodies share.
 #pragma once
 #include <pliant/lesson/lesson.h>
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/mesh/simplex_mesh.h>
 
 #include <functional>
@@ -14,5 +15,12 @@ Real magnification_for(Real largest_strain);
 // bounds.
 void draw_surface(Scene& scene, const Lesson& lesson, const SimplexMesh<3>& mesh, const std::function<Vec<3>(Index node)>& place,
                   float opacity = 1);
+
+// Its elements at their places now, for other programs.
+template <int Dim>
+UnstructuredGrid grid_of_body(const SimplexMesh<Dim>& mesh, const Points<3>& displacement) {
+    return grid_of(in_space(mesh.points()) + displacement, Dim == 2 ? CellKind::triangle : CellKind::tetrahedron,
+                   mesh.simplices(), {On::element});
+}
 
 }  // namespace pliant::linear_body

@@ -67,4 +67,10 @@ bool take_hold(ExternalLoad<3>& load, const std::optional<Pull>& hand, Index nod
     return true;
 }
 
+UnstructuredGrid grid_of_springs(const Springs& springs, PointsIn<3> x) {
+    Eigen::MatrixXi ends(2, springs.size());
+    for (Index s = 0; s < springs.size(); ++s) ends.col(s) << static_cast<int>(springs.i(s)), static_cast<int>(springs.j(s));
+    return grid_of(x, CellKind::line, std::move(ends), {On::edge});
+}
+
 }  // namespace pliant::springs

@@ -1,6 +1,7 @@
 // What the pictures of spring nets in space share, and the hand that pulls at them.
 #pragma once
 #include <pliant/lesson/lesson.h>
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/mesh/spring_lattice.h>
 #include <pliant/solids/springs.h>
 #include <pliant/solids/springs_system.h>
@@ -29,5 +30,8 @@ void draw_pull(Scene& picture, const PullSpring<3>& hand, Real stiffness, Points
 // Where a hand draws a node to from now on; nothing releases it. Returns whether one pulls. Throws Refused for a node that there
 // is not, and for a place that is not finite.
 bool take_hold(ExternalLoad<3>& load, const std::optional<Pull>& hand, Index nodes);
+
+// Nodes and springs at their places now, for other programs.
+UnstructuredGrid grid_of_springs(const Springs& springs, PointsIn<3> x);
 
 }  // namespace pliant::springs

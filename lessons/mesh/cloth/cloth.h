@@ -42,6 +42,7 @@ struct ClothLesson final : Lesson {
     bool at_rest() const override;
     std::string unrest() const override;
     void draw(Scene& picture) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::optional<On> can_pull() const override { return On::node; }
     void pull(const std::optional<Pull>& hand) override;
     std::string blow_up_hint() const override;

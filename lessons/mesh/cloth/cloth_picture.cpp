@@ -119,4 +119,8 @@ void ClothLesson::draw(Scene& picture) const {
     write_notes(*this, picture);
 }
 
+std::optional<UnstructuredGrid> ClothLesson::unstructured_grid() const {
+    return springs::grid_of_springs(sheet_->springs(), position_);
+}
+
 }  // namespace pliant::cloth

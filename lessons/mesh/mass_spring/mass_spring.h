@@ -51,6 +51,7 @@ struct MassSpringLesson final : Lesson {
     bool at_rest() const override;
     std::string unrest() const override;
     void draw(Scene& picture) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::optional<On> can_pull() const override { return tested() ? std::nullopt : std::optional(On::node); }
     void pull(const std::optional<Pull>& hand) override;
     std::string blow_up_hint() const override;

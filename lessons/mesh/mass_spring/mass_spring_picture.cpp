@@ -216,4 +216,8 @@ void MassSpringLesson::write_static_notes(Scene& picture) const {
     picture.matrix("rows: stretch, shear, bend\n∂ ln K/∂ ln (kₛ, k_d, k_b)", rounded);
 }
 
+std::optional<UnstructuredGrid> MassSpringLesson::unstructured_grid() const {
+    return springs::grid_of_springs(block_->springs(), position_);
+}
+
 }  // namespace pliant::mass_spring

@@ -41,6 +41,7 @@ struct RodLesson final : Lesson {
     bool at_rest() const override;
     std::string unrest() const override;
     void draw(Scene& picture) const override;
+    std::optional<UnstructuredGrid> unstructured_grid() const override;
     std::string blow_up_hint() const override;
     std::optional<Fix> fix(const Failure& failure) const override;
     std::vector<std::pair<std::string, std::string>> finer() const override;

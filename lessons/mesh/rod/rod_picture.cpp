@@ -2,6 +2,7 @@
 // wave: the rod itself, and above it its displacement, with that of the continuum.
 #include "rod.h"
 
+#include <pliant/lesson/unstructured_grid.h>
 #include <pliant/text/format.h>
 
 #include <fmt/format.h>
@@ -272,6 +273,12 @@ void RodLesson::draw_waves(Scene& picture) const {
     draw_history(*this, picture);
     const Real L = length;
     picture.frame(position(-0.12 * L, (map_low - 0.06) * L), position(1.12 * L, 0.54 * L));
+}
+
+std::optional<UnstructuredGrid> RodLesson::unstructured_grid() const {
+    Eigen::MatrixXi ends(2, Index(segments));
+    for (Index s = 0; s < segments; ++s) ends.col(s) << static_cast<int>(s), static_cast<int>(s + 1);
+    return grid_of(in_space(position_), CellKind::line, std::move(ends), {On::edge});
 }
 
 }  // namespace pliant::rod
