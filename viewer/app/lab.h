@@ -44,7 +44,8 @@ public:
     void open_lecture(Lecture lecture, std::size_t slide = 0);
     bool in_deck() const { return state_.layout == Layout::deck && state_.session.walkthrough; }
     void perform(Action action);
-    // As a scene file dropped on the window: what is wrong with it becomes a message.
+    // As a file dropped on the window: a scene, a lecture, or what a parameter of the lesson takes. What is wrong with it becomes
+    // a message.
     void drop_file(const std::string& path);
     // All that is shown as a scene, and a scene that is opened in its place. What is wrong with a scene throws Refused; while a
     // frame is drawn the scene is opened behind it, and an error becomes a message.
@@ -148,6 +149,7 @@ private:
     std::string name_to_hand_in() const;
     void save_hand_in(const std::string& path);
     void quick_save();
+    void tell_notes(const SceneFile& scene);
     void remember(const std::string& path);
     void forget_file_of_another_scene();
     void copy_share();

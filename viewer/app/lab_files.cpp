@@ -2,12 +2,14 @@
 #include <pliant/document/share.h>
 #include <pliant/text/file.h>
 #include <pliant/text/spoken.h>
+#include <pliant/text/stored_file.h>
 
 #include "app/lab.h"
 #include "platform/image.h"
 #include "platform/png_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +44,18 @@ std::string time_to_open(const Session& session) {
     for (const Stage& stage : run.lesson().stages) seconds += run.cost(stage).total_ms / 1000;
     if (seconds < soon) return "";
     return fmt::format(" It opens at step {}: to run there takes about {}.", step_number(run.place()), duration_words(seconds));
+}
+
+// A body is dropped where a lesson without bodies is open: the first lesson that takes it is named.
+void refuse_file_of_another_lesson(const std::string& path) {
+    for (const LessonEntry& entry : lessons()) {
+        const auto lesson = entry.make();
+        for (const Parameter* p : lesson->parameters)
+            if (p->info.kind == Kind::file && takes_ending(path, p->info.endings))
+                throw Refused(
+                    fmt::format("{}: the lesson that is open reads no such file; {} does: open it, and drop the file again", path,
+                                entry.info.title));
+    }
 }
 
 }  // namespace
@@ -84,7 +98,13 @@ void Lab::open_file(const std::string& path) {
     state_.session.later([this, scene, path] {
         open_scene(scene);
         remember(path);
+        tell_notes(scene);
     });
+}
+
+// A file that it names is another one now.
+void Lab::tell_notes(const SceneFile& scene) {
+    if (!scene.notes.empty()) state_.session.say(Told::info, fmt::format("{}", fmt::join(scene.notes, "\n")));
 }
 
 void Lab::save_file(const std::string& path) {
@@ -108,6 +128,8 @@ void Lab::forget_file_of_another_scene() {
 
 void Lab::drop_file(const std::string& path) {
     try {
+        if (const Parameter* const taker = state_.session.taker_of(path)) return state_.session.choose_file(*taker, path);
+        refuse_file_of_another_lesson(path);
         open_file(path);
     } catch (const Error& e) {
         state_.session.say(Told::refused, e.what());
@@ -150,7 +172,9 @@ void Lab::paste_share() {
     try {
         const char* text = ImGui::GetClipboardText();
         if (!text || !*text) throw Refused("the clipboard holds no text: copy a share string first");
-        open_scene(read_share(text));
+        const SceneFile scene = read_share(text);
+        open_scene(scene);
+        tell_notes(scene);
     } catch (const Error& e) {
         s.say(Told::refused, e.what());
     }

@@ -4,6 +4,7 @@
 #include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/quantity_text.h>
+#include <pliant/text/spoken.h>
 #include <pliant/text/stored_file.h>
 
 #include "panels/companion_panel.h"
@@ -11,6 +12,7 @@
 #include "panels/typeset_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -95,17 +97,48 @@ void choice_box(PanelContext& lab, const Parameter& p) {
                                         ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
 }
 
-// A file by its name, and the bodies that come with Pliant.
+// Told, where it is refused. By its key: the lesson may be another one by then.
+void choose_file_later(Session& session, std::string_view key, const std::string& path) {
+    session.later(
+        [&session, key = std::string(key), path] { session.choose_file(session.addressed().lesson().parameter(key), path); });
+}
+
+void ask_for_file(PanelContext& lab, const Parameter& p) {
+    const std::vector<std::string> endings(p.info.endings.begin(), p.info.endings.end());
+    lab.files.ask(FileChoice::Purpose::open, fmt::format("Open a {}", spoken(p.info.key)), endings, "",
+                  [&session = lab.session, key = std::string(p.info.key)](const std::string& path) {
+                      session.choose_file(session.addressed().lesson().parameter(key), path);
+                  });
+}
+
+// A file by its name, among the bodies that come with Pliant; and buttons for one of one's own.
 void file_box(PanelContext& lab, const Parameter& p) {
-    Session& session = lab.session;
-    const Real current = session.addressed().wanted(p);
-    if (!ImGui::BeginCombo("##value", value_words(p, current).c_str())) return;
-    const auto offer = [&](const std::string& name) {
-        if (ImGui::Selectable(name.c_str(), name == p.text(current))) session.enter(p, name);
-    };
-    offer("none");
-    for (const std::string& name : bundled_bodies(p.info.endings)) offer(name);
-    ImGui::EndCombo();
+    const Real current = lab.session.addressed().wanted(p);
+    const std::string text = p.text(current);
+    const std::vector<std::string> bodies = bundled_bodies(p.info.endings);
+    if (ImGui::BeginCombo("##value", value_words(p, current).c_str())) {
+        if (ImGui::Selectable("none", current == 0)) lab.session.assign(p, 0);
+        for (const std::string& name : bodies) {
+            if (ImGui::Selectable(name.c_str(), name == text)) choose_file_later(lab.session, p.info.key, name);
+            lab.note_control(fmt::format("{} {}", p.info.key, name));
+        }
+        ImGui::EndCombo();
+    }
+    lab.note_control(std::string(p.info.key));
+    ImGui::PushFont(lab.fonts.small);
+    if (ImGui::Button("Open…")) ask_for_file(lab, p);
+    lab.note_control(fmt::format("open {}", p.info.key));
+    tooltip(fmt::format("A file of your own, which ends in {}; one that is dropped on the window is taken as well",
+                        fmt::join(p.info.endings, ", ")),
+            lab.scale);
+    const bool is_own = current != 0 && std::ranges::find(bodies, text) == bodies.end();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!is_own);
+    if (ImGui::Button("Read again")) choose_file_later(lab.session, p.info.key, text);
+    ImGui::EndDisabled();
+    lab.note_control(fmt::format("again {}", p.info.key));
+    tooltip("The file has changed on the disk: read it again", lab.scale);
+    ImGui::PopFont();
 }
 
 // The words belong to the box: a click on them turns it as well.
@@ -240,7 +273,7 @@ void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Paramet
         covered ? cover(lab) : control_of(lab, panel, p);
         if (p.info.is_number()) ImGui::PopStyleVar();
     }
-    lab.note_control(std::string(p.info.key));
+    if (p.info.kind != Kind::file || covered) lab.note_control(std::string(p.info.key));
     if (!large && p.info.kind != Kind::file) what_if_menu(lab, p);
     ImGui::EndDisabled();
     ImGui::PopFont();

@@ -125,6 +125,11 @@ public:
     // What was typed for a parameter, read as the command line reads it, save that a number without a unit is in the one that is
     // shown: beside "4 ms" 20 is 20 ms. A refusal becomes a message; nothing is clamped.
     void enter(const Parameter& parameter, std::string_view text);
+    // The file parameter of the run that the sliders set which takes a file of this name; null where there is none.
+    const Parameter* taker_of(const std::string& path) const;
+    // A file for it, read anew, with what its declaration sets beside it, as one step of undo. Throws Refused for what is no such
+    // file; what the lesson refuses in it becomes a message, and the run stays as it was.
+    void choose_file(const Parameter& parameter, const std::string& path);
     // Several values at once, by key, as one step of undo; the run begins anew. False when refused.
     bool assign_together(const std::vector<std::pair<std::string, Real>>& values);
     void restore_default(const Parameter& parameter);

@@ -4,6 +4,7 @@
 #include <pliant/lesson/setting_words.h>
 #include <pliant/text/format.h>
 #include <pliant/text/spoken.h>
+#include <pliant/text/stored_file.h>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,37 @@ void Session::enter(const Parameter& parameter, std::string_view text) {
     } catch (const Refused& e) {
         say(Message::Kind::refused, refusal_words(parameter, e.what()));
     }
+}
+
+const Parameter* Session::taker_of(const std::string& path) const {
+    for (const Parameter* p : addressed().lesson().parameters)
+        if (p->info.kind == Kind::file && takes_ending(path, p->info.endings)) return p;
+    return nullptr;
+}
+
+void Session::choose_file(const Parameter& parameter, const std::string& path) {
+    const auto number = static_cast<Real>(store_file(path, parameter.info.endings, Reading::again));
+    if (put_off([this, &parameter, path, opened = open_count_] {
+            if (opened == open_count_) choose_file(parameter, path);
+        }))
+        return;
+    const bool beside = companion_ && companion_->owns(parameter);
+    const Runner& run = beside ? companion_->runner() : *runner_;
+    Values before, wanted;
+    const auto want = [&](const Parameter& p, Real value) {
+        if (run.wanted(p) != value) before.emplace_back(&p, run.wanted(p)), wanted.emplace_back(&p, value);
+    };
+    want(parameter, number);
+    for (const auto& [key, value] : parameter.info.companions)
+        want(run.lesson().parameter(key), run.lesson().parameter(key).parse(value));
+    for (const auto& w : wanted)
+        if (refuse_locked(*w.first)) return;
+    if (wanted.empty()) return say(Message::Kind::info, fmt::format("{} is the same as before.", value_words(parameter, number)));
+    if (!beside) {
+        if (set(wanted)) undo_.push_back({std::move(before), false});
+        return;
+    }
+    for (const auto& [p, value] : wanted) assign(*p, value);
 }
 
 bool Session::assign_together(const std::vector<std::pair<std::string, Real>>& values) {
