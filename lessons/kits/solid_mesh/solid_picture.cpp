@@ -197,13 +197,4 @@ void frame_body(Scene& scene, const Solid& solid, Real margin) {
     scene.frame(at_place(low), at_place(high));
 }
 
-UnstructuredGrid grid_of_solid(const Solid& solid, const MatX& u) {
-    Eigen::MatrixXi nodes = solid.elements();
-    const bool quadratic = nodes.rows() > solid.dim() + 1;
-    CellKind kind = solid.dim() == 2 ? CellKind::triangle : CellKind::tetrahedron;
-    if (quadratic) kind = solid.dim() == 2 ? CellKind::triangle6 : CellKind::tetrahedron10;
-    if (kind == CellKind::tetrahedron10) nodes.row(8).swap(nodes.row(9));  // VTK has the middles of 13 and 23 in this order
-    return grid_of(in_space(solid.rest() + u), kind, std::move(nodes), {On::element});
-}
-
 }  // namespace pliant::solid_mesh

@@ -3,7 +3,6 @@
 #include "solid.h"
 
 #include <pliant/lesson/lesson.h>
-#include <pliant/lesson/unstructured_grid.h>
 
 namespace pliant::solid_mesh {
 
@@ -26,8 +25,6 @@ Real magnification_for(const Solid& solid, const MatX& u);
 // picked and pulled.
 void draw_body(Scene& scene, const Lesson& lesson, const Drawn& drawn, float opacity = 1);
 void draw_nodes(Scene& scene, const Drawn& drawn, float radius = 3);
-// Elements and nodes where they are, not magnified, for other programs.
-UnstructuredGrid grid_of_solid(const Solid& solid, const MatX& u);
 // The outline at rest: boundary edges in the plane, sharp edges in space.
 void draw_rest(Scene& scene, const Solid& solid);
 void draw_supports(Scene& scene, const Drawn& drawn);
