@@ -57,7 +57,7 @@ const std::vector<std::pair<std::string, Names>> viewer_folders{
 };
 
 // The libraries of others, by the first part of what is included. Standard headers have neither folder nor ending.
-const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h", "fcntl.h", "sys", "unistd.h"};
+const Names core_libraries{"Eigen", "fmt", "nlohmann", "oneapi", "zlib.h", "pugixml.hpp", "fcntl.h", "sys", "unistd.h"};
 const Names screen_libraries{"GLFW", "GL", "GLES3", "EGL", "glad", "backends", "imgui.h", "imgui_internal.h"};
 const Names viewer_libraries{"Eigen",    "fmt",       "nlohmann", "CLI",      "GLFW",       "GL",
                              "GLES3",    "EGL",       "glad",     "backends", "imgui.h",    "imgui_internal.h",

@@ -60,7 +60,7 @@ struct FemLesson final : Lesson {
     File mesh_file{
         *this,
         file_of("mesh_file", "triangles or tetrahedra, with the groups \"fixed\" and \"loaded\" of boundary faces; none: a gear",
-                {".msh"})
+                {".msh", ".vtu", ".vtk"})
             .in(Group::scene)
             .with("scene", "own")
             .when([this] { return is(Setting::own); })};
