@@ -261,7 +261,8 @@ void draw_parameter(PanelContext& lab, ParameterPanelState& panel, const Paramet
     ImGui::PushID(&p);
     ImFont* const label_font = !large ? lab.fonts.small : label_fits_large(lab, p) ? lab.fonts.medium : lab.fonts.normal;
     ImGui::PushFont(!large ? lab.fonts.normal : label_font == lab.fonts.medium ? lab.fonts.large : lab.fonts.medium);
-    ImGui::BeginDisabled(!p.used() || lab.session.locked(p));
+    // A file that is chosen sets what uses it.
+    ImGui::BeginDisabled((!p.used() && p.info.companions.empty()) || lab.session.locked(p));
     const bool covered = lab.session.hides(p.info.key);
     if (p.info.kind == Kind::toggle && !covered) {
         switch_box(lab, p, label_of(lab, p));
