@@ -155,6 +155,8 @@ TEST_CASE("a value of the wrong kind is refused for every parameter", "[process]
                 if (p["kind"] == "whole number") refuse("1.5", "whole number");
             } else if (p["kind"] == "choice") {
                 for (const Json& option : p["options"]) refuse("1e400", option["key"]);
+            } else if (p["kind"] == "file") {
+                refuse("perhaps", "is not there");
             } else {
                 refuse("perhaps", "true or false");
             }

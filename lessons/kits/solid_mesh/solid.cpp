@@ -1,7 +1,9 @@
 #include "body_meshes.h"
 
 #include <pliant/continuum/deformation.h>
+#include <pliant/mesh/element_mass.h>
 #include <pliant/mesh/simplex_quadrature.h>
+#include <pliant/solids/fem_loads.h>
 #include <pliant/solids/hyperelastic_fem.h>
 #include <pliant/solids/newton_equilibrium.h>
 
@@ -112,12 +114,21 @@ public:
     MatX plane_load(PlaneFunction density) const override;
     ErrorNorms plane_errors(const MatX& u, PlaneFunction exact, Mat<2> (*gradient)(const Vec<2>& X)) const override;
 
-    void hold(const std::vector<Index>& nodes_held) override {
+    std::unique_ptr<Mass> mass(Real density, bool lumped) const override {
+        std::vector<char> flags(static_cast<std::size_t>(Dim * node_count()));
+        for (std::size_t i = 0; i < flags.size(); ++i) flags[i] = held(static_cast<Index>(i) / Dim);
+        if (!lumped) return std::make_unique<CoupledMass>(consistent_mass(body_.elements(), density), flags);
+        return std::make_unique<DiagonalMass>(DiagonalMass::with_held(lumped_mass(body_.elements(), density), Dim, flags));
+    }
+
+    void hold(const std::vector<Index>& nodes_held, bool static_problem) override {
         held_.assign(held_.size(), 0);
         for (const Index n : nodes_held) held_[static_cast<std::size_t>(n)] = 1;
         supports_.reset();
-        newton_.emplace(body_, constraints(MatX::Zero(Dim, node_count())),
-                        typename NewtonEquilibrium<Dim>::Settings{.tolerance = 1e-9, .max_iterations = 200});
+        newton_.reset();
+        if (static_problem)
+            newton_.emplace(body_, constraints(MatX::Zero(Dim, node_count())),
+                            typename NewtonEquilibrium<Dim>::Settings{.tolerance = 1e-9, .max_iterations = 200});
     }
     void begin(const MatX& u, const MatX& load, const MatX& places) override {
         supports_ = constraints(places);
@@ -145,21 +156,11 @@ private:
                 for (int c = 0; c < Dim; ++c) all.prescribe(n, c, places(c, n));
         return all;
     }
-    // What the shape functions of a facet take of it: equal parts; of second order in the plane 1/6 each end and 2/3 the middle,
-    // in space a third each middle.
     void share_loaded_area() {
         loaded_area_ = VecX::Zero(node_count());
-        for (const Index f : loaded_facets_) {
-            const Real area = facet_areas_.col(f).norm();
-            for (int a = 0; a < Elements::facet_nodes; ++a) {
-                const bool corner = a < Dim;
-                const Real share = Order == 1 ? Real{1} / Dim
-                                   : Dim == 2 ? (corner ? Real{1} / 6 : Real{2} / 3)
-                                   : corner   ? Real{0}
-                                              : Real{1} / 3;
-                loaded_area_[facets_(a, f)] += share * area;
-            }
-        }
+        const auto shares = facet_shares<Dim, Order>();
+        for (const Index f : loaded_facets_)
+            for (int a = 0; a < Elements::facet_nodes; ++a) loaded_area_[facets_(a, f)] += shares[a] * facet_areas_.col(f).norm();
     }
 
     bool in_place() const { return supports_ && supports_->distance_from(newton_->displacement()) == 0; }
@@ -193,18 +194,8 @@ Real SolidOf<Dim, Order>::von_mises(const Small& given) const {
 
 template <int Dim, int Order>
 MatX SolidOf<Dim, Order>::plane_load(PlaneFunction density) const {
-    MatX force = MatX::Zero(Dim, node_count());
-    if constexpr (Dim == 2) {
-        const SimplexRule<2> rule = simplex_rule<2>(load_degree);
-        for (Index e = 0; e < element_count(); ++e)
-            for (Index q = 0; q < rule.weights.size(); ++q) {
-                const auto N = Elements::shape(rule.barycentric.col(q));
-                Vec<2> X = Vec<2>::Zero();
-                for (int a = 0; a < nodes; ++a) X += N[a] * rest_.col(elements_(a, e));
-                const Vec<2> part = volumes_[e] * rule.weights[q] * density(X);
-                for (int a = 0; a < nodes; ++a) force.col(elements_(a, e)) += N[a] * part;
-            }
-    }
+    Points<Dim> force = Points<Dim>::Zero(Dim, node_count());
+    if constexpr (Dim == 2) add_body_force<2, Order>(body_.elements(), density, load_degree, force);
     return force;
 }
 

@@ -7,6 +7,7 @@
 #include <pliant/mesh/simplex_mesh.h>
 #include <pliant/mesh_file/mesh_file.h>
 #include <pliant/solids/elastic_body.h>
+#include <pliant/time/mass.h>
 
 #include <array>
 #include <memory>
@@ -88,9 +89,12 @@ public:
     virtual MatX element_stiffness(Index element, const MatX& u) const = 0;
 
     // --- the body ---
-    virtual Real energy(const MatX& u) const = 0;                            // J
-    virtual void internal_force(const MatX& u, MatX& force) const = 0;       // N
-    virtual const SparseMatrix& pattern() const = 0;                         // of K
+    virtual Real energy(const MatX& u) const = 0;                       // J
+    virtual void internal_force(const MatX& u, MatX& force) const = 0;  // N
+    virtual const SparseMatrix& pattern() const = 0;                    // of K
+    // M of a density [kg/m³]: consistent, or with all of an element's mass on its nodes (a diagonal matrix). Held nodes are
+    // fixed.
+    virtual std::unique_ptr<Mass> mass(Real density, bool lumped) const = 0;
     virtual SparseMatrix stiffness(const MatX& u, bool definite) const = 0;  // N/m
     // The deformed body, for files that other programs read.
     UnstructuredGrid grid(const MatX& u) const;
@@ -113,8 +117,9 @@ public:
     virtual ErrorNorms plane_errors(const MatX& u, PlaneFunction exact, Mat<2> (*gradient)(const Vec<2>& X)) const = 0;
 
     // --- equilibrium, one iteration of Newton's method at a time ---
-    // Holds all components of these nodes. Throws Refused "singular: k rigid modes unconstrained".
-    virtual void hold(const std::vector<Index>& nodes) = 0;
+    // Holds all components of these nodes. Throws Refused "singular: k rigid modes unconstrained" where they let the body move
+    // and it is to be solved for.
+    virtual void hold(const std::vector<Index>& nodes, bool static_problem = true) = 0;
     bool held(Index node) const { return held_[static_cast<std::size_t>(node)] != 0; }
     // From displacements u on, under a load [N], with held nodes at `places` (dim × nodes, m).
     virtual void begin(const MatX& u, const MatX& load, const MatX& places) = 0;

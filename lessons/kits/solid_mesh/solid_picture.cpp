@@ -11,7 +11,7 @@
 namespace pliant::solid_mesh {
 namespace {
 
-constexpr Real sharp = 0.9;  // cosine of the angle between facets, below which their edge is drawn
+constexpr Real sharp = 0.6;  // cosine of the angle between facets, below which their edge is drawn
 
 Position at_place(const Vec<3>& x) { return position<3>(x); }
 

@@ -72,7 +72,8 @@ Input SolidWhy::place_at_rest(Index node, int axis) const {
     const std::array<const Whole*, 3> cells{&parameters->cells_x, &parameters->cells_y, &parameters->cells_z};
     const auto k = static_cast<std::size_t>(axis);
     const Index count = *cells[k];
-    const Real place = std::round(value / *sizes[k] * static_cast<Real>(count));
+    // Middles of edges lie half way.
+    const Real place = std::round(2 * value / *sizes[k] * static_cast<Real>(count)) / 2;
     return Input::part(symbol, "m",
                        {fmt::format("{} = {} k / n", symbol, sizes[k]->info.symbol),
                         {*sizes[k], Input::constant("k", place, "", "cells from the end"), Input::of(*cells[k], "n")}});

@@ -30,12 +30,13 @@ struct SolidWhy {
     Explanation stiffness(Index element, int a, int i, int j) const;
     // On a node, from its elements.
     Explanation internal_force(Index node, int component) const;
+    // The same from the displacements of all nodes about it, at once.
+    Explanation force_of_patch(Index node, int component) const;
+    Input place_at_rest(Index node, int axis) const;
 
 private:
     std::vector<Input> all_entries(std::string_view symbol, std::string_view field, Index element) const;
-    Input place_at_rest(Index node, int axis) const;
     Input hooke(std::string_view left, std::string_view strain_symbol, Index element, int i, int j) const;
-    Explanation force_of_patch(Index node, int component) const;
 };
 
 }  // namespace pliant::solid_mesh

@@ -63,10 +63,18 @@ void FemLesson::reset() {
     std::vector<Index> held = solid_->fixed_nodes();
     if (is(Setting::twist) && turned == Turned::end)
         held.insert(held.end(), solid_->loaded_nodes().begin(), solid_->loaded_nodes().end());
-    solid_->hold(held);
-    done_.setZero();
+    if (is(Setting::spin) || is(Setting::drop)) held.clear();
+    motion_.reset();
+    frequency_.forget();
+    solid_->hold(held, !moving());
+    done_.setZero(), clock_.setZero();
     solved_pull_.reset();
+    pulled_ever_ = false;
     clear();
+    position_ = solid_->rest();
+    for (MatX* nodal : {&velocity_, &damping_force_, &external_force_, &total_force_})
+        nodal->setZero(position_.rows(), position_.cols());
+    if (moving()) start_moving();
     for (Field& f : fields)
         if (f.rank != Rank::scalar) f.components = f.rank == Rank::vector ? solid_->dim() : solid_->dim() * solid_->dim();
 }
@@ -115,6 +123,7 @@ Small FemLesson::taken(const MatX& tensors, Index element) const {
 }
 
 void FemLesson::deform() {
+    if (moving()) follow_positions();
     for (Index e = 0; e < solid_->element_count(); ++e) put(deformation_, e, solid_->deformation(e, displacement_));
 }
 
@@ -239,6 +248,10 @@ void FemLesson::react() {
 // ------------------------------------------------------------------------------------------------------- what goes wrong
 
 std::string FemLesson::blow_up_hint() const {
+    if (moving() && implicit()) return "Lower the time step, or the load";
+    if (moving())
+        return fmt::format("Δt = {} is above the stability limit of {}: lower it, or choose implicit Euler",
+                           format_quantity(dt, "s"), format_quantity(stable_time_step(), "s", 3));
     return levels() < 20 ? fmt::format(
                                "Newton's method starts too far from the equilibrium that it looks for: apply the load in more "
                                "than {} steps, or a smaller one",
@@ -247,11 +260,14 @@ std::string FemLesson::blow_up_hint() const {
 }
 
 std::optional<Fix> FemLesson::fix(const Failure&) const {
+    if (moving() && !implicit()) return Fix{"integrator = implicit_euler", {{"integrator", "implicit_euler"}}};
+    if (moving()) return fix_by(dt, rounded_down(dt / 10, 2));
     if (levels() < 20) return fix_by(load_steps, static_cast<Real>(std::max<Index>(10, std::min<Index>(20, 4 * levels()))));
     return Fix{"model = corotational", {{"model", "corotational"}}};
 }
 
 std::vector<Fix> FemLesson::other_fixes(const Failure&) const {
+    if (moving()) return {};
     if (levels() < 20 && law() != Law::corotational) return {{"model = corotational", {{"model", "corotational"}}}};
     return {};
 }
@@ -265,6 +281,7 @@ std::vector<std::pair<std::string, std::string>> FemLesson::finer() const {
         if (order() == 1) return {{"element", "quadratic"}};
         return {};
     }
+    if (moving()) return {{"time_step", format_exact(dt / 4)}};
     std::vector<std::pair<std::string, std::string>> cells{{"cells_x", twice(body.cells_x)}, {"cells_y", twice(body.cells_y)}};
     if (shape() == Shape::beam) cells.emplace_back("cells_z", twice(body.cells_z));
     return cells;

@@ -1,6 +1,8 @@
 // Finite elements from one element up: shape functions, F, strain, stress, the element's stiffness, assembly, and the solution of
 // what follows, static or moving.
 #pragma once
+#include "fem_motion.h"
+#include "kits/schemes/scheme_options.h"
 #include "kits/solid_mesh/solid_parameters.h"
 #include "kits/solid_mesh/solid_picture.h"
 #include "kits/solid_mesh/solid_why.h"
@@ -17,11 +19,13 @@ namespace pliant::fem {
 
 using solid_mesh::Drawn, solid_mesh::Law, solid_mesh::Plane, solid_mesh::Shape, solid_mesh::Small, solid_mesh::Solid;
 
-enum class Setting { beam, cook, manufactured, twist, own };
+enum class Setting { beam, cook, manufactured, twist, spin, drop, own };
 enum class Order { linear, quadratic };
 enum class Turned { end, support };
+enum class Course { at_once, in_motion };
+enum class MassKind { consistent, lumped };
 
-// One step is one solve.
+// One step is one solve, or a step in time.
 struct FemLesson final : Lesson {
     FemLesson();
 
@@ -29,10 +33,11 @@ struct FemLesson final : Lesson {
     void check() const override;
     void reset() override;
     void looked() override {}
-    Real time_step() const override { return 0; }
-    bool at_rest() const override { return done_[0] != 0 && pull_ == solved_pull_; }
+    Real time_step() const override { return moving() ? Real{dt} : Real{0}; }
+    bool at_rest() const override;
+    std::string unrest() const override;
     void draw(Scene& scene) const override;
-    std::optional<On> can_pull() const override { return bent() ? std::optional(On::node) : std::nullopt; }
+    std::optional<On> can_pull() const override { return bent() || moving() ? std::optional(On::node) : std::nullopt; }
     void pull(const std::optional<Pull>& hand) override;
     std::optional<UnstructuredGrid> unstructured_grid() const override { return solid_->grid(displacement_); }
     std::string blow_up_hint() const override;
@@ -56,7 +61,13 @@ struct FemLesson final : Lesson {
                              {"cook", "Cook's membrane: a panel in the plane"},
                              {"manufactured", "a solution that is known: how large is the error?"},
                              {"twist", "a beam whose end is turned"},
+                             {"spin", "a beam that spins freely"},
+                             {"drop", "a beam that falls on the ground"},
                              {"own", "a body of one's own"}}};
+    Choice<Course> course{*this,
+                          setting_of("motion", "the equilibrium at once, or the way to it in time").in(Group::scene).rebuilds(),
+                          {{"static", "equilibrium"}, {"dynamic", "in motion"}},
+                          bent};
     File mesh_file{
         *this,
         file_of("mesh_file", "triangles or tetrahedra, with the groups \"fixed\" and \"loaded\" of boundary faces; none: a gear",
@@ -89,11 +100,54 @@ struct FemLesson final : Lesson {
                                      "parts in which load or turning is applied, each solved from the one before")
                                 .in(Group::method)
                                 .rebuilds()
-                                .when(has_law)};
+                                .when([this] { return has_law() && !moving(); })};
+    Choice<Scheme> integrator{
+        *this, setting_of("integrator", "how forces become motion", Scheme::implicit_euler).in(Group::method).when([this] {
+            return moving() && !is(Setting::drop);
+        }),
+        scheme_options(3)};
+    Number dt{*this, fixed_time_step(0.01, {1e-5, 0.1}).when([this] { return moving(); })};
+    Choice<MassKind> mass_kind{*this,
+                               setting_of("mass", "as the shape functions spread it, or all of it on the nodes", MassKind::lumped)
+                                   .in(Group::method)
+                                   .rebuilds()
+                                   .when([this] { return !is(Setting::drop); }),
+                               {{"consistent", "consistent"}, {"lumped", "lumped"}}};
+    Number density{*this, log_quantity("density", "ρ", "kg/m³", 1000, {10, 2e4}, {1e-9, 1e12}, "mass per volume; water has 1000")
+                              .in(Group::material)
+                              .rebuilds()};
+    Number mass_damping{*this, quantity("mass_damping", "α", "1/s", 0.2, {0, 10}, {0, 1e12},
+                                        "damping by the mass: brakes every motion, also that of the whole")
+                                   .in(Group::material)
+                                   .when([this] { return moving() && !is(Setting::spin); })};
+    Number stiffness_damping{*this, quantity("stiffness_damping", "β", "s", 0, {0, 0.1}, {0, 1e6},
+                                             "damping by the stiffness: brakes fast vibrations most, and no motion of the whole")
+                                        .in(Group::material)
+                                        .when([this] { return moving(); })};
+    Number gravity{*this, quantity("gravity", "g", "m/s²", 9.81, {0, 20}, {0, 1e6}, "acceleration of gravity, downwards")
+                              .in(Group::forces)
+                              .when([this] { return moving() && !is(Setting::spin); })};
+    Number spin_rate{*this,
+                     quantity("spin", "Ω", "rad/s", 3, {0, 10}, {-1e6, 1e6}, "angular velocity at the start, about the z axis")
+                         .in(Group::start)
+                         .rebuilds()
+                         .when([this] { return is(Setting::spin); })};
+    Number drop_height{
+        *this, quantity("drop_height", "h₀", "m", 0.3, {0, 2}, {0, 1e6}, "of the lowest point above the ground at the start")
+                   .in(Group::start)
+                   .rebuilds()
+                   .when([this] { return is(Setting::drop); })};
+    Number tilt{*this, quantity("tilt", "ψ", "°", 30, {-90, 90}, {-360, 360}, "of the beam about the z axis at the start")
+                           .in(Group::start)
+                           .rebuilds()
+                           .when([this] { return is(Setting::drop); })};
+    Number friction{*this, quantity("friction", "μ_g", "", 0.5, {0, 1.5}, {0, 1e6}, "Coulomb's coefficient of the ground")
+                               .in(Group::forces)
+                               .when([this] { return is(Setting::drop); })};
     Number pull_stiffness{*this, log_quantity("pull_stiffness", "kₕ", "N/m", 500, {1, 1e6}, {0, 1e12},
                                               "force per distance by which the hand has drawn a node")
                                      .in(Group::view)
-                                     .when(bent)};
+                                     .when([this] { return bent() || moving(); })};
     Whole element_shown{*this, quantity("element_shown", "e", "", 0, {0, 100}, {0, 1e9},
                                         "the element that is lit, with its matrices; counted from 0")
                                    .in(Group::view)
@@ -104,7 +158,8 @@ struct FemLesson final : Lesson {
                                     .in(Group::view)
                                     .looks()};
 
-    void declare_fields(), declare_stages(), declare_probes(), explain_probes(), declare_lines(), declare_checks();
+    void add_moving_probes(), declare_fields(), declare_stages(), add_moving_stages(), declare_probes(), explain_probes(),
+        declare_lines(), declare_checks();
 
     // --- what the parameters mean ---
     bool in_plane() const {
@@ -115,9 +170,16 @@ struct FemLesson final : Lesson {
         return is(Setting::cook) ? Shape::cook : is(Setting::manufactured) ? Shape::square : Shape::beam;
     }
     int order() const { return Order(element_kind) == Order::quadratic ? 2 : 1; }
+    bool moving() const { return is(Setting::spin) || is(Setting::drop) || (bent() && course == Course::in_motion); }
+    Scheme scheme() const { return is(Setting::drop) ? Scheme::implicit_euler : Scheme(integrator); }
+    bool implicit() const { return scheme() == Scheme::implicit_euler; }
+    bool damped() const { return alpha() > 0 || stiffness_damping > 0; }
+    Real alpha() const { return is(Setting::spin) ? Real{0} : Real{mass_damping}; }
+    Real weight_acceleration() const { return is(Setting::spin) ? Real{0} : Real{gravity}; }
+    bool lumped() const { return is(Setting::drop) || mass_kind == MassKind::lumped; }
     Law law() const { return is(Setting::manufactured) ? Law::linear : Law(body.law); }
     bool turns() const { return law() == Law::corotational; }
-    Index levels() const { return has_law() ? Index(load_steps) : Index{1}; }
+    Index levels() const { return has_law() && !moving() ? Index(load_steps) : Index{1}; }
     solid_mesh::BodySettings settings() const;
     // What the file holds; the gear that comes with Pliant where none is given. Throws Refused for one that cannot be read.
     const std::shared_ptr<const MeshFile>& file() const;
@@ -143,10 +205,28 @@ struct FemLesson final : Lesson {
     Small turning(Real share) const;  // rotation of a face
     Real share() const { return level_ / static_cast<Real>(levels()); }
     void raise_level();
+    void start_moving(), damp(), act_from_outside(), begin_integration(), integrate(), end_integration(), meet_ground();
+    void follow_positions() { displacement_ = position_ - solid_->rest(); }
 
     // --- why a number is what it is ---
     std::optional<Explanation> why_element(const Question&q) const, why_node(const Question&q) const,
-        why_solved(const Question&q) const;
+        why_solved(const Question&q) const, why_outer(const Question&q) const, why_integrated(const Question&q) const,
+        why_contact(const Question&q) const;
+    Input node_mass(Index node) const, share_of_load(Index node, int component) const;
+    std::vector<Input> forces_at_start(Index node, int component) const;
+    Explanation why_damping(Index node, int component) const, why_external(Index node, int component) const,
+        why_newton(Index node, int component) const;
+    struct RowWords {
+        std::string letter, unit, entries, speeds;
+    };
+    void add_row(std::vector<Input>& inputs, const SparseMatrix& matrix, Index row, const RowWords& words) const;
+    Explanation why_coupled(Index node, int component, const Input& v) const;
+    Input place_at_rest(Index node, int component) const {
+        Input place = why().place_at_rest(node, component);
+        place.symbol = "X";
+        return place;
+    }
+    SparseMatrix damping_stiffness() const;
     Explanation why_load(Index node, int component) const, why_prescribed(Index node, int component) const,
         why_assembled(Index node, int component) const;
     Input share_so_far() const;
@@ -169,14 +249,20 @@ struct FemLesson final : Lesson {
     const Table& convergence() const;
     const Table& locking() const;
 
+    Real frequency() const;
+    Real stable_time_step() const;
+    Vec<3> centre() const, momentum() const, angular_momentum() const;
+    Real kinetic_energy() const, total_energy() const;
+
     // --- the picture ---
     Drawn drawn() const;
-    void draw_pattern(Scene& scene) const;
+    void set_frame(Scene&scene) const, draw_pattern(Scene&scene) const;
     void write_matrices(Scene& scene) const;
     void write_notes(Scene& scene) const;
 
     std::unique_ptr<Solid> solid_;
     mutable Remembered<Index, std::shared_ptr<const MeshFile>> file_;
+    std::unique_ptr<Motion> motion_;
     std::optional<Pull> pull_, solved_pull_;
     bool advancing_ = false;  // does Newton's loop go on?
     bool assembled_once_ = false;
@@ -192,10 +278,15 @@ struct FemLesson final : Lesson {
     // Fields: dim × nodes or dim² × elements.
     MatX displacement_, load_, prescribed_, internal_, residual_, newton_step_, reaction_, assembled_;
     MatX deformation_, rotation_, strain_, stress_, block_;
+    // In motion [m, m/s, N]: state, forces at the start of a step, and the sum of all of them.
+    MatX position_, velocity_, damping_force_, external_force_, total_force_, start_position_;
+    VecX clock_ = VecX::Zero(1);
+    bool pulled_ever_ = false;
     VecX volume_, mises_;
     mutable std::optional<solid_mesh::Solid::ErrorNorms> errors_;
     mutable Remembered<std::tuple<Real, Real, Plane>, Table> convergence_;
     mutable Remembered<int, Table> locking_;
+    mutable Remembered<Real, Real> frequency_;
 };
 
 }  // namespace pliant::fem

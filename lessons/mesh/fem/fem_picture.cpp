@@ -25,19 +25,18 @@ void add_block(TriangleMarks& marks, Real x, Real y, Real side) {
 }  // namespace
 
 Drawn FemLesson::drawn() const {
-    const Real larger = magnification > 0 ? Real(magnification) : solid_mesh::magnification_for(*solid_, displacement_);
+    const Real itself = moving() ? Real{1} : solid_mesh::magnification_for(*solid_, displacement_),
+               larger = magnification > 0 ? Real(magnification) : itself;
     return {solid_.get(), &displacement_, larger};
 }
 
 void FemLesson::draw(Scene& scene) const {
     const Drawn now = drawn();
-    solid_mesh::frame_body(scene, *solid_, bent() ? 0.22 : 0.08);
-    // Room for the matrices below.
-    if (bent()) scene.lower[1] -= static_cast<float>(0.22 * solid_mesh::size_at_rest(*solid_));
-    solid_mesh::draw_rest(scene, *solid_);
+    set_frame(scene);
+    if (!moving() || bent()) solid_mesh::draw_rest(scene, *solid_);
     solid_mesh::draw_body(scene, *this, now);
     if (is(Setting::twist) && turned == Turned::end) solid_mesh::draw_turned(scene, now);
-    solid_mesh::draw_supports(scene, now);
+    if (!moving() || bent()) solid_mesh::draw_supports(scene, now);
     solid_mesh::draw_nodes(scene, now);
     solid_mesh::draw_load(scene, now, force());
     if (solved_pull_)
@@ -46,9 +45,30 @@ void FemLesson::draw(Scene& scene) const {
                     "hand");
     const bool assembling = next_element_ > first_of_pass_ && next_element_ < solid_->element_count();
     solid_mesh::draw_element(scene, now, assembling ? first_of_pass_ : lit(), scene.show_labels);
-    if (show_matrix && solid_->node_count() <= most_pattern_nodes) draw_pattern(scene);
+    if (show_matrix && !moving() && solid_->node_count() <= most_pattern_nodes) draw_pattern(scene);
     write_matrices(scene);
     write_notes(scene);
+}
+
+void FemLesson::set_frame(Scene& scene) const {
+    const Real L = body.length, h = body.height, w = body.width;
+    if (is(Setting::spin)) return scene.frame(position(-0.2 * L, -0.75 * L + h / 2, 0), position(1.2 * L, 0.75 * L + h / 2, w));
+    if (!is(Setting::drop)) {
+        solid_mesh::frame_body(scene, *solid_, bent() ? 0.22 : 0.08);
+        // Room for the matrices below.
+        if (bent()) scene.lower[1] -= static_cast<float>(0.22 * solid_mesh::size_at_rest(*solid_));
+        return;
+    }
+    const Real low = start_position_.row(0).minCoeff(), high = start_position_.row(0).maxCoeff(),
+               top = start_position_.row(1).maxCoeff();
+    const Real more = 0.25 * (high - low);
+    TriangleMarks floor{.corners = {position(low - more, 0, -L), position(high + more, 0, -L), position(high + more, 0, L + w),
+                                    position(low - more, 0, L + w)},
+                        .triangles = {{0, 1, 2}, {0, 2, 3}},
+                        .ink = Ink::ground,
+                        .opacity = 0.6f};
+    scene.triangles.push_back(std::move(floor));
+    scene.frame(position(low - more, -0.05 * L, 0), position(high + more, top + 0.05 * L, w));
 }
 
 // Blocks of K that elements have written, those that are still empty, and those of the element that is lit; row 0 on top.
@@ -104,6 +124,7 @@ void FemLesson::write_matrices(Scene& scene) const {
     const Index e = lit();
     scene.matrix(fmt::format("F of element {}", e), taken(deformation_, e));
     scene.matrix("P", taken(stress_, e), "Pa");
+    if (moving()) return;
     if (solid_->dim() == 2 && order() == 1)
         scene.matrix("Kₑ", solid_->element_stiffness(e, displacement_), "N/m", Ink::accent);
     else

@@ -5,9 +5,12 @@
 #include <pliant/solids/elastica.h>
 #include <pliant/solids/manufactured_solution.h>
 #include <pliant/text/format.h>
+#include <pliant/time/stability.h>
+#include <pliant/time/vibration.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pliant::fem {
 namespace {
@@ -91,10 +94,43 @@ std::optional<Real> FemLesson::middle_exact() const {
     return converged ? std::optional(*converged * scale) : std::nullopt;
 }
 
+// Of the body at rest; asked for anew where what it depends on is another.
+Real FemLesson::frequency() const {
+    return frequency_.of(density, [this] {
+        const SparseMatrix K = solid_->stiffness(MatX::Zero(solid_->dim(), solid_->node_count()), false);
+        return fastest_mode(K, *solid_->mass(density, lumped())).omega;
+    });
+}
+
+// Of the integrator, with Rayleigh's damping of the fastest mode.
+Real FemLesson::stable_time_step() const {
+    return stability_limit(scheme(), frequency(), rayleigh_damping_ratio(frequency(), alpha(), stiffness_damping));
+}
+
+void FemLesson::add_moving_probes() {
+    const auto moves = [this] { return moving(); };
+    probes.push_back(probe_of("highest_frequency", "ω", "rad/s",
+                              "angular frequency of the fastest vibration about the place at rest",
+                              [this] { return frequency(); }));
+    probes.push_back(probe_of("stable_time_step", "2/ω", "s", "longest step of explicit schemes that keep an undamped vibration")
+                         .formula(*this, "Δt = 2 / ω", {Input::now("ω", "highest_frequency", 0)})
+                         .when([this] { return frequency() > 0; }));
+    probes.push_back(probe_of("energy", "E", "J", "of motion, elastic, and of weight and load", [this] {
+                         return total_energy();
+                     }).when(moves));
+    probes.push_back(probe_of("kinetic_energy", "T", "J", "of motion", [this] { return kinetic_energy(); }).when(moves));
+    probes.push_back(probe_of("height", "y_m", "m", "of the centre of mass", [this] { return centre()[1]; }).when(moves));
+    probes.push_back(probe_of("momentum", "|p|", "kg m/s", "of the whole", [this] { return momentum().norm(); }).when(moves));
+    probes.push_back(probe_of("angular_momentum", "|L|", "kg m²/s", "about the centre of mass", [this] {
+                         return angular_momentum().norm();
+                     }).when(moves));
+}
+
 void FemLesson::declare_probes() {
     const auto done = [this] { return done_[0] != 0; };
     const auto has_tip = [this] { return !is(Setting::manufactured); };
     const auto of_tip = [this](int component) { return [this, component] { return tip(component); }; };
+    const auto stands = [this] { return !moving(); };
     const auto known_error = [this, done] { return is(Setting::manufactured) && done(); };
     probes = {
         probe_of("tip_x", "ū_x", "m", "along x, mean over the nodes of the loaded face", of_tip(0)).when(has_tip),
@@ -134,12 +170,14 @@ void FemLesson::declare_probes() {
                  [this] { return errors().h1; })
             .when(known_error),
         probe_of("unknowns", "", "", "displacements that are free", [this] { return static_cast<Real>(unknowns()); }),
-        probe_of("newton_iterations", "", "", "of all load steps together", [this] { return done_[1]; }),
+        probe_of("newton_iterations", "", "", "of all load steps together", [this] { return done_[1]; }).when(stands),
         probe_of("residual_ratio", "|r|/|f|", "", "largest force that nothing balances, over the largest force",
-                 [this] { return done_[2]; }),
+                 [this] { return done_[2]; })
+            .when(stands),
         probe_of("force_imbalance", "|Σ f + Σ fʳ|", "N", "sum of all loads and reactions: 0 in equilibrium", [this] {
             return force_imbalance();
         }).when(done)};
+    add_moving_probes();
 }
 
 std::string_view FemLesson::error_probe() const {
@@ -150,14 +188,19 @@ std::string_view FemLesson::error_probe() const {
 }
 
 std::vector<std::string_view> FemLesson::first_plots() const {
+    if (is(Setting::spin)) return {"volume_ratio", "energy"};
+    if (moving()) return {"energy", is(Setting::drop) ? "height" : "tip_y"};
     if (is(Setting::cook)) return {"locking", "middle_y"};
     if (is(Setting::manufactured)) return {"convergence"};
+    if (is(Setting::own)) return {"tip_y", "largest_stress"};
     return is(Setting::beam) ? std::vector<std::string_view>{"bending", "tip_y"} : std::vector<std::string_view>{"volume_ratio"};
 }
 
 std::vector<std::string_view> FemLesson::key_numbers() const {
     if (is(Setting::cook)) return {"middle_y", "largest_stress", "unknowns"};
     if (is(Setting::manufactured)) return {"l2_error", "h1_error", "unknowns"};
+    if (is(Setting::spin)) return {"volume_ratio", "angular_momentum", "energy"};
+    if (moving()) return {"height", "energy", "largest_stress"};
     if (is(Setting::twist)) return {"volume_ratio", "strain_energy", "largest_stress"};
     return {"tip_y", "largest_stress", "newton_iterations"};
 }
@@ -170,7 +213,7 @@ void FemLesson::declare_checks() {
             "small rotation", "rad", [this] { return largest_rotation(); }, [] { return small_rotation; }, "|F − Fᵀ|/2 ≤ 0.1",
             "the linear model takes a rotation for a strain: what turns inflates and resists")
             .otherwise("large rotation")
-            .when([=, this] { return law() == Law::linear && done() && has_law(); })
+            .when([=, this] { return law() == Law::linear && (done() || moving()) && has_law(); })
             .mended_by(Fix{"model = corotational", {{"model", "corotational"}}}),
         assumption_of(
             "no locking", "", [this] { return Real(body.poisson_ratio); }, [] { return locking_ratio; }, "ν ≤ 0.45",
@@ -190,18 +233,32 @@ void FemLesson::declare_checks() {
             "not inside out", "", [this] { return -smallest_volume(); }, [] { return Real{0}; }, "det F > 0 everywhere",
             "an element is turned inside out, which no body can be; this model stays finite and does not prevent it")
             .otherwise("an element inside out")
-            .when(done)
+            .when([=, this] { return done() || moving(); })
             .mended_by(Fix{"model = neo_hookean", {{"model", "neo_hookean"}}}),
         assumption_of(
             "equilibrium", "", [this] { return done_[2]; }, [] { return balanced; }, "|r| ≤ 10⁻⁶ |f|",
             "Newton's method has left forces that nothing balances")
             .otherwise("out of equilibrium")
             .when(done)};
+    assumptions.push_back(
+        assumption_of(
+            "stability", "s", [this] { return Real(dt); }, [this] { return stable_time_step(); },
+            "semi-implicit: Δt ≤ (2/ω)(√(1 + ζ²) − ζ);  explicit: Δt ≤ 2ζ/ω up to ζ = 1, so none without damping, beyond it "
+            "(2/ω)(ζ − √(ζ² − 1));  ω of the fastest mode",
+            "the fastest mode grows in every step until the body tears itself apart")
+            .otherwise("unstable")
+            .when([this] { return moving() && !implicit(); })
+            .mended_by(Fix{"integrator = implicit_euler", {{"integrator", "implicit_euler"}}}));
     conserved = {{.probe = "force_imbalance",
                   .law = pliant::Law::zero,
                   .tolerance = [this] { return balanced * (load_.cwiseAbs().sum() + reaction_.cwiseAbs().sum()); },
-                  .expected = {},
-                  .cancels = [this] { return load_.cwiseAbs().sum() + internal_.cwiseAbs().sum(); }}};
+                  .expected = [this] { return !moving(); },
+                  .cancels = [this] { return load_.cwiseAbs().sum() + internal_.cwiseAbs().sum(); }},
+                 {.probe = "momentum",
+                  .law = pliant::Law::constant,
+                  .tolerance = [this] { return 1e-9 * motion_->node_mass().sum() * solid_mesh::size_at_rest(*solid_) / dt; },
+                  .expected = [this] { return is(Setting::spin) && !pull_; },
+                  .cancels = [this] { return motion_->node_mass().dot(velocity_.colwise().norm()); }}};
 }
 
 }  // namespace pliant::fem

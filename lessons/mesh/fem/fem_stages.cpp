@@ -10,7 +10,11 @@ constexpr Real far = 1e6, strained = 1e6;
 }  // namespace
 
 void FemLesson::declare_fields() {
-    state = {state_array("done", "", done_)};  // each solve begins anew from the parameters
+    // Each solve begins anew from the parameters; what moves goes on from where it is.
+    state = {state_array("done", "", done_), state_array("position", "m", position_), state_array("velocity", "m/s", velocity_),
+             state_array("clock", "s", clock_)};
+    const auto moves = [this] { return moving(); };
+    const auto stands = [this] { return !moving(); };
     const auto reach = [this] { return far * solid_mesh::size_at_rest(*solid_); };
     const auto largest_stress = [this] { return 1e15 * (std::abs(solid_->lame().lambda) + solid_->lame().mu); };
     const auto largest_force = [this, largest_stress] {
@@ -41,17 +45,30 @@ void FemLesson::declare_fields() {
                     [] { return strained * strained; }),
         in_elements("stress", "P", "Pa", stress_, "force per area at rest, first Piola–Kirchhoff", largest_stress),
         in_elements("element_stiffness", "Kₑ", "N/m", block_, "of each element the block of its first corner with itself",
-                    largest_force),
+                    largest_force)
+            .when(stands),
         at_nodes("assembled", "K_aa", "N/m", assembled_, "diagonal of K, from the elements that are assembled so far",
-                 largest_force),
+                 largest_force)
+            .when(stands),
         at_nodes("internal_force", "fⁱ", "N", internal_, "with which the body resists at its nodes", largest_force),
-        at_nodes("load", "f", "N", load_, "the part of the load that is on now, as forces on nodes", largest_force),
-        at_nodes("prescribed", "ū", "m", prescribed_, "where the supports hold their nodes", reach),
-        at_nodes("residual", "r", "N", residual_, "load less internal force, at nodes that are free", largest_force),
-        at_nodes("newton_step", "d", "m", newton_step_, "of the latest iteration, before the line search shortens it", reach),
-        at_nodes("reaction", "fʳ", "N", reaction_, "with which the supports hold the body", largest_force),
+        at_nodes("load", "f", "N", load_, "the part of the load that is on now, as forces on nodes", largest_force).when(stands),
+        at_nodes("prescribed", "ū", "m", prescribed_, "where the supports hold their nodes", reach).when(stands),
+        at_nodes("residual", "r", "N", residual_, "load less internal force, at nodes that are free", largest_force).when(stands),
+        at_nodes("newton_step", "d", "m", newton_step_, "of the latest iteration, before the line search shortens it", reach)
+            .when(stands),
+        at_nodes("reaction", "fʳ", "N", reaction_, "with which the supports hold the body", largest_force).when(stands),
         scalar_field("rest_volume", "V", "m³", On::element, volume_, "of each element at rest; in the plane 1 m thick")
-            .stops_at([this] { return far * std::pow(solid_mesh::size_at_rest(*solid_), 3) + far; })};
+            .stops_at([this] { return far * std::pow(solid_mesh::size_at_rest(*solid_), 3) + far; }),
+        at_nodes("position", "x", "m", position_, "of the nodes", [this, reach] { return reach() + far * drop_height; })
+            .when(moves),
+        at_nodes("velocity", "v", "m/s", velocity_, "of the nodes",
+                 [this] { return 1e4 * solid_mesh::size_at_rest(*solid_) / dt + 1e3 * std::abs(spin_rate); })
+            .when(moves),
+        at_nodes("damping_force", "fᵈ", "N", damping_force_, "Rayleigh's damping, at the start of the step", largest_force)
+            .when([this] { return moving() && damped(); }),
+        at_nodes("external_force", "fᵉ", "N", external_force_, "weight, load, and the pull of the hand, at the start of the step",
+                 largest_force)
+            .when(moves)};
 }
 
 void FemLesson::declare_stages() {
@@ -65,6 +82,7 @@ void FemLesson::declare_stages() {
                  [this] { shape_functions(); })
             .done_in("core/pliant/mesh/simplex_elements.h: simplex_shape; core/pliant/mesh/simplex_elements.cpp: gradients_at")
             .maps({}, {"rest_volume"})
+            .when([this] { return !moving(); })
             .because(element),
         stage_of("deformation", "F = I + ∇u,  ∇u = Σ_a u_a ∇N_aᵀ", "lecture: deformation gradient [Bonet2008 §4.2]",
                  [this] { deform(); })
@@ -116,6 +134,7 @@ void FemLesson::declare_stages() {
             .done_in("core/pliant/solids/hyperelastic_fem.cpp: element_stiffness; core/pliant/math/element_assembly.cpp: add")
             .maps({"displacement"}, {"element_stiffness", "assembled"})
             .repeats([this] { return next_element_ < solid_->element_count(); }, [this] { begin_assembly(); })
+            .when([this] { return !moving(); })
             .because(node),
         stage_of("load", "on a face: f_a = ∫ N_a t dA;  in the body: f_a = ∫ N_a b dV",
                  "loads that do the same work [Hughes2000 §2.9]", [this] { apply_load(); })
@@ -124,22 +143,65 @@ void FemLesson::declare_stages() {
             .shows([this]() -> std::string_view {
                 return is(Setting::manufactured) ? "f_a = ∫ N_a b dV" : is(Setting::twist) ? "ū = (R − I) X" : "f_a = ∫ N_a t dA";
             })
+            .when([this] { return !moving(); })
             .because(node),
         stage_of("supports", "r = f − fⁱ at free nodes,  u = ū at the others", "essential boundary conditions [Hughes2000 §2.6]",
                  [this] { support(); })
             .done_in("core/pliant/math/constrained_system.cpp: reduce")
             .maps({"load", "internal_force", "prescribed"}, {"residual"})
+            .when([this] { return !moving(); })
             .because(node),
         stage_of("solve", "K d = r,  u ← u + α d",
                  "Newton's method with a line search [Nocedal2006 §3]; a linear body takes one round", [this] { solve(); })
             .done_in("core/pliant/solids/newton_equilibrium.cpp: find_direction, iterate")
             .maps({"residual", "displacement"}, {"newton_step", "displacement"})
             .loops_from("deformation", [this] { return advancing_; })
+            .when([this] { return !moving(); })
             .because([this](const Question& q) { return why_solved(q); }),
         stage_of("reactions", "fʳ = fⁱ − f at the supports", "what the supports carry [Hughes2000 §2.6]", [this] { react(); })
             .done_in("lessons/mesh/fem/fem.cpp: react")
             .maps({"internal_force", "load"}, {"reaction"})
+            .when([this] { return !moving(); })
             .because(node)};
+    add_moving_stages();
+}
+
+void FemLesson::add_moving_stages() {
+    const auto moves = [this] { return moving(); };
+    stages.push_back(stage_of("damping_force", "fᵈ = −(α M + β K) v", "Rayleigh's damping [Hughes2000 §7.2]", [this] { damp(); })
+                         .done_in("core/pliant/solids/elastic_system.cpp: force")
+                         .maps({"velocity"}, {"damping_force"})
+                         .where({{"M", "kg"}, {"v", "m/s"}, {"α", "1/s"}, {"β", "s"}})
+                         .when([this] { return moving() && damped(); })
+                         .because([this](const Question& q) { return why_outer(q); }));
+    stages.push_back(stage_of("external_force", "fᵉ_a = m_a g + ∫ N_a t dA;  at a pulled node + kₕ (x_hand − x_a)",
+                              "gravity, the load on its face, and a spring to the pointer", [this] { act_from_outside(); })
+                         .done_in("core/pliant/solids/external_load.cpp: add_external_forces")
+                         .maps({"position"}, {"external_force"})
+                         .where({{"m", "kg"}, {"x", "m"}})
+                         .shows([]() -> std::string_view { return "fᵉ_a = m_a g + ∫ N_a t dA"; })
+                         .when(moves)
+                         .because([this](const Question& q) { return why_outer(q); }));
+    stages.push_back(
+        stage_of("integrate",
+                 "explicit: x′ = x + Δt v, v′ = v + Δt f/m;  semi-implicit: v′ = v + Δt f/m, x′ = x + Δt v′;  "
+                 "implicit: m (v′ − v) = Δt f(x′, v′), x′ = x + Δt v′, by Newton's method",
+                 "lecture: time integration, ρ ẍ = ∇·σ + f with lumped masses [Baraff1998]", [this] { integrate(); })
+            .done_in("core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate")
+            .maps({"position", "velocity", "internal_force", "damping_force", "external_force"},
+                  {"position", "velocity", "displacement"})
+            .where({{"m", "kg"}, {"x", "m"}, {"v", "m/s"}})
+            .repeats([this] { return motion_->again(); }, [this] { begin_integration(); }, [this] { end_integration(); })
+            .shows([this] { return info_of(scheme()).formula; })
+            .when(moves)
+            .because([this](const Question& q) { return why_integrated(q); }));
+    stages.push_back(
+        stage_of("contact", "y ≥ 0;  v_y′ = 0,  |Δv_t| ≤ μ_g |Δv_y| on the ground", "[Bridson2002]", [this] { meet_ground(); })
+            .done_in("core/pliant/solids/contact.cpp: resolve")
+            .maps({"position", "velocity"}, {"position", "velocity", "displacement"})
+            .where({{"y", "m"}, {"v", "m/s"}})
+            .when([this] { return is(Setting::drop); })
+            .because([this](const Question& q) { return why_contact(q); }));
 }
 
 }  // namespace pliant::fem

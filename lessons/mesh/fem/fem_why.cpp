@@ -59,8 +59,8 @@ Input FemLesson::share_so_far() const {
 
 Explanation FemLesson::why_load(Index node, int component) const {
     if (is(Setting::manufactured)) {
-        const auto integral = [&](const char* symbol, Solid::PlaneFunction density) {
-            return Input::constant(symbol, solid_->plane_load(density)(component, node), "m²",
+        const auto integral = [&](const char* symbol, Solid::PlaneFunction part_of_force) {
+            return Input::constant(symbol, solid_->plane_load(part_of_force)(component, node), "m²",
                                    "integral with the shape function");
         };
         return {
