@@ -6,6 +6,7 @@
 #include <pliant/document/unused.h>
 #include <pliant/document/walkthrough.h>
 #include <pliant/run/runner.h>
+#include <pliant/text/stored_file.h>
 #include <pliant/text/texts.h>
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
@@ -96,12 +97,17 @@ std::string found_by(const LessonEntry& entry, const SceneSettings& settings) {
     return bits;
 }
 
-// Another value of each parameter that the scene does not use: at the lower, or the upper, end of its slider.
+// Another value of each parameter that the scene does not use: at the lower, or the upper, end of its slider; another file.
 SceneSettings unused_otherwise(const LessonEntry& entry, const SceneSettings& settings, bool upper) {
     const Runner runner(entry, settings, 0);
     SceneSettings changed;
     for (const Parameter* p : runner.lesson().parameters) {
         if (p->used()) continue;
+        const std::vector<std::string> bodies = bundled_bodies(p->info.endings);
+        if (!bodies.empty()) {
+            changed.emplace_back(p->info.key, upper ? bodies.back() : bodies.front());
+            continue;
+        }
         const Interval& range = p->info.useful;
         Real value = upper ? range.max : range.min;
         if (!p->accepted().contains(value)) value = p->info.kind == Kind::number ? (range.min + range.max) / 2 : p->value();
