@@ -40,7 +40,7 @@ inline Stage external_forces_stage(std::function<void()> run, Why why, std::func
         .maps({"position"}, {"external_force"})
         .because(std::move(why))
         .when(std::move(active))
-        .done_in("core/pliant/solids/springs_system.cpp: add_external_forces");
+        .done_in("core/pliant/solids/external_load.cpp: add_external_forces");
 }
 
 }  // namespace pliant::springs

@@ -127,7 +127,7 @@ void RodLesson::declare_stages() {
             .maps({}, {"external_force"})
             .because(why)
             .when([this] { return loaded(); })
-            .done_in("core/pliant/solids/springs_system.cpp: add_external_forces"),
+            .done_in("core/pliant/solids/external_load.cpp: add_external_forces"),
         stage_of("integrate", "M x″ = f + fᵈ + fᵉ, a step of Δt by the chosen scheme",
                  "lecture C: d²xᵢ/dt² = −mᵢ⁻¹ ∂U/∂xᵢ; [Hairer2006]", [this] { integrate(); })
             .done_in("core/pliant/time/time_integrator.cpp: explicit_pass; core/pliant/time/implicit.cpp: iterate")
