@@ -149,3 +149,25 @@ TEST_CASE("theme and recent files outlast a restart, a flag wins", "[window]") {
     CHECK(desk.state()["message"].get<std::string>().find("settings.json.bad") != std::string::npos);
     CHECK(fs::exists(fs::path(config) / "pliant" / "settings.json.bad"));
 }
+
+TEST_CASE("a mesh of one's own is opened by the dialog", "[window]") {
+    need_screen_and_mouse();
+    const Scratch scratch;
+    const std::string part = scratch.file("part.msh", contents_of(PLIANT_SOURCE_DIR "/assets/meshes/plate_with_hole_coarse.msh"));
+    const std::string scene = scratch.file(
+        "own.json", R"({"pliant": 1, "lesson": "mesh/fem", "parameters": {"scene": "own", "mesh_file": "gear_coarse"}})");
+    Desk desk({"--scene", scene});
+    pause(desk);
+    const auto mesh_is = [&](const std::string& text) {
+        return desk.becomes([&](const Json& s) { return s["parameters"]["mesh_file"] == text; });
+    };
+    CHECK(mesh_is("gear_coarse"));
+    desk.click("open mesh_file");
+    REQUIRE(asks(desk));
+    desk.key("ctrl+a");
+    desk.type(part);
+    desk.key("Return");
+    CHECK(desk.becomes("dialog", ""));
+    CHECK(mesh_is(part));
+    CHECK(desk.complaints().empty());
+}
