@@ -85,7 +85,15 @@ ElasticGrid<Dim>::ElasticGrid(const Cells& cells, Real dx, const Vec<Dim>& origi
     const Points<Dim> places = lattice.points();
     positions_.resize(Dim, count);
     for (Index p = 0; p < lattice.node_count(); ++p)
-        if (const Index n = node_of_place_[static_cast<std::size_t>(p)]; n >= 0) positions_.col(n) = places.col(p);
+        if (const Index n = node_of_place_[static_cast<std::size_t>(p)]; n >= 0) {
+            positions_.col(n) = places.col(p);
+            Index left = p;
+            Cells& place = places_.emplace_back();
+            for (std::size_t i = 0; i < Dim; ++i) {
+                place[i] = static_cast<int>(left % (cells_[i] + 1));
+                left /= cells_[i] + 1;
+            }
+        }
 
     // A sample at each corner of each cell.
     volumes_ = VecX::Zero(count);
@@ -168,6 +176,17 @@ void ElasticGrid<Dim>::internal_force(const Points<Dim>& displacement, Points<Di
             force.col(corners_(i + 1, c)) += s[i] * P.col(i);
             force.col(corners_(0, c)) -= s[i] * P.col(i);
         }
+    }
+}
+
+template <int Dim>
+void ElasticGrid<Dim>::add_divergence(int axis, const Tensors& stress, Points<Dim>& force_density) const {
+    for (Index c = 0; c < corners_.cols(); ++c) {
+        const Index here = corners_(0, c), there = corners_(axis + 1, c);
+        Vec<Dim> pull;
+        for (int i = 0; i < Dim; ++i) pull[i] = weight() / step_of(c, axis) * stress(Dim * i + axis, c);
+        force_density.col(here) += pull / volumes_[here];
+        force_density.col(there) -= pull / volumes_[there];
     }
 }
 

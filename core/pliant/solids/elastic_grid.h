@@ -35,6 +35,7 @@ public:
     Index node_count() const override { return positions_.cols(); }
     const Points<Dim>& positions() const { return positions_; }  // m, at rest
     Index node_at(const Cells& place) const;                     // -1 where there is none
+    Cells place_of(Index node) const { return places_[static_cast<std::size_t>(node)]; }
     Index cell_count() const { return cell_count_; }
     // Volume that a node stands for [m^Dim]: of each cell an equal part.
     const VecX& volumes() const { return volumes_; }
@@ -49,6 +50,21 @@ public:
     const SparseMatrix& pattern() const override { return assembly_->pattern(); }
     Real admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const override;
 
+    // --- the samples: one at every corner of every cell, cell by cell, each with an equal part of its cell's volume ---
+    Index sample_count() const { return corners_.cols(); }
+    // The node at the corner, or its neighbour in the cell along an axis.
+    Index node_of(Index sample) const { return corners_(0, sample); }
+    Index neighbour_of(Index sample, int axis) const { return corners_(axis + 1, sample); }
+    // From the corner to that neighbour along the axis: dx or -dx [m].
+    Real step_of(Index sample, int axis) const { return dx_ * signs(static_cast<int>(sample % corners_of_cell))[axis]; }
+    // One-sided differences H(i, j) = d(values_i)/dX_j at the corner.
+    Mat<Dim> gradient(Index sample, const Points<Dim>& values) const;
+    // Tensors of the samples, a column each, row by row: xx, xy, yx, yy.
+    using Tensors = Eigen::Matrix<Real, Dim * Dim, Eigen::Dynamic>;
+    // Adds the part d(P e_axis)/dX_axis of the force per volume [N/m^3] that stresses P [Pa] of the samples put on the nodes,
+    // with no traction from outside. Summed over the axes it is -internal_force / volumes.
+    void add_divergence(int axis, const Tensors& stress, Points<Dim>& force_density) const;
+
     // Longest stable step of the explicit scheme for waves inside: dx / sqrt(c_p² + (Dim - 1) c_s²), exact for the linear energy
     // by the Fourier symbol.
     Real stable_time_step(Real density) const;
@@ -60,7 +76,6 @@ private:
     // Signs of the steps from corner `k` of a cell to its neighbours.
     static Vec<Dim> signs(int k);
     Mat<Dim> deformation_gradient(Index corner, const Points<Dim>& displacement) const;
-    Mat<Dim> gradient(Index corner, const Points<Dim>& values) const;
     Real weight() const { return spacing_power() / corners_of_cell; }
 
     static constexpr Real full_share_ = 1 - 0.5 / (1 << Dim);
@@ -68,6 +83,7 @@ private:
     Real dx_;
     EnergyDensity<Dim> density_;
     std::vector<Index> node_of_place_;
+    std::vector<Cells> places_;
     Points<Dim> positions_;
     VecX volumes_;
     Corner corners_;

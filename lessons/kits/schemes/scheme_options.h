@@ -3,6 +3,7 @@
 #include <pliant/lesson/parameter.h>
 #include <pliant/time/scheme.h>
 
+#include <array>
 #include <vector>
 
 namespace pliant {
@@ -12,6 +13,17 @@ inline std::vector<Option> scheme_options(std::size_t count = schemes().size()) 
     std::vector<Option> options;
     for (const SchemeInfo& info : schemes())
         if (options.size() < count) options.push_back({info.key, info.name});
+    return options;
+}
+
+// Those that solve no equations, as the options of a choice.
+inline constexpr std::array explicit_schemes{Scheme::explicit_euler, Scheme::semi_implicit_euler, Scheme::velocity_verlet,
+                                             Scheme::runge_kutta_4};
+enum class ExplicitScheme { explicit_euler, semi_implicit_euler, velocity_verlet, runge_kutta_4 };
+inline Scheme scheme_of(ExplicitScheme chosen) { return explicit_schemes[static_cast<std::size_t>(chosen)]; }
+inline std::vector<Option> explicit_scheme_options() {
+    std::vector<Option> options;
+    for (const Scheme scheme : explicit_schemes) options.push_back({info_of(scheme).key, info_of(scheme).name});
     return options;
 }
 

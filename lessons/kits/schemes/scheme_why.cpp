@@ -44,7 +44,7 @@ Explanation table_row(std::string_view symbol, const TimeIntegrator& integrator,
                       const Parameter& dt, const std::optional<Input>& first) {
     const auto passes = static_cast<std::size_t>(integrator.passes());
     const NystromRow& row = nystrom_table(integrator.scheme())[passes];
-    Explanation e{fmt::format("{} = {}", symbol, of_velocity ? "v" : "x"), {of_velocity ? v : std::move(x)}};
+    Explanation e{fmt::format("{} = {}", symbol, of_velocity ? v.symbol : x.symbol), {of_velocity ? v : std::move(x)}};
     if (!of_velocity && row.c != 0) {
         e.formula += " + c Δt v";
         e.inputs.insert(e.inputs.end(),
