@@ -84,7 +84,8 @@ Explanation newton_iterate(const std::string& symbol, const std::string& letter,
     return {bound ? fmt::format("{} = max({}, b)", symbol, step) : fmt::format("{} = {}", symbol, step), std::move(inputs)};
 }
 
-Input newton_direction(const ImplicitSolver& solver, Index dof, Real diagonal, const std::vector<std::pair<Index, Real>>& row) {
+Input newton_direction(const ImplicitSolver& solver, Index dof, Real diagonal, const std::vector<std::pair<Index, Real>>& row,
+                       int dimension) {
     const bool bounded = solver.form().lower_bound.size() > 0, iterative = solver.linearised() != nullptr;
     const bool coupled = std::ranges::any_of(row, [dof](const auto& entry) { return entry.second != 0 && entry.first != dof; });
     Explanation e{
@@ -99,17 +100,17 @@ Input newton_direction(const ImplicitSolver& solver, Index dof, Real diagonal, c
         if (value == 0 || b == dof) continue;
         e.inputs.push_back(Input::constant("H_ab", value, "N/m", "coupling to a neighbour").in("H_ab"));
         e.inputs.push_back(Input::constant("d_b", solver.direction()[b], "m",
-                                           fmt::format("the neighbour's direction, {} of node {}", "xyz"[b % 3], b / 3))
+                                           fmt::format("the neighbour's direction, {} of node {}", "xyz"[b % dimension], b / dimension))
                                .in("d_b"));
     }
     return Input::part("d", "m", std::move(e));
 }
 
-Input newton_direction(const ImplicitSolver& solver, Index dof) {
+Input newton_direction(const ImplicitSolver& solver, Index dof, int dimension) {
     const SparseMatrix& H = solver.curvature();
     std::vector<std::pair<Index, Real>> row;
     for (SparseMatrix::InnerIterator entry(H, dof); entry; ++entry) row.emplace_back(entry.row(), entry.value());
-    return newton_direction(solver, dof, H.coeff(dof, dof), row);
+    return newton_direction(solver, dof, H.coeff(dof, dof), row, dimension);
 }
 
 Input imbalance_left(Real r) { return Input::constant("r", r, "N", "what the solver has left unbalanced"); }

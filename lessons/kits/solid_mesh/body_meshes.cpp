@@ -20,6 +20,13 @@ SimplexMesh<3> beam_mesh(const Vec<3>& size, const std::array<int, 3>& cells) {
     return mesh;
 }
 
+SimplexMesh<2> panel_mesh(const Vec<2>& size, int cells_x, int cells_y) {
+    SimplexMesh<2> mesh = block_mesh<2>({size, {cells_x, cells_y}, Vec<2>::Zero(), CellSplit::alternating});
+    mesh.name_facets("fixed", mesh.facets("x_min"));
+    mesh.name_facets("loaded", mesh.facets("x_max"));
+    return mesh;
+}
+
 SimplexMesh<2> cook_mesh(int cells_x, int cells_y) {
     const SimplexMesh<2> square = cut_square(cells_x, cells_y);
     Points<2> points(2, square.node_count());

@@ -242,6 +242,8 @@ std::unique_ptr<Solid> make_solid(const BodySettings& s) {
     switch (s.shape) {
         case Shape::beam:
             return of_order<3>(s, beam_mesh(s.size, s.cells));
+        case Shape::panel:
+            return of_order<2>(s, panel_mesh(s.size.head<2>(), s.cells[0], s.cells[1]));
         case Shape::cook:
             return of_order<2>(s, cook_mesh(s.cells[0], s.cells[1]));
         case Shape::square:

@@ -18,7 +18,7 @@ namespace pliant::solid_mesh {
 
 enum class Law { linear, corotational, stvk, neo_hookean };
 enum class Plane { stress, strain };
-enum class Shape { beam, cook, square, file };
+enum class Shape { beam, cook, square, file, panel };
 
 struct BodySettings {
     Shape shape = Shape::beam;

@@ -26,9 +26,19 @@ ParameterInfo cells_along(std::string_view key, std::string_view symbol, int ini
     return quantity(key, symbol, "", initial, {1, 32}, {1, 200}, help).in(Group::shape).rebuilds();
 }
 
+ParameterInfo starting_at(Real initial, ParameterInfo info) {
+    info.initial = initial;
+    return info;
+}
+
+std::function<bool()> either(const std::function<bool()>& a, const std::function<bool()>& b) {
+    if (!b) return a;
+    return [a, b] { return a() || b(); };
+}
+
 }  // namespace
 
-SolidParameters::SolidParameters(Lesson& lesson, Uses uses)
+SolidParameters::SolidParameters(Lesson& lesson, Uses uses, const Initial& initial)
     : law(lesson,
           setting_of("model", "how the energy follows from the deformation", 1).in(Group::material).rebuilds().when(uses.law),
           {{"linear", "linear"},
@@ -36,22 +46,27 @@ SolidParameters::SolidParameters(Lesson& lesson, Uses uses)
            {"stvk", "St. Venant–Kirchhoff"},
            {"neo_hookean", "neo-Hookean"}}),
       plane(lesson,
-            setting_of("plane", "of a body in the plane: free to become thinner, or held at its thickness")
+            setting_of("plane", "of a body in the plane: free to become thinner, or held at its thickness", initial.plane)
                 .in(Group::material)
                 .rebuilds()
                 .when(uses.plane),
             {{"stress", "plane stress"}, {"strain", "plane strain"}}),
-      youngs_modulus(lesson, youngs_modulus_info("stress per strain in a pull; rubber 1 MPa, steel 200 GPa", {1e3, 1e12})),
+      youngs_modulus(lesson,
+                     starting_at(initial.youngs_modulus,
+                                 youngs_modulus_info("stress per strain in a pull; rubber 1 MPa, steel 200 GPa", {1e3, 1e12}))),
       poisson_ratio(lesson, poisson_ratio_info("narrowing over lengthening; linear elements lock near ½", {-0.5, 0.4999})),
       load_x(lesson, force_along("load_x", "F_x", 0, "force along x on the loaded face, spread evenly").when(uses.load)),
-      load_y(lesson, force_along("load_y", "F_y", -200, "force along y on the loaded face, spread evenly; negative pulls down")
-                         .when(uses.load)),
+      load_y(lesson,
+             force_along("load_y", "F_y", initial.load_y, "force along y on the loaded face, spread evenly; negative pulls down")
+                 .when(uses.load)),
       load_z(lesson, force_along("load_z", "F_z", 0, "force along z on the loaded face, spread evenly").when(uses.space_load)),
-      length(lesson, size_along("length", "L", 1, "of the beam, along x").when(uses.beam)),
-      height(lesson, size_along("height", "h", 0.2, "of the beam, along y").when(uses.beam)),
-      width(lesson, size_along("width", "w", 0.2, "of the beam, along z").when(uses.beam)),
-      cells_x(lesson, cells_along("cells_x", "nₓ", 8, "cells along x; a cell is 2 triangles or 6 tetrahedra").when(uses.cells)),
-      cells_y(lesson, cells_along("cells_y", "n_y", 2, "cells along y").when(uses.cells)),
+      length(lesson, size_along("length", "L", 1, "of the body, along x").when(either(uses.beam, uses.panel))),
+      height(lesson, size_along("height", "h", initial.height, "of the body, along y").when(either(uses.beam, uses.panel))),
+      width(lesson, size_along("width", "w", initial.width, "of the beam, along z").when(uses.beam)),
+      cells_x(
+          lesson,
+          cells_along("cells_x", "nₓ", initial.cells_x, "cells along x; a cell is 2 triangles or 6 tetrahedra").when(uses.cells)),
+      cells_y(lesson, cells_along("cells_y", "n_y", initial.cells_y, "cells along y").when(uses.cells)),
       cells_z(lesson, cells_along("cells_z", "n_z", 2, "cells along z").when(uses.beam)) {}
 
 BodySettings SolidParameters::settings(Shape shape, int order) const {

@@ -16,10 +16,18 @@ struct Uses {
     std::function<bool()> cells;       // cells along x and y; along z where `beam`
     std::function<bool()> load;        // along x and y
     std::function<bool()> space_load;  // along z
+    std::function<bool()> panel = {};  // a rectangle with two sizes
+};
+
+// What the scene that a lesson opens with has.
+struct Initial {
+    Real youngs_modulus = 1e6, load_y = -200, height = 0.2, width = 0.2;  // Pa, N, m
+    int cells_x = 8, cells_y = 2;
+    Plane plane = Plane::stress;
 };
 
 struct SolidParameters {
-    SolidParameters(Lesson& lesson, Uses uses);
+    SolidParameters(Lesson& lesson, Uses uses, const Initial& initial = {});
 
     Choice<Law> law;
     Choice<Plane> plane;

@@ -67,7 +67,8 @@ Input SolidWhy::lambda() const {
 Input SolidWhy::place_at_rest(Index node, int axis) const {
     const std::string symbol = fmt::format("X{}_{}", axis_name(axis), node);
     const Real value = solid->rest()(axis, node);
-    if (solid->settings().shape != Shape::beam) return Input::constant(symbol, value, "m", "place of the node at rest");
+    if (const Shape shape = solid->settings().shape; shape != Shape::beam && shape != Shape::panel)
+        return Input::constant(symbol, value, "m", "place of the node at rest");
     const std::array<const Number*, 3> sizes{&parameters->length, &parameters->height, &parameters->width};
     const std::array<const Whole*, 3> cells{&parameters->cells_x, &parameters->cells_y, &parameters->cells_z};
     const auto k = static_cast<std::size_t>(axis);
