@@ -74,6 +74,7 @@ void FdmLesson::reset() {
     step_.setZero(2, moves() ? 0 : nodes);
     for (ElasticGrid<2>::Tensors* of_samples : {&gradient_, &strain_, &stress_}) of_samples->setZero(4, samples);
     metric_.setZero(4, linear() ? 0 : samples);
+    metric_.row(0).setOnes(), metric_.row(3).setOnes();
     if (is(GridShape::rod)) displacement_.row(0) = start_strain * grid().positions().row(0);
     error_.setZero(2, has_exact() ? nodes : 0);
     divergence_passes_ = stencil_passes_ = 0;

@@ -132,6 +132,8 @@ std::string FdmLesson::unrest() const {
 Real FdmLesson::squeeze() const {
     Real least = 1;
     for (Index s = 0; s < metric_.cols(); ++s) {
+        // Turned inside out, which G does not tell.
+        if ((1 + gradient_(0, s)) * (1 + gradient_(3, s)) <= gradient_(1, s) * gradient_(2, s)) return 1;
         // The smaller eigenvalue of G is the square of the smallest stretch.
         const Real mean = 0.5 * (metric_(0, s) + metric_(3, s)), half = 0.5 * (metric_(0, s) - metric_(3, s));
         least = std::min(least, std::sqrt(std::max(mean - std::hypot(half, metric_(1, s)), Real{0})));
