@@ -50,13 +50,14 @@ void NodeBlocks<Dim>::multiply(const SparseMatrix& symmetric, const VecX& x, Vec
     parallel_parts(node_count(), 16 * Dim * Dim, [&](Index first, Index last, int) {
         for (Index n = first; n < last; ++n) {
             const Index start = begin[Dim * n], size = begin[Dim * n + 1] - start;
-            Vec<Dim> sum = Vec<Dim>::Zero();
-            for (Index i = 0; i < size; i += Dim) {
-                const Real *at = from + row[start + i], *entry = values + start + i;
-                for (int l = 0; l < Dim; ++l, entry += size)
-                    for (int k = 0; k < Dim; ++k) sum[l] += entry[k] * at[k];
+            // A sum for each pair of components, so that none waits for another.
+            Mat<Dim> sums = Mat<Dim>::Zero();
+            const Real* entry = values + start;
+            for (Index i = 0; i < size; i += Dim, entry += Dim) {
+                const Eigen::Map<const Vec<Dim>> at(from + row[start + i]);
+                for (int l = 0; l < Dim; ++l) sums.col(l) += Eigen::Map<const Vec<Dim>>(entry + l * size).cwiseProduct(at);
             }
-            for (int l = 0; l < Dim; ++l) y[Dim * n + l] = sum[l];
+            for (int l = 0; l < Dim; ++l) y[Dim * n + l] = sums.col(l).sum();
         }
     });
 }

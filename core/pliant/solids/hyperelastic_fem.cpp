@@ -3,6 +3,7 @@
 #include <pliant/math/small_eigen.h>
 #include <pliant/solids/element_materials.h>
 #include <pliant/solids/hyperelastic_fem.h>
+#include <pliant/solids/neo_hookean_element.h>
 
 #include <algorithm>
 #include <limits>
@@ -87,21 +88,8 @@ Real HyperelasticFem<Dim, Order>::energy_scale() const {
 // Node a takes w P g_a from each point, g the gradients of the shape functions.
 template <int Dim, int Order>
 void HyperelasticFem<Dim, Order>::internal_force(const Points<Dim>& displacement, Points<Dim>& force) const {
-    force.setZero(Dim, elements_.node_count());
     require_admitted(displacement);
-    parallel_parts(elements_.node_count(), Dim * Dim * nodes, [&](Index first, Index last, int) {
-        for (Index e = 0; e < elements_.element_count(); ++e) {
-            if (!assembly_.touches(e, first, last)) continue;
-            for (int q = 0; q < Elements::points; ++q) {
-                const Mat<Dim> P = elements_.weight(e) * density(e).P(deformation_gradient(e, displacement, q));
-                const auto g = elements_.gradients(e, q);
-                for (int a = 0; a < nodes; ++a) {
-                    const Index n = elements_.elements()(a, e);
-                    if (n >= first && n < last) force.col(n).noalias() += P * g.col(a);
-                }
-            }
-        }
-    });
+    collect([&](Index e, int q) { return density(e).P(deformation_gradient(e, displacement, q)); }, force);
 }
 
 template <int Dim, int Order>
@@ -132,7 +120,17 @@ template <int Dim, int Order>
 typename HyperelasticFem<Dim, Order>::ElementMatrix HyperelasticFem<Dim, Order>::element_stiffness(
     Index element, const Points<Dim>& displacement, bool definite) const {
     ElementMatrix K = ElementMatrix::Zero();
+    const bool neo_hookean = density(element).energy() == Energy::neo_hookean;
     for (int q = 0; q < Elements::points; ++q) {
+        if (neo_hookean) {
+            const NeoHookeanElement<Dim, nodes> at(density(element).material(), deformation_gradient(element, displacement, q),
+                                                   elements_.gradients(element, q));
+            if (!definite || at.only_twists()) {
+                at.add(1, K);
+                if (definite) at.lift_twists(1, K);
+                continue;
+            }
+        }
         Mat<Dim* Dim> T = density(element).tangent(deformation_gradient(element, displacement, q));
         if (definite) T = positive_part<Dim * Dim>(T);
         const typename Elements::Gradients g = elements_.gradients(element, q);

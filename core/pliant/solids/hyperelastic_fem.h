@@ -46,8 +46,10 @@ public:
     void stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const override;
     const SparseMatrix& pattern() const override { return assembly_.pattern(); }
     Real admissible_share(const Points<Dim>& displacement, const Points<Dim>& change) const override;
-    // Sum of the matrices that local(element) gives. In several threads, each for nodes of its own; the bits do not depend on how
-    // many there are.
+    // Forces of the stresses P(element, point) [Pa], and the sum of the matrices that local(element) gives. In several threads,
+    // each for nodes of its own; the bits do not depend on how many there are.
+    template <class Stress>
+    void collect(Stress stress, Points<Dim>& force) const;
     template <class Local>
     void assemble(Local local, SparseMatrix& matrix) const;
     // Of one element [N/m], symmetric to the bit.
@@ -60,6 +62,25 @@ private:
     std::vector<EnergyDensity<Dim>> densities_;
     ElementAssembly<Dim, nodes> assembly_;
 };
+
+template <int Dim, int Order>
+template <class Stress>
+void HyperelasticFem<Dim, Order>::collect(Stress stress, Points<Dim>& force) const {
+    force.setZero(Dim, node_count());
+    parallel_parts(node_count(), Dim * Dim * nodes, [&](Index first, Index last, int) {
+        for (Index e = 0; e < elements_.element_count(); ++e) {
+            if (!assembly_.touches(e, first, last)) continue;
+            for (int q = 0; q < Elements::points; ++q) {
+                const Mat<Dim> P = elements_.weight(e) * stress(e, q);
+                const auto g = elements_.gradients(e, q);
+                for (int a = 0; a < nodes; ++a) {
+                    const Index n = elements_.elements()(a, e);
+                    if (n >= first && n < last) force.col(n).noalias() += P * g.col(a);
+                }
+            }
+        }
+    });
+}
 
 template <int Dim, int Order>
 template <class Local>

@@ -13,12 +13,13 @@ Mat<Dim*(Dim + 1)> linear_element_stiffness(const Eigen::Matrix<Real, Dim, Dim +
     Mat<Dim*(Dim + 1)> K;
     for (int a = 0; a <= Dim; ++a)
         for (int b = 0; b <= a; ++b) {
-            const Real diagonal = mu * g.col(a).dot(g.col(b));
-            for (int i = 0; i < Dim; ++i)
-                for (int j = 0; j < Dim; ++j) {
-                    const Real entry = lambda * g(i, a) * g(j, b) + mu * g(i, b) * g(j, a) + (i == j ? diagonal : 0);
-                    K(Dim * a + i, Dim * b + j) = K(Dim * b + j, Dim * a + i) = entry;
-                }
+            Mat<Dim> block = lambda * g.col(a) * g.col(b).transpose() + mu * g.col(b) * g.col(a).transpose();
+            block.diagonal().array() += mu * g.col(a).dot(g.col(b));
+            if (a == b)
+                K.template block<Dim, Dim>(Dim * a, Dim * a) = block.template selfadjointView<Eigen::Lower>();
+            else
+                K.template block<Dim, Dim>(Dim * a, Dim * b) = block,
+                                                          K.template block<Dim, Dim>(Dim * b, Dim * a) = block.transpose();
         }
     return K;
 }

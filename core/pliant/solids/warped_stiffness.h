@@ -10,6 +10,9 @@
 #pragma once
 #include <pliant/solids/hyperelastic_fem.h>
 
+#include <array>
+#include <vector>
+
 namespace pliant {
 
 // In 2D per metre of thickness: IsotropicModuli::lame() for plane strain, plane_stress_lame() for plane stress.
@@ -33,21 +36,32 @@ public:
     // K of rest [N/m].
     ElementMatrix rest_stiffness(Index element) const;
     // R K R^T [N/m].
-    ElementMatrix element_stiffness(Index element, const Points<Dim>& displacement) const;
+    ElementMatrix element_stiffness(Index element, const Points<Dim>& displacement) const {
+        return turned_stiffness(element, rotation(element, displacement));
+    }
 
     Index node_count() const override { return body_.node_count(); }
     void check_support(const DisplacementConstraints<Dim>& constraints) const override { body_.check_support(constraints); }
-    Real energy(const Points<Dim>& displacement) const override { return body_.energy(displacement); }
-    void internal_force(const Points<Dim>& displacement, Points<Dim>& force) const override {
-        body_.internal_force(displacement, force);
-    }
+    Real energy(const Points<Dim>& displacement) const override;
+    void internal_force(const Points<Dim>& displacement, Points<Dim>& force) const override;
     // Positive semi-definite either way.
     void stiffness(const Points<Dim>& displacement, bool definite, SparseMatrix& matrix) const override;
     const SparseMatrix& pattern() const override { return body_.pattern(); }
     Real admissible_share(const Points<Dim>&, const Points<Dim>&) const override { return 1; }
 
 private:
+    ElementMatrix turned_stiffness(Index element, const Mat<Dim>& R) const;
+    // The rotations of all elements, kept for the two latest places that were asked about: a step asks for energy, force and
+    // stiffness at the same one.
+    struct Rotations {
+        Points<Dim> displacement;
+        std::vector<Mat<Dim>> of;
+    };
+    const std::vector<Mat<Dim>>& rotations(const Points<Dim>& displacement) const;
+
     Body body_;
+    mutable std::array<Rotations, 2> kept_;
+    mutable std::size_t latest_ = 0;
 };
 
 }  // namespace pliant

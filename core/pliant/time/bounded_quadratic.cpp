@@ -12,6 +12,11 @@ constexpr int most_passes = 30;
 
 struct BoundedQuadratic::Factor {
     Eigen::SimplicialLDLT<SparseMatrix> ldlt;
+    VecX values;  // of the matrix that is factorised
+
+    bool holds(const SparseMatrix& matrix) const {
+        return values.size() == matrix.nonZeros() && (values.array() == matrix.coeffs()).all();
+    }
 };
 
 BoundedQuadratic::BoundedQuadratic(std::vector<char> fixed)
@@ -67,8 +72,11 @@ bool BoundedQuadratic::solve_with_held(const VecX& gradient, const VecX& lower, 
     for (Index n = 0; n < d.size(); ++n)
         if (held(n)) right_side_[n] = d[n];
 
-    factor_->ldlt.factorize(reduced_);
-    ++factorisations_;
+    if (!factor_->holds(reduced_)) {
+        factor_->ldlt.factorize(reduced_);
+        factor_->values = reduced_.coeffs();
+        ++factorisations_;
+    }
     if (factor_->ldlt.info() != Eigen::Success || (d.size() > 0 && !(factor_->ldlt.vectorD().minCoeff() > 0))) return false;
     d = factor_->ldlt.solve(right_side_);
     return true;

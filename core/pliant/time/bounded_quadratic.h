@@ -10,7 +10,8 @@ namespace pliant {
 
 // Minimises 1/2 d . H d + g . d over d >= lower, with d = 0 where `fixed`, by the primal-dual active set method: variables that
 // would pass their bound are held on it, those that the bound would have to pull are let go, until nothing changes
-// [Hintermueller2003]. Each pass factorises H with the held variables taken out; the pattern is analysed once.
+// [Hintermueller2003]. Each pass factorises H with the held variables taken out, unless that
+// is the matrix of the pass before; the pattern is analysed once.
 class BoundedQuadratic {
 public:
     explicit BoundedQuadratic(std::vector<char> fixed);
@@ -31,7 +32,7 @@ public:
     // Gradient of the model at the minimum where a bound holds a variable, >= 0; 0 elsewhere.
     const VecX& multiplier() const { return multiplier_; }
 
-    int factorisations() const { return factorisations_; }  // since made
+    int factorisations() const { return factorisations_; }  // since made; what is the same again needs none
 
 private:
     bool solve_with_held(const VecX& gradient, const VecX& lower, VecX& d);

@@ -152,8 +152,8 @@ void ImplicitSolver::iterate_for_direction() {
     if (!gradients_)
         gradients_.emplace(x_.size(), masked(&LinearisedSystem::multiply), masked(&LinearisedSystem::precondition),
                            ConjugateGradients::Settings{options_.linear_tolerance, options_.linear_iterations});
-    direction_.setZero(x_.size());
     scratch_ = -residual_;
+    start_direction();
     gradients_->begin(scratch_, direction_);
     try {
         gradients_->solve();
@@ -165,8 +165,18 @@ void ImplicitSolver::iterate_for_direction() {
     }
     linear_iterations_ += static_cast<int>(gradients_->iterations());
     direction_ = gradients_->x();
+    if (options_.warm_start && iterations_ == 0) warm_direction_ = direction_;
     gradients_->residual_vector(linear_residual_);
     reaction_.setZero();
+}
+
+// Where the model -scratch_ . d + 1/2 d . H d is lowest along the direction of the step before, or 0.
+void ImplicitSolver::start_direction() {
+    direction_.setZero(x_.size());
+    if (!options_.warm_start || iterations_ > 0 || warm_direction_.size() != x_.size()) return;
+    linearised_->multiply(warm_direction_, offset_);
+    const Real along = warm_direction_.dot(scratch_), curvature = warm_direction_.dot(offset_);
+    if (along > 0 && curvature > 0) direction_ = along / curvature * warm_direction_;
 }
 
 Real ImplicitSolver::diagonal(Index dof) const {

@@ -53,8 +53,9 @@ public:
 // How the linear system of a Newton iteration is solved.
 enum class LinearSolve {
     direct,              // factorised, to rounding; exact second derivatives where they are positive definite
-    conjugate_gradients  // of the system's linearise(), from 0 on: each iteration lowers the model of the potential, so that one
-                         // that is cut off early is a step downhill still [Nocedal2006 §7.1, inexact Newton]
+    conjugate_gradients  // of the system's linearise(), from 0 or a warm start on: each iteration lowers the model of the
+                         // potential, so that one that is cut off early is a step downhill still [Nocedal2006 §7.1, inexact
+                         // Newton]
 };
 
 // What happens when the cap on Newton's iterations is reached.
@@ -70,6 +71,9 @@ struct NewtonOptions {
     AtCap at_cap = AtCap::fail;
     LinearSolve linear_solve = LinearSolve::direct;
     Real linear_tolerance = 1e-2;  // of conjugate gradients: |residual| / |gradient|
+    // Conjugate gradients of a step's first iteration start with the direction of the step before, times what lowers the model
+    // most.
+    bool warm_start = false;
     int linear_iterations = 1000;  // their cap in each Newton iteration; Newton's method cannot converge in one that reaches it
     bool operator==(const NewtonOptions&) const = default;
 };
@@ -110,6 +114,9 @@ public:
     // with iterations and residual, when it has not converged, unless the options accept that.
     void finish(Dofs x, Dofs v) const;
 
+    // What a warm start lives on, from one step to the next: for a lesson to list in its state. Empty before the first step.
+    VecX& warm_direction() { return warm_direction_; }
+
     int iterations() const { return iterations_; }
     int factorisations() const { return model_.factorisations(); }  // since the solver was made
     int linear_iterations() const { return linear_iterations_; }    // of conjugate gradients, in this step
@@ -147,6 +154,7 @@ private:
     void factorise_for_direction();
     void solve_for_direction();
     void iterate_for_direction();
+    void start_direction();
     Real diagonal(Index dof) const;
     bool last_before_cap() const { return options_.at_cap == AtCap::accept && iterations_ + 1 >= options_.max_iterations; }
     bool step_is_small() const;
@@ -173,7 +181,7 @@ private:
     const LinearisedSystem* linearised_ = nullptr;
     std::optional<ConjugateGradients> gradients_;
     mutable VecX offset_, inertia_;
-    VecX linear_residual_;
+    VecX linear_residual_, warm_direction_;
     bool linear_converged_ = true;
     Reference reference_;
     int unproved_ = 0;  // full steps since the reference
