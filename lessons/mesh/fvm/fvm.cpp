@@ -80,7 +80,7 @@ void FvmLesson::reset() {
     for (MatX* faces : {&rest_area_, &deformed_area_, &face_force_, &true_face_force_}) faces->setZero(d, (d + 1) * elements);
     volume_.setZero(elements);
     first_of_pass_ = next_element_ = 0;
-    loop_runs_ = false;
+    loop_runs_ = forces_meet_ = false;
     start_kinetic_ = kinetic();
     compliance_.reset();
     start_spin_ = spin();
@@ -180,7 +180,7 @@ void FvmLesson::true_stress() {
 // ---------------------------------------------------------------------------------------------- the loop over the elements
 
 void FvmLesson::begin_faces() {
-    loop_runs_ = true;
+    loop_runs_ = true, forces_meet_ = false;
     first_of_pass_ = next_element_ = 0;
     for (MatX* numbers : {&face_force_, &true_face_force_, &force_}) numbers->setZero();
 }
@@ -214,6 +214,7 @@ void FvmLesson::share() {
 void FvmLesson::fem_forces() {
     solid_->internal_force(displacement(), fem_force_);
     fem_force_ = -fem_force_;
+    forces_meet_ = true;
 }
 
 Vec<3> FvmLesson::load_force() const {

@@ -77,7 +77,7 @@ Real FvmLesson::face_rounding() const {
 
 std::optional<Real> FvmLesson::difference_from_fem() const {
     const Real largest = largest_face_force();
-    if (!(largest > 0)) return std::nullopt;
+    if (!forces_meet_ || !(largest > 0)) return std::nullopt;
     return (force_ - fem_force_).cwiseAbs().maxCoeff() / largest;
 }
 
