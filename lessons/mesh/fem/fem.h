@@ -148,11 +148,13 @@ struct FemLesson final : Lesson {
                                               "force per distance by which the hand has drawn a node")
                                      .in(Group::view)
                                      .when([this] { return bent() || moving(); })};
-    Whole element_shown{*this, quantity("element_shown", "e", "", 0, {0, 100}, {0, 1e9},
-                                        "the element that is lit, with its matrices; counted from 0")
-                                   .in(Group::view)
-                                   .looks()};
+    Whole element_shown{*this,
+                        quantity("element_shown", "e", "", 0, {0, 100}, {0, 1e9}, "the element that is lit, counted from 0")
+                            .in(Group::view)
+                            .looks()};
     Switch show_matrix{*this, setting_of("show_matrix", "the pattern of K beside the body", 1).in(Group::view).looks()};
+    Switch show_numbers{
+        *this, setting_of("show_numbers", "F, P and Kₑ of the element that is lit, beside the body", 1).in(Group::view).looks()};
     Number magnification{*this, quantity("magnification", "", "", 0, {0, 100}, {0, 1e12},
                                          "of the drawn deformation, the numbers are not touched; 0 chooses one")
                                     .in(Group::view)

@@ -46,7 +46,7 @@ void FemLesson::draw(Scene& scene) const {
     const bool assembling = next_element_ > first_of_pass_ && next_element_ < solid_->element_count();
     solid_mesh::draw_element(scene, now, assembling ? first_of_pass_ : lit(), scene.show_labels);
     if (show_matrix && !moving() && solid_->node_count() <= most_pattern_nodes) draw_pattern(scene);
-    write_matrices(scene);
+    if (show_numbers) write_matrices(scene);
     write_notes(scene);
 }
 
