@@ -92,3 +92,20 @@ TEST_CASE("fem: files that hold no body are refused with their numbers", "[proce
     CHECK(unused.exit_code == refused);
     CHECK(contains(unused.err, "5"));
 }
+
+TEST_CASE("fem: slivers and parts that nothing holds are computed or told", "[process]") {
+    const std::string corner = "1 0 0 0\n2 1 0 0\n3 0 1 0\n", one = "3 4 2 3 3 1 2 3 4\n";
+    // A tetrahedron of dihedral angles of a tenth of a degree bends, at rest and in motion.
+    const std::string sliver = mesh_with("sliver", corner + "4 0.3 0.3 0.0005\n", 4, one, 1);
+    CHECK(value(json_of(with(fem_run, {"scene=own", "mesh_file=" + sliver, "load_y=-1"})), "tip_y") < 0);
+    const Json moving = json_of({"run", "mesh/fem", "--steps", "5", "--set", "scene=own", "--set", "mesh_file=" + sliver, "--set",
+                                 "load_y=-1", "--set", "motion=dynamic"});
+    CHECK(value(moving, "stable_time_step") > 0);
+    CHECK(std::isfinite(value(moving, "tip_y")));
+
+    // A second part that floats: no equilibrium, and said so.
+    const Outcome parts =
+        run_of(mesh_with("parts", corner + "4 0 0 1\n5 3 0 0\n6 4 0 0\n7 3 1 0\n8 3 0 1\n", 8, one + "4 4 2 3 3 5 6 7 8\n", 2));
+    CHECK(parts.exit_code == refused);
+    CHECK(contains(parts.err, "6 rigid modes unconstrained"));
+}
