@@ -1,6 +1,7 @@
 // Boundary elements in the plane: rigid motions, Kirsch's hole, Lamé's ring, a hole under pressure, orders, and what is refused.
 #include <pliant/continuum/moduli.h>
 #include <pliant/math/error.h>
+#include <pliant/solids/bem/exact_bodies.h>
 #include <pliant/solids/bem/log_quadrature.h>
 #include <pliant/solids/bem/plane_boundary_elements.h>
 
@@ -197,6 +198,68 @@ TEST_CASE("a block that is held at one side and pulled at the other has a unifor
     }
     CHECK((bem.stress(s, {0.2, 0.1}) - Mat<2>(Vec<2>(100, 0).asDiagonal())).norm() < 1e-6);
     CHECK((bem.displacement(s, {0.2, 0.1}) - Vec<2>(0.012, -0.0018)).norm() < 1e-10);
+}
+
+TEST_CASE("a hole is pulled at from far away: the remote displacement on the right side of H u = G t + u∞", "[bem]") {
+    const auto order = GENERATE(BoundaryOrder::linear, BoundaryOrder::quadratic);
+    const EllipticHole exact{{1, 0.5}, 2, 0.7, plane_strain};
+    const BoundaryCurve curve(std::vector<BoundaryLoop>{{elliptic_arc({0, 0}, exact.half_axes, 0, -2 * pi, 64)}}, order, true);
+    PlaneBoundaryElements bem(curve, plane_strain);
+    bem.assemble();
+    BoundaryConditions conditions = bem.system().free_boundary();
+    pull(bem, conditions, -exact.pressure * Mat<2>::Identity());
+    const Points<2> remote = exact.remote_strain() * curve.nodes();
+    conditions.remote = flat(remote);
+    const auto s = bem.system().solve(conditions);
+    const Vec<2> ends = exact.boundary_displacement();
+    for (Index n = 0; n < curve.node_count(); ++n) {
+        const Vec<2> u(ends[0] * curve.nodes()(0, n), ends[1] * curve.nodes()(1, n) / 0.5);
+        CHECK((s.displacement.col(n) - u).norm() < (order == BoundaryOrder::linear ? 5e-3 : 1e-4) * ends.norm());
+    }
+    for (Index k = 0; k < 64; ++k) {
+        const BoundaryElement& e = curve.elements()[static_cast<std::size_t>(k)];
+        const Vec<2> t = e.tangent(0).normalized(), X = e.point(0);
+        const Real hoop = t.dot(bem.boundary_stress(s, k, 0) * t);
+        CHECK(std::abs(hoop - exact.hoop_stress(std::atan2(X.y() / 0.5, X.x()))) < 0.015 * exact.hoop_stress(0));
+    }
+    CHECK(std::abs(exact.hoop_stress(0) - (2 * 5 + 0.7 * 3)) < 1e-12);
+    CHECK(std::abs(exact.hoop_stress(pi / 2) + 2) < 1e-12);
+}
+
+TEST_CASE("the points of integration add up to the matrices", "[bem]") {
+    const auto order = GENERATE(BoundaryOrder::constant, BoundaryOrder::linear, BoundaryOrder::quadratic);
+    const BoundaryCurve curve(std::vector<BoundaryLoop>{circle(1, false, 8)}, order, true);
+    PlaneBoundaryElements bem(curve, plane_strain);
+    bem.assemble();
+    for (const Index element : {0, 3}) {
+        const auto points = bem.integration_points(element, 0);
+        for (int a = 0; a < nodes_of(order); ++a) {
+            Mat<2> G = Mat<2>::Zero();
+            for (const auto& p : points) G += p.shape[a] * (p.weight * p.U + p.log_part * Mat<2>::Identity());
+            CHECK((bem.system().G().block<2, 2>(0, 2 * bem.system().slot_of(element, a)) - G).norm() < 1e-14 * G.norm());
+        }
+    }
+}
+
+TEST_CASE("a body of another size, or in another unit of length, has the same solution", "[bem]") {
+    // Held at one side, so that the logarithm of Kelvin's solution could matter.
+    const auto tip = [](Real scale) {
+        const BoundaryCurve curve(std::vector<BoundaryLoop>{box(scale, 0.25 * scale, 5)}, BoundaryOrder::quadratic);
+        PlaneBoundaryElements bem(curve, plane_strain);
+        bem.assemble();
+        BoundaryConditions conditions = bem.system().free_boundary();
+        for (Index k = 0; k < 20; ++k)
+            for (int a = 0; a < 3; ++a) {
+                const Index slot = bem.system().slot_of(k, a);
+                if (curve.elements()[static_cast<std::size_t>(k)].arc == 3)
+                    conditions.held[static_cast<std::size_t>(2 * slot)] =
+                        conditions.held[static_cast<std::size_t>(2 * slot + 1)] = 1;
+                if (curve.elements()[static_cast<std::size_t>(k)].arc == 1) conditions.value[2 * slot + 1] = 1;
+            }
+        return bem.system().solve(conditions).displacement.row(1).maxCoeff() / scale;
+    };
+    const Real metre = tip(1);
+    for (const Real scale : {1e-6, 1e6, 0.37}) CHECK(std::abs(tip(scale) / metre - 1) < 1e-9);
 }
 
 TEST_CASE("boundaries and loads that make no problem are refused", "[bem]") {

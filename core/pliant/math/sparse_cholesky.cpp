@@ -62,4 +62,14 @@ void SparseCholesky::solve(const VecX& right_side, VecX& x) const {
 
 Index SparseCholesky::factor_entries() const { return factor_->ldlt.matrixL().nestedExpression().nonZeros(); }
 
+Real SparseCholesky::operations() const {
+    const auto& L = factor_->ldlt.matrixL().nestedExpression();
+    Real sum = 0;
+    for (Index k = 0; k < L.outerSize(); ++k) {
+        const auto entries = static_cast<Real>(L.outerIndexPtr()[k + 1] - L.outerIndexPtr()[k]);
+        sum += entries * entries;
+    }
+    return sum;
+}
+
 }  // namespace pliant

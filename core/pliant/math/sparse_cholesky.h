@@ -22,6 +22,9 @@ public:
     void solve(const VecX& right_side, VecX& x) const;
 
     Index factor_entries() const;  // non-zeros of L, a measure of cost
+    // Multiplications and additions of the factorisation: the squares of the entries of each column of L below its diagonal,
+    // summed.
+    Real operations() const;
 
 private:
     struct Factor;

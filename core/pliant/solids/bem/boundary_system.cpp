@@ -1,3 +1,4 @@
+#include <pliant/math/dense_lu.h>
 #include <pliant/math/dense_matrix.h>
 #include <pliant/math/error.h>
 #include <pliant/solids/bem/boundary_system.h>
@@ -5,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <Eigen/LU>
 
 #include <cmath>
 
@@ -35,6 +35,12 @@ BoundarySystem<Dim>::BoundarySystem(Points<Dim> nodes, std::vector<Element> elem
     }
     H_ = MatX::Zero(unknowns(), unknowns());
     G_ = MatX::Zero(unknowns(), Dim * slot_count());
+}
+
+template <int Dim>
+void BoundarySystem<Dim>::clear() {
+    H_.setZero();
+    G_.setZero();
 }
 
 template <int Dim>
@@ -129,6 +135,7 @@ BoundarySolution<Dim> BoundarySystem<Dim>::solve(const BoundaryConditions& condi
     const Index n = unknowns();
     MatX A = MatX::Zero(n + modes.cols(), n + modes.cols());
     VecX b = VecX::Zero(n + modes.cols());
+    if (conditions.remote.size() > 0) b.head(n) = conditions.remote;
     for (Index dof = 0; dof < n; ++dof)
         held.held[static_cast<std::size_t>(dof)] ? void(b.head(n) -= held.displacement[dof] * H_.col(dof))
                                                  : void(A.col(dof).head(n) = H_.col(dof));
@@ -138,15 +145,14 @@ BoundarySolution<Dim> BoundarySystem<Dim>::solve(const BoundaryConditions& condi
                                                      : void(b.head(n) += conditions.value[s] * G_.col(s));
     A.topRightCorner(n, modes.cols()) = modes;
     A.bottomLeftCorner(modes.cols(), n) = modes.transpose();
-    const VecX x = A.partialPivLu().solve(b);
-    if (!x.allFinite()) {
-        Failure failure;
-        failure.what = "the matrix of the boundary elements is singular";
-        failure.kind = FailureKind::not_converged;
-        throw Diverged(failure);
-    }
+    const VecX x = DenseLu(std::move(A)).solve(b);
 
-    BoundarySolution<Dim> solution{Points<Dim>(Dim, node_count()), Points<Dim>(Dim, slot_count()), modes.cols()};
+    BoundarySolution<Dim> solution{Points<Dim>(Dim, node_count()),
+                                   Points<Dim>(Dim, slot_count()),
+                                   modes.cols(),
+                                   modes,
+                                   VecX(x.tail(modes.cols())),
+                                   VecX(b.head(n))};
     for (Index dof = 0; dof < n; ++dof)
         solution.displacement.data()[dof] = held.held[static_cast<std::size_t>(dof)] ? held.displacement[dof] : x[dof];
     for (Index s = 0; s < Dim * slot_count(); ++s)

@@ -17,18 +17,19 @@ Real area_of(Real distance) {
 }  // namespace
 
 template <int Dim>
-KelvinSolution<Dim>::KelvinSolution(const Lame& material)
+KelvinSolution<Dim>::KelvinSolution(const Lame& material, Real unit_distance)
     : shear_(material.mu),
       ratio_(material.lambda / (2 * (material.lambda + material.mu))),
+      unit_distance_(unit_distance),
       scale_(1 / ((Dim == 2 ? 8 : 16) * pi * shear_ * (1 - ratio_))) {}
 
-// Plane: s ((3 - 4 nu) ln(1/r) I + e e^T), space: s/r ((3 - 4 nu) I + e e^T), with e = r/|r|.
+// Plane: s ((3 - 4 nu) ln(d/r) I + e e^T), space: s/r ((3 - 4 nu) I + e e^T), with e = r/|r|, d the unit distance.
 template <int Dim>
 Mat<Dim> KelvinSolution<Dim>::displacement(const Vec<Dim>& r) const {
     const Real distance = r.norm();
     const Vec<Dim> e = r / distance;
     if constexpr (Dim == 2)
-        return scale_ * (-(3 - 4 * ratio_) * std::log(distance) * Mat<2>::Identity() + e * e.transpose());
+        return scale_ * (-(3 - 4 * ratio_) * std::log(distance / unit_distance_) * Mat<2>::Identity() + e * e.transpose());
     else
         return scale_ / distance * ((3 - 4 * ratio_) * Mat<3>::Identity() + e * e.transpose());
 }

@@ -13,6 +13,7 @@ namespace pliant {
 namespace {
 
 constexpr int singular_points = 16;  // of an element that holds the source, on each side of it
+constexpr Real far_beyond = 4;       // in diagonals of the curve
 constexpr int deepest = 24;          // halvings of an element near the source
 
 // Points that are enough for an element at a distance of so many lengths: the error falls as ρ^(-2 points), ρ the ellipse through
@@ -46,14 +47,22 @@ std::vector<BoundarySystem<2>::Element> elements_of(const BoundaryCurve& curve) 
     std::vector<BoundarySystem<2>::Element> list;
     const GaussRule& rule = gauss(10);
     for (const BoundaryElement& e : curve.elements()) {
-        BoundarySystem<2>::Element element{.nodes = e.nodes, .count = e.count};
+        BoundarySystem<2>::Element element{.nodes = {e.nodes[0], e.nodes[1], e.nodes[2], -1, -1, -1}, .count = e.count};
         for (Index q = 0; q < rule.points.size(); ++q) {
             const Real xi = 2 * rule.points[q] - 1;
-            element.products += 2 * rule.weights[q] * e.tangent(xi).norm() * e.values(xi) * e.values(xi).transpose();
+            element.products.topLeftCorner<3, 3>() +=
+                2 * rule.weights[q] * e.tangent(xi).norm() * e.values(xi) * e.values(xi).transpose();
         }
         list.push_back(element);
     }
     return list;
+}
+
+// Which node of an element it is; -1 for none.
+int own_of(const BoundaryElement& e, Index node) {
+    for (int a = 0; a < e.count; ++a)
+        if (e.nodes[static_cast<std::size_t>(a)] == node) return a;
+    return -1;
 }
 
 }  // namespace
@@ -61,7 +70,7 @@ std::vector<BoundarySystem<2>::Element> elements_of(const BoundaryCurve& curve) 
 PlaneBoundaryElements::PlaneBoundaryElements(const BoundaryCurve& curve, const Lame& material)
     : curve_(&curve),
       material_(material),
-      kelvin_(material),
+      kelvin_(material, far_beyond * (curve.nodes().rowwise().maxCoeff() - curve.nodes().rowwise().minCoeff()).norm()),
       system_(curve.nodes(), elements_of(curve), material, curve.unbounded()) {}
 
 // visit(xi, weight [m], r, n): sum of f × weight is the integral of f over the part.
@@ -87,37 +96,36 @@ void PlaneBoundaryElements::assemble() {
     for (Index n = 0; n < curve_->node_count(); ++n) assemble(n);
 }
 
-void PlaneBoundaryElements::assemble(Index node) {
+void PlaneBoundaryElements::integrate(Index node) {
     system_.begin_rows(node);
-    const auto& elements = curve_->elements();
-    for (std::size_t k = 0; k < elements.size(); ++k) {
-        int own = -1;
-        for (int a = 0; a < elements[k].count; ++a)
-            if (elements[k].nodes[static_cast<std::size_t>(a)] == node) own = a;
-        own < 0 ? integrate_beside(static_cast<Index>(k), node) : integrate_own(static_cast<Index>(k), own, node);
-    }
-    system_.end_rows(node);
+    for (Index k = 0; k < static_cast<Index>(curve_->elements().size()); ++k) integrate_beside(k, node);
 }
 
 void PlaneBoundaryElements::integrate_beside(Index element, Index node) {
     const BoundaryElement& e = curve_->elements()[static_cast<std::size_t>(element)];
-    integrate(e, curve_->nodes().col(node), -1, 1, 0, [&](Real xi, Real weight, const Vec<2>& r, const Vec<2>& n) {
-        const Mat<2> T = weight * kelvin_.traction(r, n), U = weight * kelvin_.displacement(r);
-        const Vec<3> N = e.values(xi);
+    const int own = own_of(e, node);
+    const auto add = [&](const Vec<3>& N, const Mat<2>& U, const Mat<2>& T) {
         for (int a = 0; a < e.count; ++a) {
-            system_.add_traction(node, e.nodes[static_cast<std::size_t>(a)], N[a] * T);
+            if (a != own) system_.add_traction(node, e.nodes[static_cast<std::size_t>(a)], N[a] * T);
             system_.add_displacement(node, system_.slot_of(element, a), N[a] * U);
         }
+    };
+    if (own >= 0)
+        return integrate_own(e, own, curve_->nodes().col(node),
+                             [&](Real xi, Real weight, Real log_part, const Mat<2>& U, const Mat<2>& T) {
+                                 add(e.values(xi), weight * U + log_part * Mat<2>::Identity(), weight * T);
+                             });
+    integrate(e, curve_->nodes().col(node), -1, 1, 0, [&](Real xi, Real weight, const Vec<2>& r, const Vec<2>& n) {
+        add(e.values(xi), weight * kelvin_.displacement(r), weight * kelvin_.traction(r, n));
     });
 }
 
-// On each side of the source t runs from 0 there to 1. ln(1/|r|) = ln(1/t) + ln(t/|r|), the second part smooth; T is met by shape
-// functions that vanish at the source.
-void PlaneBoundaryElements::integrate_own(Index element, int own, Index node) {
+// The parts of the element at either side of the source: U is log_factor() ln(1/t) I, t from 0 at the source to 1 at the end, and
+// what is smooth; T is met by shape functions that vanish at the source. visit(xi, weight, log_part, smooth U, T)
+template <class Visit>
+void PlaneBoundaryElements::integrate_own(const BoundaryElement& e, int own, const Vec<2>& X, Visit visit) const {
     static const LogRule rule = log_rule(singular_points);
-    const BoundaryElement& e = curve_->elements()[static_cast<std::size_t>(element)];
     const Real source = e.at[static_cast<std::size_t>(own)];
-    const Vec<2> X = curve_->nodes().col(node);
     for (const Real end : {Real{-1}, Real{1}}) {
         const Real side = end - source;
         if (side == 0) continue;
@@ -126,16 +134,43 @@ void PlaneBoundaryElements::integrate_own(Index element, int own, Index node) {
             const Real stretch = std::abs(side) * e.tangent(xi).norm();
             const Vec<2> r = e.point(xi) - X;
             const Mat<2> smooth = kelvin_.displacement(r) + kelvin_.log_factor() * std::log(t) * Mat<2>::Identity();
-            const Mat<2> U =
-                stretch * (rule.weights[q] * smooth + rule.log_weights[q] * kelvin_.log_factor() * Mat<2>::Identity());
-            const Mat<2> T = stretch * rule.weights[q] * kelvin_.traction(r, e.normal(xi));
-            const Vec<3> N = e.values(xi);
-            for (int a = 0; a < e.count; ++a) {
-                system_.add_displacement(node, system_.slot_of(element, a), N[a] * U);
-                if (a != own) system_.add_traction(node, e.nodes[static_cast<std::size_t>(a)], N[a] * T);
-            }
+            visit(xi, stretch * rule.weights[q], stretch * rule.log_weights[q] * kelvin_.log_factor(), smooth,
+                  kelvin_.traction(r, e.normal(xi)));
         }
     }
+}
+
+std::vector<BoundaryIntegrationPoint<2>> PlaneBoundaryElements::integration_points(Index element, Index node) const {
+    const BoundaryElement& e = curve_->elements()[static_cast<std::size_t>(element)];
+    std::vector<BoundaryIntegrationPoint<2>> points;
+    const auto add = [&](Real xi, Real weight, Real log_part, const Mat<2>& U, const Mat<2>& T) {
+        points.push_back({Eigen::Matrix<Real, 6, 1>::Zero(), weight, U, T, log_part});
+        points.back().shape.head<3>() = e.values(xi);
+    };
+    if (const int own = own_of(e, node); own >= 0)
+        integrate_own(e, own, curve_->nodes().col(node), add);
+    else
+        integrate(e, curve_->nodes().col(node), -1, 1, 0, [&](Real xi, Real weight, const Vec<2>& r, const Vec<2>& n) {
+            add(xi, weight, 0, kelvin_.displacement(r), kelvin_.traction(r, n));
+        });
+    return points;
+}
+
+InsideSums<2> PlaneBoundaryElements::inside_sums(const Vec<2>& X) const {
+    InsideSums<2> sums{MatX::Zero(6, 2 * system_.slot_count()), MatX::Zero(6, 2 * system_.node_count())};
+    for (Index k = 0; k < static_cast<Index>(curve_->elements().size()); ++k) {
+        const BoundaryElement& e = curve_->elements()[static_cast<std::size_t>(k)];
+        integrate(e, X, -1, 1, 0, [&](Real xi, Real weight, const Vec<2>& r, const Vec<2>& n) {
+            const Vec<3> N = e.values(xi);
+            add_inside_terms(kelvin_, weight, r, n, [&](const auto& t, const auto& u) {
+                for (int a = 0; a < e.count; ++a) {
+                    sums.of_traction.middleCols<2>(2 * system_.slot_of(k, a)) += N[a] * t;
+                    sums.of_displacement.middleCols<2>(2 * e.nodes[static_cast<std::size_t>(a)]) += N[a] * u;
+                }
+            });
+        });
+    }
+    return sums;
 }
 
 // ----------------------------------------------------------------------------------------------------------- reading it off
@@ -180,27 +215,9 @@ Mat<2> PlaneBoundaryElements::boundary_stress(const Solution& s, Index element, 
            shear * (normal * tangent.transpose() + tangent * normal.transpose());
 }
 
-Vec<2> PlaneBoundaryElements::displacement(const Solution& s, const Vec<2>& X) const {
-    Vec<2> u = Vec<2>::Zero();
-    for (Index k = 0; k < static_cast<Index>(curve_->elements().size()); ++k)
-        integrate(curve_->elements()[static_cast<std::size_t>(k)], X, -1, 1, 0,
-                  [&](Real xi, Real weight, const Vec<2>& r, const Vec<2>& n) {
-                      u += weight * (kelvin_.displacement(r) * traction_at(s, k, xi) -
-                                     kelvin_.traction(r, n) * boundary_displacement(s, k, xi));
-                  });
-    return u;
-}
+Vec<2> PlaneBoundaryElements::displacement(const Solution& s, const Vec<2>& X) const { return inside_sums(X).displacement(s); }
 
-Mat<2> PlaneBoundaryElements::stress(const Solution& s, const Vec<2>& X) const {
-    Mat<2> sigma = Mat<2>::Zero();
-    for (Index k = 0; k < static_cast<Index>(curve_->elements().size()); ++k)
-        integrate(curve_->elements()[static_cast<std::size_t>(k)], X, -1, 1, 0,
-                  [&](Real xi, Real weight, const Vec<2>& r, const Vec<2>& n) {
-                      sigma += weight * (kelvin_.stress_of_traction(r, traction_at(s, k, xi)) -
-                                         kelvin_.stress_of_displacement(r, n, boundary_displacement(s, k, xi)));
-                  });
-    return sigma;
-}
+Mat<2> PlaneBoundaryElements::stress(const Solution& s, const Vec<2>& X) const { return inside_sums(X).stress(s); }
 
 Real PlaneBoundaryElements::distance(const Vec<2>& X) const {
     Real least = std::numeric_limits<Real>::infinity();
