@@ -175,7 +175,7 @@ TEST_CASE("what is no Gmsh file, or not a whole one, is refused with its line", 
 }
 
 TEST_CASE("every body of assets/meshes is whole, and has the groups that lessons need", "[mesh_file]") {
-    for (const char* body : {"beam", "hook", "dumbbell", "animal", "plate_with_hole", "gear"}) {
+    for (const char* body : {"beam", "bracket", "hook", "dumbbell", "animal", "plate_with_hole", "gear"}) {
         Index coarse_elements = 0;
         for (const char* size : {"coarse", "fine"}) {
             const std::string path = fmt::format("{}/assets/meshes/{}_{}.msh", PLIANT_SOURCE_DIR, body, size);
