@@ -29,9 +29,11 @@ Runner volumes_after(Index steps, const Runner::Assignments& parameters) {
 
 TEST_CASE("fvm: the stages stand in the lecture's order, and only those that the scene needs") {
     CHECK(stage_names(volumes_after(0, {})) == Names{"areas", "deformation", "rotation", "strain", "stress", "true_stress",
-                                                     "face_forces", "share", "finite_element_force", "external_forces", "integrate"});
+                                                     "face_forces", "share", "finite_element_force", "external_forces",
+                                                     "integrate"});
     CHECK(stage_names(volumes_after(0, {{"scene", "free"}, {"model", "stvk"}})) ==
-          Names{"areas", "deformation", "strain", "stress", "true_stress", "face_forces", "share", "finite_element_force", "integrate"});
+          Names{"areas", "deformation", "strain", "stress", "true_stress", "face_forces", "share", "finite_element_force",
+                "integrate"});
 }
 
 TEST_CASE("fvm: shared face forces are those of finite elements, in every scene and law") {

@@ -99,9 +99,10 @@ Input newton_direction(const ImplicitSolver& solver, Index dof, Real diagonal, c
     for (const auto& [b, value] : row) {
         if (value == 0 || b == dof) continue;
         e.inputs.push_back(Input::constant("H_ab", value, "N/m", "coupling to a neighbour").in("H_ab"));
-        e.inputs.push_back(Input::constant("d_b", solver.direction()[b], "m",
-                                           fmt::format("the neighbour's direction, {} of node {}", "xyz"[b % dimension], b / dimension))
-                               .in("d_b"));
+        e.inputs.push_back(
+            Input::constant("d_b", solver.direction()[b], "m",
+                            fmt::format("the neighbour's direction, {} of node {}", "xyz"[b % dimension], b / dimension))
+                .in("d_b"));
     }
     return Input::part("d", "m", std::move(e));
 }

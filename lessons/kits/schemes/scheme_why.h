@@ -28,8 +28,8 @@ Explanation table_row(std::string_view symbol, const TimeIntegrator& integrator,
 // symbols: of the iterate and of its letter before, "x′" and "x".
 Explanation newton_iterate(const std::string& symbol, const std::string& letter, const ImplicitSolver& solver, Index dof,
                            Input iterate_before, Input direction, const std::optional<Input>& bound);
-// One row of H d = R − g − r: R the force of a bound, r what conjugate gradients have left, each where there is one. dimension: of
-// the nodes.
+// One row of H d = R − g − r: R the force of a bound, r what conjugate gradients have left, each where there is one. dimension:
+// of the nodes.
 Input newton_direction(const ImplicitSolver& solver, Index dof, Real diagonal, const std::vector<std::pair<Index, Real>>& row,
                        int dimension = 3);
 // The same with the matrix of a direct solve.

@@ -181,7 +181,7 @@ struct FvmLesson final : Lesson {
     std::optional<Pull> pull_;
     Index first_of_pass_ = 0, next_element_ = 0;  // in the loop over the elements
     bool loop_runs_ = false;
-    bool forces_meet_ = false;  // both forces on the nodes belong to the same places
+    bool forces_meet_ = false;                 // both forces on the nodes belong to the same places
     Real start_kinetic_ = 0, start_spin_ = 0;  // J, kg m²/s
     bool interfered_ = false;
 
