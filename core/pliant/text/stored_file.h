@@ -13,7 +13,7 @@ namespace pliant {
 
 struct StoredFile {
     std::string path;  // from the root on; of a body that comes with Pliant its name alone: "hook_coarse"
-    std::string name;  // that readers and messages use, with its ending: "/home/ada/part.msh", "hook_coarse.msh"
+    std::string name;  // that readers and messages use, with its ending: "meshes/part.msh", "hook_coarse.msh"
     std::string_view bytes;
     std::string sha256;  // of the bytes
     bool bundled = false;
